@@ -19,9 +19,9 @@ import org.u2sa.service.actuator.ActuatorOwner;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Actuator service of one thruster, of which a boat may have two and an underwater vehicle six
- * (thesis 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators, its announcement
- * with position and direction (thesis 5.1); power, if the thruster measures its battery.
+ * Actuator service of one thruster; a boat may have two, an underwater vehicle six (thesis
+ * 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators, its announcement with
+ * position and direction (thesis 5.1); power, if the thruster measures its battery.
  */
 public final class ThrusterActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;

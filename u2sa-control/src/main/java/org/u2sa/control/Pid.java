@@ -1,7 +1,5 @@
 package org.u2sa.control;
 
-import org.u2sa.service.handover.HandOver;
-
 /**
  * A PID controller in parallel form, with filtered derivative on measurement, set-point weighting,
  * back-calculation anti-windup and bumpless transfer:
@@ -145,19 +143,13 @@ public final class Pid {
     measuredBefore = Double.NaN;
   }
 
-  /** Saves the learnt state under a name. */
-  public void handOver(HandOver state, String name) {
-    state.number(name + " INTEGRAL", integral).number(name + " DERIVATIVE", derivative);
-    if (!Double.isNaN(measuredBefore)) {
-      state.number(name + " MEASURED", measuredBefore);
+  /** Saves or restores the learnt state under a name. */
+  public void transfer(Transfer state, String name) {
+    integral = state.number(name + " INTEGRAL", integral);
+    derivative = state.number(name + " DERIVATIVE", derivative);
+    measuredBefore = state.number(name + " MEASURED", measuredBefore, Double.NaN);
+    if (state.isRestoring()) {
+      forgetSwitchedOff();
     }
-  }
-
-  /** Restores the state saved by {@link #handOver}. */
-  public void takeOver(HandOver state, String name) {
-    integral = state.number(name + " INTEGRAL").orElse(0.0);
-    derivative = state.number(name + " DERIVATIVE").orElse(0.0);
-    measuredBefore = state.number(name + " MEASURED").orElse(Double.NaN);
-    forgetSwitchedOff();
   }
 }

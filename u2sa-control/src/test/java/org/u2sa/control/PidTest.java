@@ -72,10 +72,10 @@ class PidTest {
   void takeOver_switchedOff_putsOutNothing() {
     Pid before = wound(Pid.Gains.of(2.0, 0.5, 0.1));
     HandOver state = new HandOver("test");
-    before.handOver(state, "SURGE");
+    before.transfer(Transfer.saving(state), "SURGE");
     Pid pid = new Pid(Pid.Gains.of(0.0, 0.5, 0.1));
 
-    pid.takeOver(state, "SURGE");
+    pid.transfer(Transfer.restoring(state), "SURGE");
     assertThat(pid.step(1.0, 0.0, STEP_S)).isZero();
     pid.takeOver(3.0, 1.0, 0.0);
     assertThat(pid.step(1.0, 0.0, STEP_S)).isZero();

@@ -1,2 +1,2 @@
-/** The one class that the IOIO library expects from whoever uses it. Nothing else belongs here. */
+/** The class that the IOIO library requires its user to provide. Nothing else belongs here. */
 package ioio.lib.spi;

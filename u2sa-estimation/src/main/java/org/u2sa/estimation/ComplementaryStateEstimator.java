@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.InertialMeasurement;
@@ -31,25 +32,15 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double DEG_PER_M = Math.toDegrees(1.0 / EARTH_RADIUS_M);
 
   private record Variables(
-      @Variable(
-              unit = "s",
-              min = 0,
-              ifAbsent = 1,
-              text = "Time constant with which measured positions pull the estimate; 0: at once.")
+      @Variable(unit = "s", min = 0, ifAbsent = 1)
+          @Description("Time constant with which measured positions pull the estimate; 0: at once.")
           double positionTime,
-      @Variable(
-              unit = "s",
-              min = 0,
-              ifAbsent = 0.5,
-              text = "Time constant with which measured headings pull the estimate; 0: at once.")
+      @Variable(unit = "s", min = 0, ifAbsent = 0.5)
+          @Description("Time constant with which measured headings pull the estimate; 0: at once.")
           double headingTime,
-      @Variable(
-              unit = "s",
-              min = 0.01,
-              max = 60,
-              ifAbsent = 2,
-              text =
-                  "Age at which a measured rate, position or heading no longer counts, late ones included.")
+      @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 2)
+          @Description(
+              "Age at which a measured rate, position or heading no longer counts, late ones included.")
           double staleAfter) {}
 
   /** A value that is pulled by its measurements and propagated by its rate. */

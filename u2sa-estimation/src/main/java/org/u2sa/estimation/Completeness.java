@@ -57,11 +57,7 @@ final class Completeness {
         "\"" + name + "\": expected numbers of a state, such as x, y, psi");
   }
 
-  /**
-   * Checks a published state.
-   *
-   * @param sensors measurements it was made of
-   */
+  /** Checks a published state, which was made of these sensors' measurements. */
   void look(StateInformation state, Collection<StateInformation> sensors) {
     long now = state.timestamp().orElseThrow();
     List<StateField> missing = new ArrayList<>();

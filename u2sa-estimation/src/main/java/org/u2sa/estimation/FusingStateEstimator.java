@@ -92,10 +92,7 @@ public final class FusingStateEstimator extends StateEstimator {
     return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
   }
 
-  /**
-   * Feeds the surveyed start heading to the filter, and the surveyed position once a receiver has
-   * given an approximate one.
-   */
+  /** Feeds the surveyed start heading and, once a receiver is near it, the surveyed position. */
   private void tellStart() {
     if (!isHeadingTold && variables.startPsiSigma() > 0.0) {
       isHeadingTold = true;

@@ -3,6 +3,7 @@ package org.u2sa.estimation;
 import org.u2sa.estimation.fusion.FilterTuning;
 import org.u2sa.estimation.fusion.MotionDomain;
 import org.u2sa.estimation.measurement.UsualSigmas;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -10,225 +11,117 @@ import org.u2sa.interfaces.configuration.Variable;
  * recommended.
  */
 record FusionVariables(
-    @Variable(
-            ifAbsentText = "GROUND",
-            text = "Where the vehicle moves; gives the defaults for motion that nothing measures.")
+    @Variable(ifAbsentText = "GROUND")
+        @Description(
+            "Where the vehicle moves; gives the defaults for motion that nothing measures.")
         MotionDomain domain,
-    @Variable(
-            unit = "Hz",
-            min = 0.1,
-            max = 1000,
-            ifAbsent = 50,
-            text = "Maximum rate of published states; each measurement may cause one.")
+    @Variable(unit = "Hz", min = 0.1, max = 1000, ifAbsent = 50)
+        @Description("Maximum rate of published states; each measurement may cause one.")
         double outputRate,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 30,
-            ifAbsent = 1,
-            text = "Age at which a late measurement is still fused where it belongs in time.")
+    @Variable(unit = "s", min = 0, max = 30, ifAbsent = 1)
+        @Description("Age at which a late measurement is still fused where it belongs in time.")
         double horizon,
-    @Variable(
-            min = 8,
-            max = 20000,
-            ifAbsent = 512,
-            text = "Number of measurements kept for late ones; about 7 kB each.")
+    @Variable(min = 8, max = 20000, ifAbsent = 512)
+        @Description("Number of measurements kept for late ones; about 7 kB each.")
         int history,
-    @Variable(
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Random walk of the horizontal velocity without an accelerometer, in m/s per √s; 0: the domain's (GROUND 0.7, AIR 2, WATER and UNDERWATER 0.3).")
+    @Variable(min = 0, ifAbsent = 0)
+        @Description(
+            "Random walk of the horizontal velocity without an accelerometer, in m/s per √s; 0: the domain's (GROUND 0.7, AIR 2, WATER and UNDERWATER 0.3).")
         double accelerationNoise,
-    @Variable(
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Random walk of the vertical velocity without an accelerometer, in m/s per √s; 0: the domain's (GROUND and WATER 0.1, AIR 1, UNDERWATER 0.2).")
+    @Variable(min = 0, ifAbsent = 0)
+        @Description(
+            "Random walk of the vertical velocity without an accelerometer, in m/s per √s; 0: the domain's (GROUND and WATER 0.1, AIR 1, UNDERWATER 0.2).")
         double verticalNoise,
-    @Variable(
-            unit = "rad/s",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Turn rate, 1 sigma, without a gyroscope; 0: the domain's (GROUND 0.5, AIR 0.3, WATER and UNDERWATER 0.2).")
+    @Variable(unit = "rad/s", min = 0, ifAbsent = 0)
+        @Description(
+            "Turn rate, 1 sigma, without a gyroscope; 0: the domain's (GROUND 0.5, AIR 0.3, WATER and UNDERWATER 0.2).")
         double turnSigma,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Speed sideways, 1 sigma, over ground (GROUND) or through air or water; 0: the domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description(
+            "Speed sideways, 1 sigma, over ground (GROUND) or through air or water; 0: the domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
         double sideSlipSigma,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 0.2,
-            text =
-                "Interval of the constraint that the vehicle does not slip sideways; 0: none, for vehicles that move in all directions.")
+    @Variable(unit = "s", min = 0, ifAbsent = 0.2)
+        @Description(
+            "Interval of the constraint that the vehicle does not slip sideways; 0: none, for vehicles that move in all directions.")
         double constraintInterval,
-    @Variable(
-            unit = "rad/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.02,
-            text = "Initial bias of gyroscopes, 1 sigma.")
+    @Variable(unit = "rad/s", min = 0, minExcluded = true, ifAbsent = 0.02)
+        @Description("Initial bias of gyroscopes, 1 sigma.")
         double gyroBiasSigma,
-    @Variable(
-            min = 0,
-            ifAbsent = 1e-4,
-            text = "Random walk of the bias of gyroscopes, in rad/s per √s.")
+    @Variable(min = 0, ifAbsent = 1e-4)
+        @Description("Random walk of the bias of gyroscopes, in rad/s per √s.")
         double gyroBiasNoise,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.2,
-            text = "Initial bias of accelerometers, 1 sigma.")
+    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 0.2)
+        @Description("Initial bias of accelerometers, 1 sigma.")
         double accelerometerBiasSigma,
-    @Variable(
-            min = 0,
-            ifAbsent = 1e-3,
-            text = "Random walk of the bias of accelerometers, in m/s² per √s.")
+    @Variable(min = 0, ifAbsent = 1e-3)
+        @Description("Random walk of the bias of accelerometers, in m/s² per √s.")
         double accelerometerBiasNoise,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 5,
-            text = "Initial wind or current, 1 sigma of each component.")
+    @Variable(unit = "m/s", min = 0, minExcluded = true, ifAbsent = 5)
+        @Description("Initial wind or current, 1 sigma of each component.")
         double flowSigma,
-    @Variable(
-            min = -1,
-            max = 0.5,
-            ifAbsent = -1,
-            text =
-                "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
+    @Variable(min = -1, max = 0.5, ifAbsent = -1)
+        @Description(
+            "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
         double wheelScaleSigma,
-    @Variable(
-            min = 2,
-            max = 20,
-            ifAbsent = 4,
-            text = "Normal deviations beyond which a measurement is gated.")
+    @Variable(min = 2, max = 20, ifAbsent = 4)
+        @Description("Normal deviations beyond which a measurement is gated.")
         double gate,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 30,
-            text =
-                "Time for which errors of position sources persist: a receiver's error wanders over many seconds and does not average out. 0: each error is new.")
+    @Variable(unit = "s", min = 0, ifAbsent = 30)
+        @Description(
+            "Time for which errors of position sources persist: a receiver's error wanders over many seconds and does not average out. 0: each error is new.")
         double positionCorrelation,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 60,
-            text =
-                "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: each error is new.")
+    @Variable(unit = "s", min = 0, ifAbsent = 60)
+        @Description(
+            "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: each error is new.")
         double headingCorrelation,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 1,
-            ifAbsent = 0.1,
-            text =
-                "How well the delays of position sources are known, 1 sigma: the filter estimates what their services' DELAY lacks. 0: exactly.")
+    @Variable(unit = "s", min = 0, max = 1, ifAbsent = 0.1)
+        @Description(
+            "How well the delays of position sources are known, 1 sigma: the filter estimates what their services' DELAY lacks. 0: exactly.")
         double delaySigma,
-    @Variable(
-            unit = "deg",
-            min = -180,
-            max = 180,
-            ifAbsent = 0,
-            text = "Longitude of the surveyed place where each run starts.")
+    @Variable(unit = "deg", min = -180, max = 180, ifAbsent = 0)
+        @Description("Longitude of the surveyed place where each run starts.")
         double startX,
-    @Variable(
-            unit = "deg",
-            min = -90,
-            max = 90,
-            ifAbsent = 0,
-            text = "Latitude of the surveyed place where each run starts.")
+    @Variable(unit = "deg", min = -90, max = 90, ifAbsent = 0)
+        @Description("Latitude of the surveyed place where each run starts.")
         double startY,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 1000,
-            ifAbsent = 0,
-            text =
-                "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts it by more than the gate is believed instead.")
+    @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 0)
+        @Description(
+            "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts it by more than the gate is believed instead.")
         double startSigma,
-    @Variable(
-            unit = "deg",
-            min = -360,
-            max = 360,
-            ifAbsent = 0,
-            text = "Heading at the start, clockwise from true north.")
+    @Variable(unit = "deg", min = -360, max = 360, ifAbsent = 0)
+        @Description("Heading at the start, clockwise from true north.")
         double startPsi,
-    @Variable(
-            unit = "deg",
-            min = 0,
-            max = 90,
-            ifAbsent = 0,
-            text =
-                "Accuracy of START PSI, 1 sigma; 0: it is unknown and, without a compass, found from the first motion.")
+    @Variable(unit = "deg", min = 0, max = 90, ifAbsent = 0)
+        @Description(
+            "Accuracy of START PSI, 1 sigma; 0: it is unknown and, without a compass, found from the first motion.")
         double startPsiSigma,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Positions of sensors that are not at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Positions of sensors that are not at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
         String leverArms,
-    @Variable(
-            unit = "s",
-            min = 0.1,
-            ifAbsent = 5,
-            text = "Time after which a quantity is reset if all its sources contradict it.")
+    @Variable(unit = "s", min = 0.1, ifAbsent = 5)
+        @Description("Time after which a quantity is reset if all its sources contradict it.")
         double resetAfter,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 25,
-            text = "Standard deviation beyond which a position is not published.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 25)
+        @Description("Standard deviation beyond which a position is not published.")
         double lostSigma,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 3,
-            text = "Sigma of positions reported without one.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 3)
+        @Description("Sigma of positions reported without one.")
         double positionSigma,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.3,
-            text = "Sigma of velocities reported without one.")
+    @Variable(unit = "m/s", min = 0, minExcluded = true, ifAbsent = 0.3)
+        @Description("Sigma of velocities reported without one.")
         double velocitySigma,
-    @Variable(
-            unit = "rad",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.05,
-            text = "Sigma of roll, pitch and heading reported without one.")
+    @Variable(unit = "rad", min = 0, minExcluded = true, ifAbsent = 0.05)
+        @Description("Sigma of roll, pitch and heading reported without one.")
         double attitudeSigma,
-    @Variable(
-            unit = "rad/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.015,
-            text = "Sigma of angular rates reported without one.")
+    @Variable(unit = "rad/s", min = 0, minExcluded = true, ifAbsent = 0.015)
+        @Description("Sigma of angular rates reported without one.")
         double rateSigma,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.35,
-            text = "Sigma of specific forces reported without one.")
+    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 0.35)
+        @Description("Sigma of specific forces reported without one.")
         double forceSigma,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text = "Sigma of speeds through air or water reported without one.")
+    @Variable(unit = "m/s", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description("Sigma of speeds through air or water reported without one.")
         double fluidSigma) {
   FusionVariables {
     try {

@@ -1,22 +1,18 @@
 package org.u2sa.estimation;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.U2SAService;
 
 /** Variables of an estimator: which numbers of the state may not be absent for long. */
 record NeededNumbers(
-    @Variable(
-            ifAbsentText = "x, y, psi",
-            text =
-                "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
+    @Variable(ifAbsentText = "x, y, psi")
+        @Description(
+            "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
         String needed,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 5,
-            text = "Time for which a needed number may be absent before health reports it.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 5)
+        @Description("Time for which a needed number may be absent before health reports it.")
         double completeWithin) {
   NeededNumbers {
     try {

@@ -80,10 +80,7 @@ final class NewestMeasurements {
     return Optional.of(state);
   }
 
-  /**
-   * Whether a body-frame measurement, such as wheel speeds, would displace the vehicle's position
-   * on the state channel.
-   */
+  /** Whether a body-frame measurement would displace the vehicle's position in the state. */
   private boolean isOutshone(StateInformation sensed) {
     return sensed.referenceFrame().isBody()
         && bySensor.values().stream().anyMatch(other -> !other.referenceFrame().isBody());

@@ -27,10 +27,7 @@ final class OwnFields {
     return state.copy();
   }
 
-  /**
-   * Whether a sensor has additional fields. Angular rates and specific forces do not count: they
-   * are not part of a state.
-   */
+  /** Whether a sensor has fields of its own; angular rates and specific forces do not count. */
   static boolean isRicher(StateInformation sensor) {
     return sensor.getClass() != StateInformation.class && !(sensor instanceof InertialMeasurement);
   }

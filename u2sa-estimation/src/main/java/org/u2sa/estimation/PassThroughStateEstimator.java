@@ -1,6 +1,7 @@
 package org.u2sa.estimation;
 
 import java.util.Optional;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -20,34 +21,21 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class PassThroughStateEstimator extends StateEstimator {
   private record Limits(
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              ifAbsent = 0.1,
-              text =
-                  "Standard deviation assumed for a measured velocity without one; position uncertainty grows with it over time.")
+      @Variable(unit = "m/s", min = 0, ifAbsent = 0.1)
+          @Description(
+              "Standard deviation assumed for a measured velocity without one; position uncertainty grows with it over time.")
           double velocitySigma,
-      @Variable(
-              unit = "m/s^2",
-              min = 0,
-              ifAbsent = 1,
-              text =
-                  "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
+      @Variable(unit = "m/s^2", min = 0, ifAbsent = 1)
+          @Description(
+              "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
           double acceleration,
       @Variable(unit = "m/s", min = 0, ifAbsent = 1, text = "Speed, 1 sigma, if unmeasured.")
           double unknownSpeed,
-      @Variable(
-              unit = "rad/s",
-              min = 0,
-              ifAbsent = 0.5,
-              text = "Assumed turn rate, 1 sigma, where none is measured.")
+      @Variable(unit = "rad/s", min = 0, ifAbsent = 0.5)
+          @Description("Assumed turn rate, 1 sigma, where none is measured.")
           double unknownTurnRate,
-      @Variable(
-              unit = "s",
-              min = 0.01,
-              max = 60,
-              ifAbsent = 2,
-              text = "Maximum age of one sensor's measurement to complete another's.")
+      @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 2)
+          @Description("Maximum age of one sensor's measurement to complete another's.")
           double staleAfter) {}
 
   private final NewestMeasurements measurements;

@@ -23,10 +23,7 @@ final class Plausibility {
 
   private Plausibility() {}
 
-  /**
-   * First implausible value of a measurement, such as "x 1.0E200, outside ±360.0 deg"; empty if
-   * none.
-   */
+  /** First implausible value, such as "x 1.0E200, outside ±360.0 deg"; empty if none. */
   static Optional<String> objection(StateInformation sensed) {
     boolean isGlobal = sensed.referenceFrame().equals(ReferenceFrame.GLOBAL);
     for (StateField field : StateField.values()) {

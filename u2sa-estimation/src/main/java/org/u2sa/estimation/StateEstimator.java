@@ -74,9 +74,7 @@ public abstract class StateEstimator extends EventDrivenService {
     }
   }
 
-  /**
-   * Whether a measurement must be ignored because its timestamp is in the future; reports it if so.
-   */
+  /** Whether a measurement must be ignored because it is from the future; reports it if so. */
   final boolean isFromTheFuture(StateInformation sensed) {
     double aheadS = Clock.seconds(sensed.timestamp().orElseThrow() - clock().micros());
     if (aheadS <= FUTURE_S) {

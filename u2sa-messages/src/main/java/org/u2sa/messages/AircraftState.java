@@ -25,7 +25,6 @@ public class AircraftState extends StateInformation {
       SCHEMA.flag("engineStarting");
   private static final ValueField<AircraftState, Boolean> CRASHED = SCHEMA.flag("crashed");
 
-  /** The schema. */
   public static final MessageType<AircraftState> TYPE = SCHEMA.build();
 
   @Override
@@ -41,7 +40,6 @@ public class AircraftState extends StateInformation {
     return get(HEIGHT_ABOVE_GROUND);
   }
 
-  /** Sets {@link #heightAboveGround()}. */
   public AircraftState heightAboveGround(double metres) {
     return put(HEIGHT_ABOVE_GROUND, metres);
   }
@@ -71,7 +69,6 @@ public class AircraftState extends StateInformation {
     return get(WEIGHT_ON_WHEELS);
   }
 
-  /** Sets {@link #weightOnWheels()}. */
   public AircraftState weightOnWheels(boolean value) {
     return put(WEIGHT_ON_WHEELS, value);
   }
@@ -81,7 +78,6 @@ public class AircraftState extends StateInformation {
     return get(ENGINE_STARTING);
   }
 
-  /** Sets {@link #engineStarting()}. */
   public AircraftState engineStarting(boolean value) {
     return put(ENGINE_STARTING, value);
   }
@@ -91,7 +87,6 @@ public class AircraftState extends StateInformation {
     return get(CRASHED);
   }
 
-  /** Sets {@link #crashed()}. */
   public AircraftState crashed(boolean value) {
     return put(CRASHED, value);
   }

@@ -19,7 +19,6 @@ public final class BatteryState extends U2SAData {
   private static final NumberField<BatteryState> REMAINING =
       SCHEMA.optionalNumber("remaining", "%", 0.0);
 
-  /** The schema. */
   public static final MessageType<BatteryState> TYPE = SCHEMA.build();
 
   @Override
@@ -32,7 +31,6 @@ public final class BatteryState extends U2SAData {
     return require(SENSOR_NAME);
   }
 
-  /** Sets {@link #sensorName()}. */
   public BatteryState sensorName(String value) {
     return put(SENSOR_NAME, value);
   }
@@ -42,7 +40,6 @@ public final class BatteryState extends U2SAData {
     return get(VOLTAGE);
   }
 
-  /** Sets {@link #voltage()}. */
   public BatteryState voltage(double value) {
     return put(VOLTAGE, value);
   }
@@ -52,7 +49,6 @@ public final class BatteryState extends U2SAData {
     return get(CURRENT);
   }
 
-  /** Sets {@link #current()}. */
   public BatteryState current(double value) {
     return put(CURRENT, value);
   }
@@ -62,7 +58,6 @@ public final class BatteryState extends U2SAData {
     return get(REMAINING);
   }
 
-  /** Sets {@link #remaining()}. */
   public BatteryState remaining(double value) {
     return put(REMAINING, value);
   }

@@ -26,7 +26,6 @@ public final class CameraImage extends U2SAData {
   private static final ValueField<CameraImage, Long> HEIGHT = SCHEMA.count("height", "px");
   private static final ValueField<CameraImage, ByteString> DATA = SCHEMA.requiredBytes("data");
 
-  /** The schema. */
   public static final MessageType<CameraImage> TYPE = SCHEMA.build();
 
   @Override
@@ -39,7 +38,6 @@ public final class CameraImage extends U2SAData {
     return require(SENSOR_NAME);
   }
 
-  /** Sets {@link #sensorName()}. */
   public CameraImage sensorName(String value) {
     return put(SENSOR_NAME, value);
   }
@@ -49,7 +47,6 @@ public final class CameraImage extends U2SAData {
     return require(FORMAT);
   }
 
-  /** Sets {@link #format()}. */
   public CameraImage format(String value) {
     return put(FORMAT, value);
   }
@@ -82,13 +79,9 @@ public final class CameraImage extends U2SAData {
   protected void requireConsistent() {
     if (width() < 0 || width() > MAX_SIDE_PX || height() < 0 || height() > MAX_SIDE_PX) {
       throw new IllegalStateException(
-          "CameraImage: a size of "
-              + width()
-              + " x "
-              + height()
-              + " px; expected 0…"
-              + MAX_SIDE_PX
-              + " along each side");
+          String.format(
+              "CameraImage: a size of %s x %s px; expected 0…%s along each side",
+              width(), height(), MAX_SIDE_PX));
     }
   }
 
@@ -97,7 +90,6 @@ public final class CameraImage extends U2SAData {
     return require(DATA);
   }
 
-  /** Sets {@link #data()}. */
   public CameraImage data(ByteString value) {
     return put(DATA, value);
   }

@@ -19,7 +19,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_X_DOT);
   }
 
-  /** Sets {@link #fluidxDot()}. */
   public S fluidxDot(double value) {
     return number(StateField.FLUID_X_DOT, value);
   }
@@ -32,7 +31,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_Y_DOT);
   }
 
-  /** Sets {@link #fluidyDot()}. */
   public S fluidyDot(double value) {
     return number(StateField.FLUID_Y_DOT, value);
   }
@@ -45,7 +43,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_Z_DOT);
   }
 
-  /** Sets {@link #fluidzDot()}. */
   public S fluidzDot(double value) {
     return number(StateField.FLUID_Z_DOT, value);
   }
@@ -58,7 +55,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_X_DOUBLE_DOT);
   }
 
-  /** Sets {@link #fluidxDoubleDot()}. */
   public S fluidxDoubleDot(double value) {
     return number(StateField.FLUID_X_DOUBLE_DOT, value);
   }
@@ -71,7 +67,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_Y_DOUBLE_DOT);
   }
 
-  /** Sets {@link #fluidyDoubleDot()}. */
   public S fluidyDoubleDot(double value) {
     return number(StateField.FLUID_Y_DOUBLE_DOT, value);
   }
@@ -84,7 +79,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_Z_DOUBLE_DOT);
   }
 
-  /** Sets {@link #fluidzDoubleDot()}. */
   public S fluidzDoubleDot(double value) {
     return number(StateField.FLUID_Z_DOUBLE_DOT, value);
   }
@@ -94,7 +88,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_X_DOT_SIGMA);
   }
 
-  /** Sets {@link #fluidxDotSigma()}. */
   public S fluidxDotSigma(double value) {
     return number(StateField.FLUID_X_DOT_SIGMA, value);
   }
@@ -104,7 +97,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_Y_DOT_SIGMA);
   }
 
-  /** Sets {@link #fluidyDotSigma()}. */
   public S fluidyDotSigma(double value) {
     return number(StateField.FLUID_Y_DOT_SIGMA, value);
   }
@@ -114,7 +106,6 @@ abstract class FluidState<S extends U2SAData> extends RotationState<S> {
     return number(StateField.FLUID_Z_DOT_SIGMA);
   }
 
-  /** Sets {@link #fluidzDotSigma()}. */
   public S fluidzDotSigma(double value) {
     return number(StateField.FLUID_Z_DOT_SIGMA, value);
   }

@@ -80,12 +80,8 @@ final class GridCells {
   static byte[] unpack(List<String> pieces, int columns, int rows, long maxCells) {
     if ((long) columns * rows > maxCells) {
       throw broken(
-          columns
-              + " × "
-              + rows
-              + " are more than the "
-              + maxCells
-              + " for which the heap suffices",
+          String.format(
+              "%s × %s are more than the %s for which the heap suffices", columns, rows, maxCells),
           null);
     }
     byte[] cells = new byte[columns * rows];

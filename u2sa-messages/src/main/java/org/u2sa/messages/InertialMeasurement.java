@@ -33,7 +33,6 @@ public class InertialMeasurement extends StateInformation {
   private static final NumberField<InertialMeasurement> SPECIFIC_FORCE_SIGMA =
       SCHEMA.optionalNumber("specificForceSigma", "m/s2", 0.0);
 
-  /** The schema. */
   public static final MessageType<InertialMeasurement> TYPE = SCHEMA.build();
 
   /** Creates an empty measurement in BODY_FRD. */
@@ -58,10 +57,8 @@ public class InertialMeasurement extends StateInformation {
     return get(ROLL_RATE);
   }
 
-  /** Sets {@link #rollRate()}. */
   public InertialMeasurement rollRate(double radPerS) {
-    put(ROLL_RATE, radPerS);
-    return this;
+    return put(ROLL_RATE, radPerS);
   }
 
   /** Angular rate about the y axis [rad/s]; positive nose up in BODY_FRD. */
@@ -69,10 +66,8 @@ public class InertialMeasurement extends StateInformation {
     return get(PITCH_RATE);
   }
 
-  /** Sets {@link #pitchRate()}. */
   public InertialMeasurement pitchRate(double radPerS) {
-    put(PITCH_RATE, radPerS);
-    return this;
+    return put(PITCH_RATE, radPerS);
   }
 
   /** Angular rate about the z axis [rad/s]; positive nose right in BODY_FRD. */
@@ -80,10 +75,8 @@ public class InertialMeasurement extends StateInformation {
     return get(YAW_RATE);
   }
 
-  /** Sets {@link #yawRate()}. */
   public InertialMeasurement yawRate(double radPerS) {
-    put(YAW_RATE, radPerS);
-    return this;
+    return put(YAW_RATE, radPerS);
   }
 
   /** Standard deviation of each angular rate [rad/s]; empty if unknown. */
@@ -91,10 +84,8 @@ public class InertialMeasurement extends StateInformation {
     return get(ANGULAR_RATE_SIGMA);
   }
 
-  /** Sets {@link #angularRateSigma()}. */
   public InertialMeasurement angularRateSigma(double radPerS) {
-    put(ANGULAR_RATE_SIGMA, radPerS);
-    return this;
+    return put(ANGULAR_RATE_SIGMA, radPerS);
   }
 
   /**
@@ -105,10 +96,8 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_X);
   }
 
-  /** Sets {@link #specificForceX()}. */
   public InertialMeasurement specificForceX(double mps2) {
-    put(SPECIFIC_FORCE_X, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_X, mps2);
   }
 
   /** Specific force along y [m/s²]; positive right in BODY_FRD. */
@@ -116,10 +105,8 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_Y);
   }
 
-  /** Sets {@link #specificForceY()}. */
   public InertialMeasurement specificForceY(double mps2) {
-    put(SPECIFIC_FORCE_Y, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_Y, mps2);
   }
 
   /** Specific force along z [m/s²]; -9.81 at rest and level in BODY_FRD, whose z is down. */
@@ -127,10 +114,8 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_Z);
   }
 
-  /** Sets {@link #specificForceZ()}. */
   public InertialMeasurement specificForceZ(double mps2) {
-    put(SPECIFIC_FORCE_Z, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_Z, mps2);
   }
 
   /** Standard deviation of each component of specific force [m/s²]; empty if unknown. */
@@ -138,10 +123,8 @@ public class InertialMeasurement extends StateInformation {
     return get(SPECIFIC_FORCE_SIGMA);
   }
 
-  /** Sets {@link #specificForceSigma()}. */
   public InertialMeasurement specificForceSigma(double mps2) {
-    put(SPECIFIC_FORCE_SIGMA, mps2);
-    return this;
+    return put(SPECIFIC_FORCE_SIGMA, mps2);
   }
 
   @Override

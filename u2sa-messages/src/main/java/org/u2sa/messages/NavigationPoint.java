@@ -27,7 +27,6 @@ public class NavigationPoint extends U2SAData {
   private static final ValueField<NavigationPoint, Boolean> BACKWARDS =
       SCHEMA.since(3).optionalFlag("backwards");
 
-  /** The schema. */
   public static final MessageType<NavigationPoint> TYPE = SCHEMA.build();
 
   @Override
@@ -40,7 +39,6 @@ public class NavigationPoint extends U2SAData {
     return require(SUBSYSTEM);
   }
 
-  /** Sets {@link #subsystem()}. */
   public NavigationPoint subsystem(String value) {
     return put(SUBSYSTEM, value);
   }
@@ -50,7 +48,6 @@ public class NavigationPoint extends U2SAData {
     return require(REFERENCE_FRAME);
   }
 
-  /** Sets {@link #referenceFrame()}. */
   public NavigationPoint referenceFrame(ReferenceFrame value) {
     return put(REFERENCE_FRAME, value);
   }
@@ -60,7 +57,6 @@ public class NavigationPoint extends U2SAData {
     return require(POINT);
   }
 
-  /** Sets {@link #point()}. */
   public NavigationPoint point(Point value) {
     return put(POINT, value);
   }
@@ -70,7 +66,6 @@ public class NavigationPoint extends U2SAData {
     return get(SPEED);
   }
 
-  /** Sets {@link #speed()}. */
   public NavigationPoint speed(double value) {
     return put(SPEED, value);
   }
@@ -80,7 +75,6 @@ public class NavigationPoint extends U2SAData {
     return Boolean.TRUE.equals(get(BACKWARDS));
   }
 
-  /** Sets {@link #backwards()}. */
   public NavigationPoint backwards(boolean value) {
     return put(BACKWARDS, value);
   }

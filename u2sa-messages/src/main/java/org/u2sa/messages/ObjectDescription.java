@@ -44,7 +44,6 @@ public class ObjectDescription extends U2SAData {
     SCHEMA.alias("reference", REFERENCE_FRAME);
   }
 
-  /** The schema. */
   public static final MessageType<ObjectDescription> TYPE = SCHEMA.build();
 
   @Override
@@ -57,7 +56,6 @@ public class ObjectDescription extends U2SAData {
     return require(UID);
   }
 
-  /** Sets {@link #uid()}. */
   public ObjectDescription uid(String uid) {
     return put(UID, uid);
   }
@@ -67,7 +65,6 @@ public class ObjectDescription extends U2SAData {
     return get(OBJECT_TYPE);
   }
 
-  /** Sets {@link #objectType()}. */
   public ObjectDescription objectType(String type) {
     return put(OBJECT_TYPE, type);
   }
@@ -77,7 +74,6 @@ public class ObjectDescription extends U2SAData {
     return get(REFERENCE_FRAME);
   }
 
-  /** Sets {@link #referenceFrame()}. */
   public ObjectDescription referenceFrame(ReferenceFrame frame) {
     return put(REFERENCE_FRAME, frame);
   }
@@ -87,7 +83,6 @@ public class ObjectDescription extends U2SAData {
     return require(X);
   }
 
-  /** Sets {@link #x()}. */
   public ObjectDescription x(double value) {
     return put(X, value);
   }
@@ -97,7 +92,6 @@ public class ObjectDescription extends U2SAData {
     return require(Y);
   }
 
-  /** Sets {@link #y()}. */
   public ObjectDescription y(double value) {
     return put(Y, value);
   }
@@ -110,7 +104,6 @@ public class ObjectDescription extends U2SAData {
     return require(Z);
   }
 
-  /** Sets {@link #z()}. */
   public ObjectDescription z(double value) {
     return put(Z, value);
   }
@@ -120,7 +113,6 @@ public class ObjectDescription extends U2SAData {
     return Optional.ofNullable(get(LEVEL));
   }
 
-  /** Sets {@link #level()}. */
   public ObjectDescription level(ObjectLevel level) {
     return put(LEVEL, level);
   }
@@ -130,7 +122,6 @@ public class ObjectDescription extends U2SAData {
     return get(CONFIDENCE);
   }
 
-  /** Sets {@link #confidence()}. */
   public ObjectDescription confidence(double value) {
     return put(CONFIDENCE, value);
   }
@@ -141,7 +132,6 @@ public class ObjectDescription extends U2SAData {
     return name == null ? "" : name;
   }
 
-  /** Sets {@link #sensorName()}. */
   public ObjectDescription sensorName(String name) {
     return put(SENSOR_NAME, name);
   }
@@ -206,7 +196,7 @@ public class ObjectDescription extends U2SAData {
     ObjectDescription moved = copy();
     Optional<Point> velocity = motion().velocity();
     if (velocity.isPresent()) {
-      moved.shift(scaled(velocity.get(), seconds));
+      moved.shift(velocity.get().times(seconds));
       moved.motion().grow(seconds);
     }
     timestamp()
@@ -228,10 +218,6 @@ public class ObjectDescription extends U2SAData {
     eachPoint(point -> around.point(around.metres(point).plus(way)));
     Point center = around.point(way);
     x(center.x()).y(center.y()).z(center.z());
-  }
-
-  private static Point scaled(Point v, double factor) {
-    return Point.of(factor * v.x(), factor * v.y(), factor * v.z());
   }
 
   /** Maps the centre and all lists of points; called before the frame is changed. */

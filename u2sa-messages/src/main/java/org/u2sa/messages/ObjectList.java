@@ -15,7 +15,6 @@ public final class ObjectList extends U2SAData {
   private static final ValueField<ObjectList, List<String>> AWAITED =
       SCHEMA.since(3).optionalTexts("awaited");
 
-  /** The schema. */
   public static final MessageType<ObjectList> TYPE = SCHEMA.build();
 
   @Override
@@ -28,7 +27,6 @@ public final class ObjectList extends U2SAData {
     return require(OBJECTS);
   }
 
-  /** Sets {@link #objects()}. */
   public ObjectList objects(List<? extends ObjectDescription> value) {
     return put(OBJECTS, List.copyOf(value));
   }
@@ -42,7 +40,6 @@ public final class ObjectList extends U2SAData {
     return value == null ? List.of() : value;
   }
 
-  /** Sets {@link #awaited()}. */
   public ObjectList awaited(List<String> value) {
     return put(AWAITED, List.copyOf(value));
   }

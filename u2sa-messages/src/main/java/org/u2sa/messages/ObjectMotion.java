@@ -47,7 +47,6 @@ public final class ObjectMotion {
     return triple(fields.xDot(), fields.yDot(), fields.zDot());
   }
 
-  /** Sets {@link #velocity()}. */
   public ObjectMotion velocity(Point value) {
     return set(fields.xDot(), fields.yDot(), fields.zDot(), value);
   }
@@ -70,7 +69,6 @@ public final class ObjectMotion {
     return number(fields.velocitySigma());
   }
 
-  /** Sets {@link #velocitySigma()}. */
   public ObjectMotion velocitySigma(double value) {
     fields.velocitySigma().set(object, value);
     return this;
@@ -81,7 +79,6 @@ public final class ObjectMotion {
     return number(fields.horizon());
   }
 
-  /** Sets {@link #horizon()}. */
   public ObjectMotion horizon(double value) {
     fields.horizon().set(object, value);
     return this;

@@ -43,7 +43,6 @@ public final class OccupancyGrid extends U2SAData {
   private static final ValueField<OccupancyGrid, Long> ROWS = SCHEMA.count("rows", "");
   private static final ValueField<OccupancyGrid, List<String>> CELLS = SCHEMA.texts("cells");
 
-  /** The schema. */
   public static final MessageType<OccupancyGrid> TYPE = SCHEMA.build();
 
   private volatile byte[] unpacked; // unpacked CELLS; null until first needed
@@ -92,7 +91,6 @@ public final class OccupancyGrid extends U2SAData {
     return require(RESOLUTION);
   }
 
-  /** Sets {@link #resolution()}. */
   public OccupancyGrid resolution(double metres) {
     return put(RESOLUTION, metres);
   }

@@ -27,7 +27,6 @@ public final class PlannedPath extends U2SAData {
   private static final ValueField<PlannedPath, List<Point>> POINTS = SCHEMA.points("points", "m");
   private static final NumberField<PlannedPath> COST = SCHEMA.optionalNumber("cost", "m", 0.0);
 
-  /** The schema. */
   public static final MessageType<PlannedPath> TYPE = SCHEMA.build();
 
   @Override
@@ -40,7 +39,6 @@ public final class PlannedPath extends U2SAData {
     return require(SUBSYSTEM);
   }
 
-  /** Sets {@link #subsystem()}. */
   public PlannedPath subsystem(String value) {
     return put(SUBSYSTEM, value);
   }
@@ -50,7 +48,6 @@ public final class PlannedPath extends U2SAData {
     return get(GOAL);
   }
 
-  /** Sets {@link #goal()}. */
   public PlannedPath goal(String uid) {
     return put(GOAL, uid);
   }
@@ -60,7 +57,6 @@ public final class PlannedPath extends U2SAData {
     return require(PLANNER);
   }
 
-  /** Sets {@link #planner()}. */
   public PlannedPath planner(String name) {
     return put(PLANNER, name);
   }
@@ -70,7 +66,6 @@ public final class PlannedPath extends U2SAData {
     return require(STATUS);
   }
 
-  /** Sets {@link #status()}. */
   public PlannedPath status(PathStatus value) {
     return put(STATUS, value);
   }
@@ -80,7 +75,6 @@ public final class PlannedPath extends U2SAData {
     return Optional.ofNullable(get(REASON));
   }
 
-  /** Sets {@link #reason()}. */
   public PlannedPath reason(String text) {
     return put(REASON, text);
   }
@@ -90,7 +84,6 @@ public final class PlannedPath extends U2SAData {
     return get(REFERENCE_FRAME);
   }
 
-  /** Sets {@link #referenceFrame()}. */
   public PlannedPath referenceFrame(ReferenceFrame frame) {
     return put(REFERENCE_FRAME, frame);
   }
@@ -100,7 +93,6 @@ public final class PlannedPath extends U2SAData {
     return require(POINTS);
   }
 
-  /** Sets {@link #points()}. */
   public PlannedPath points(List<Point> value) {
     return put(POINTS, value);
   }
@@ -113,7 +105,6 @@ public final class PlannedPath extends U2SAData {
     return get(COST);
   }
 
-  /** Sets {@link #cost()}. */
   public PlannedPath cost(double metres) {
     return put(COST, metres);
   }

@@ -62,7 +62,6 @@ public final class PointConversion {
     return new PointConversion(source, target, placed);
   }
 
-  /** Converts a point. */
   Point convert(Point point) {
     if (source.equals(target)) {
       return point;
@@ -72,7 +71,7 @@ public final class PointConversion {
       return target.isBody() ? flipped(frd, target) : fromVehicle(frd);
     }
     if (target.isBody()) {
-      return flipped(toVehicle(point), target);
+      return flipped(attitude().transposed().times(nedFromVehicle(point)), target);
     }
     return source.isLocal() ? swapped(point) : toGrid(toPlace(point));
   }
@@ -127,15 +126,13 @@ public final class PointConversion {
     Point added =
         target.isBody()
             ? attitude().transposed().timesSigma(vehicles)
-            : target.equals(ReferenceFrame.LOCAL_NED) ? vehicles : eastFirst(vehicles);
+            : target.equals(ReferenceFrame.LOCAL_NED)
+                ? vehicles
+                : Point.of(vehicles.y(), vehicles.x(), vehicles.z());
     return Point.of(
         Math.hypot(own.x(), added.x()),
         Math.hypot(own.y(), added.y()),
         Math.hypot(own.z(), added.z()));
-  }
-
-  private static Point eastFirst(Point ned) {
-    return Point.of(ned.y(), ned.x(), ned.z());
   }
 
   /** The source's axes at a position, as unit vectors in the target's axes. */
@@ -167,10 +164,6 @@ public final class PointConversion {
     }
     Point local = ned.plus(vehiclePosition());
     return target.equals(ReferenceFrame.LOCAL_NED) ? local : swapped(local);
-  }
-
-  private Point toVehicle(Point point) {
-    return attitude().transposed().times(nedFromVehicle(point));
   }
 
   /** Converts a point of an earth-fixed frame to north, east and down from the vehicle. */

@@ -44,7 +44,6 @@ public final class RangeScan extends U2SAData {
   private static final ValueField<RangeScan, List<Double>> RANGES = SCHEMA.numbers("ranges", "m");
   private static final ValueField<RangeScan, List<Boolean>> RETURNS = SCHEMA.flags("returns");
 
-  /** The schema. */
   public static final MessageType<RangeScan> TYPE = SCHEMA.build();
 
   /**
@@ -65,7 +64,6 @@ public final class RangeScan extends U2SAData {
     return require(SENSOR_NAME);
   }
 
-  /** Sets {@link #sensorName()}. */
   public RangeScan sensorName(String value) {
     return put(SENSOR_NAME, value);
   }
@@ -75,7 +73,6 @@ public final class RangeScan extends U2SAData {
     return get(REFERENCE_FRAME);
   }
 
-  /** Sets {@link #referenceFrame()}. */
   public RangeScan referenceFrame(ReferenceFrame value) {
     return put(REFERENCE_FRAME, value);
   }
@@ -85,7 +82,6 @@ public final class RangeScan extends U2SAData {
     return get(X).orElseThrow();
   }
 
-  /** Sets {@link #x()}. */
   public RangeScan x(double value) {
     return put(X, value);
   }
@@ -95,7 +91,6 @@ public final class RangeScan extends U2SAData {
     return get(Y).orElseThrow();
   }
 
-  /** Sets {@link #y()}. */
   public RangeScan y(double value) {
     return put(Y, value);
   }
@@ -105,7 +100,6 @@ public final class RangeScan extends U2SAData {
     return get(Z).orElseThrow();
   }
 
-  /** Sets {@link #z()}. */
   public RangeScan z(double value) {
     return put(Z, value);
   }
@@ -115,7 +109,6 @@ public final class RangeScan extends U2SAData {
     return get(PHI).orElseThrow();
   }
 
-  /** Sets {@link #phi()}. */
   public RangeScan phi(double value) {
     return put(PHI, value);
   }
@@ -125,7 +118,6 @@ public final class RangeScan extends U2SAData {
     return get(THETA).orElseThrow();
   }
 
-  /** Sets {@link #theta()}. */
   public RangeScan theta(double value) {
     return put(THETA, value);
   }
@@ -135,7 +127,6 @@ public final class RangeScan extends U2SAData {
     return get(PSI).orElseThrow();
   }
 
-  /** Sets {@link #psi()}. */
   public RangeScan psi(double value) {
     return put(PSI, value);
   }
@@ -145,7 +136,6 @@ public final class RangeScan extends U2SAData {
     return get(MIN_RANGE).orElseThrow();
   }
 
-  /** Sets {@link #minRange()}. */
   public RangeScan minRange(double value) {
     return put(MIN_RANGE, value);
   }
@@ -155,7 +145,6 @@ public final class RangeScan extends U2SAData {
     return get(MAX_RANGE).orElseThrow();
   }
 
-  /** Sets {@link #maxRange()}. */
   public RangeScan maxRange(double value) {
     return put(MAX_RANGE, value);
   }
@@ -165,7 +154,6 @@ public final class RangeScan extends U2SAData {
     return get(TIME_INCREMENT).orElseThrow();
   }
 
-  /** Sets {@link #timeIncrement()}. */
   public RangeScan timeIncrement(double value) {
     return put(TIME_INCREMENT, value);
   }

@@ -15,7 +15,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PHI);
   }
 
-  /** Sets {@link #phi()}. */
   public S phi(double value) {
     return number(StateField.PHI, value);
   }
@@ -25,7 +24,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.THETA);
   }
 
-  /** Sets {@link #theta()}. */
   public S theta(double value) {
     return number(StateField.THETA, value);
   }
@@ -35,7 +33,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PSI);
   }
 
-  /** Sets {@link #psi()}. */
   public S psi(double value) {
     return number(StateField.PSI, value);
   }
@@ -45,7 +42,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PHI_DOT);
   }
 
-  /** Sets {@link #phiDot()}. */
   public S phiDot(double value) {
     return number(StateField.PHI_DOT, value);
   }
@@ -55,7 +51,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.THETA_DOT);
   }
 
-  /** Sets {@link #thetaDot()}. */
   public S thetaDot(double value) {
     return number(StateField.THETA_DOT, value);
   }
@@ -65,7 +60,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PSI_DOT);
   }
 
-  /** Sets {@link #psiDot()}. */
   public S psiDot(double value) {
     return number(StateField.PSI_DOT, value);
   }
@@ -75,7 +69,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PHI_DOUBLE_DOT);
   }
 
-  /** Sets {@link #phiDoubleDot()}. */
   public S phiDoubleDot(double value) {
     return number(StateField.PHI_DOUBLE_DOT, value);
   }
@@ -85,7 +78,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.THETA_DOUBLE_DOT);
   }
 
-  /** Sets {@link #thetaDoubleDot()}. */
   public S thetaDoubleDot(double value) {
     return number(StateField.THETA_DOUBLE_DOT, value);
   }
@@ -95,7 +87,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PSI_DOUBLE_DOT);
   }
 
-  /** Sets {@link #psiDoubleDot()}. */
   public S psiDoubleDot(double value) {
     return number(StateField.PSI_DOUBLE_DOT, value);
   }
@@ -105,7 +96,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PHI_SIGMA);
   }
 
-  /** Sets {@link #phiSigma()}. */
   public S phiSigma(double value) {
     return number(StateField.PHI_SIGMA, value);
   }
@@ -115,7 +105,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.THETA_SIGMA);
   }
 
-  /** Sets {@link #thetaSigma()}. */
   public S thetaSigma(double value) {
     return number(StateField.THETA_SIGMA, value);
   }
@@ -125,7 +114,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PSI_SIGMA);
   }
 
-  /** Sets {@link #psiSigma()}. */
   public S psiSigma(double value) {
     return number(StateField.PSI_SIGMA, value);
   }
@@ -135,7 +123,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PHI_DOT_SIGMA);
   }
 
-  /** Sets {@link #phiDotSigma()}. */
   public S phiDotSigma(double value) {
     return number(StateField.PHI_DOT_SIGMA, value);
   }
@@ -145,7 +132,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.THETA_DOT_SIGMA);
   }
 
-  /** Sets {@link #thetaDotSigma()}. */
   public S thetaDotSigma(double value) {
     return number(StateField.THETA_DOT_SIGMA, value);
   }
@@ -155,7 +141,6 @@ abstract class RotationState<S extends U2SAData> extends TranslationState<S> {
     return number(StateField.PSI_DOT_SIGMA);
   }
 
-  /** Sets {@link #psiDotSigma()}. */
   public S psiDotSigma(double value) {
     return number(StateField.PSI_DOT_SIGMA, value);
   }

@@ -29,7 +29,6 @@ public class StateInformation extends FluidState<StateInformation> {
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final List<NumberField<StateInformation>> NUMBERS = numbers();
 
-  /** The schema. */
   public static final MessageType<StateInformation> TYPE = SCHEMA.build();
 
   private static List<NumberField<StateInformation>> numbers() {
@@ -54,7 +53,6 @@ public class StateInformation extends FluidState<StateInformation> {
     return get(SENSOR_NAME);
   }
 
-  /** Sets {@link #sensorName()}. */
   public StateInformation sensorName(String name) {
     return put(SENSOR_NAME, name);
   }

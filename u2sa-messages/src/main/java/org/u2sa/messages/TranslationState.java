@@ -22,7 +22,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.X);
   }
 
-  /** Sets {@link #x()}. */
   public S x(double value) {
     return number(StateField.X, value);
   }
@@ -32,7 +31,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Y);
   }
 
-  /** Sets {@link #y()}. */
   public S y(double value) {
     return number(StateField.Y, value);
   }
@@ -44,7 +42,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Z);
   }
 
-  /** Sets {@link #z()}. */
   public S z(double value) {
     return number(StateField.Z, value);
   }
@@ -54,7 +51,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.X_DOT);
   }
 
-  /** Sets {@link #xDot()}. */
   public S xDot(double value) {
     return number(StateField.X_DOT, value);
   }
@@ -64,7 +60,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Y_DOT);
   }
 
-  /** Sets {@link #yDot()}. */
   public S yDot(double value) {
     return number(StateField.Y_DOT, value);
   }
@@ -74,7 +69,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Z_DOT);
   }
 
-  /** Sets {@link #zDot()}. */
   public S zDot(double value) {
     return number(StateField.Z_DOT, value);
   }
@@ -84,7 +78,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.X_DOUBLE_DOT);
   }
 
-  /** Sets {@link #xDoubleDot()}. */
   public S xDoubleDot(double value) {
     return number(StateField.X_DOUBLE_DOT, value);
   }
@@ -94,7 +87,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Y_DOUBLE_DOT);
   }
 
-  /** Sets {@link #yDoubleDot()}. */
   public S yDoubleDot(double value) {
     return number(StateField.Y_DOUBLE_DOT, value);
   }
@@ -104,7 +96,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Z_DOUBLE_DOT);
   }
 
-  /** Sets {@link #zDoubleDot()}. */
   public S zDoubleDot(double value) {
     return number(StateField.Z_DOUBLE_DOT, value);
   }
@@ -114,7 +105,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.X_SIGMA);
   }
 
-  /** Sets {@link #xSigma()}. */
   public S xSigma(double value) {
     return number(StateField.X_SIGMA, value);
   }
@@ -124,7 +114,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Y_SIGMA);
   }
 
-  /** Sets {@link #ySigma()}. */
   public S ySigma(double value) {
     return number(StateField.Y_SIGMA, value);
   }
@@ -134,7 +123,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Z_SIGMA);
   }
 
-  /** Sets {@link #zSigma()}. */
   public S zSigma(double value) {
     return number(StateField.Z_SIGMA, value);
   }
@@ -144,7 +132,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.X_DOT_SIGMA);
   }
 
-  /** Sets {@link #xDotSigma()}. */
   public S xDotSigma(double value) {
     return number(StateField.X_DOT_SIGMA, value);
   }
@@ -154,7 +141,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Y_DOT_SIGMA);
   }
 
-  /** Sets {@link #yDotSigma()}. */
   public S yDotSigma(double value) {
     return number(StateField.Y_DOT_SIGMA, value);
   }
@@ -164,7 +150,6 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
     return number(StateField.Z_DOT_SIGMA);
   }
 
-  /** Sets {@link #zDotSigma()}. */
   public S zDotSigma(double value) {
     return number(StateField.Z_DOT_SIGMA, value);
   }

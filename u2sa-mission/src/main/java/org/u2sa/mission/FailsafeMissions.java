@@ -30,11 +30,7 @@ final class FailsafeMissions {
    */
   private record Goals(List<GoalInformation> goals, Optional<GoalInformation> home) {}
 
-  /**
-   * Reads the configured files.
-   *
-   * @throws org.u2sa.interfaces.BadInputException if one is wrong
-   */
+  /** Reads the configured files; throws if one is wrong. */
   FailsafeMissions(
       MissionRun run, MissionFiles files, Supplier<MissionVariables> settings, Logger logger) {
     this.run = run;
@@ -50,16 +46,11 @@ final class FailsafeMissions {
         || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
-  /** Number of goals for LAND. */
   int landGoals() {
-    return goals(FailsafeAction.LAND).size();
+    return loaded.get(FailsafeAction.LAND).goals().size();
   }
 
-  /**
-   * Reloads the files.
-   *
-   * @throws org.u2sa.interfaces.BadInputException if one is wrong; then nothing has changed
-   */
+  /** Reloads the files; if one is wrong, throws and changes nothing. */
   void load() {
     MissionVariables now = settings.get();
     Goals returning =
@@ -67,10 +58,6 @@ final class FailsafeMissions {
     Goals landing = load(FailsafeAction.LAND, MissionVariables.LAND_MISSION, now.landMission());
     loaded.put(FailsafeAction.RETURN, returning);
     loaded.put(FailsafeAction.LAND, landing);
-  }
-
-  private List<GoalInformation> goals(FailsafeAction action) {
-    return loaded.get(action).goals();
   }
 
   private Goals load(FailsafeAction action, String variable, String path) {
@@ -116,18 +103,17 @@ final class FailsafeMissions {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
-    List<GoalInformation> own = goals(action);
+    List<GoalInformation> own = loaded.get(action).goals();
     if (own.isEmpty() && action == FailsafeAction.LAND) {
       logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
-      own = goals(FailsafeAction.RETURN);
+      own = loaded.get(FailsafeAction.RETURN).goals();
     }
     if (own.isEmpty() && home.isPresent()) {
       own = Collections.singletonList(renamed(home.get(), FailsafeAction.RETURN + " "));
     }
     if (own.isEmpty()) {
-      logger.log(
-          LogLevelEnum.ERROR,
-          "failsafe " + action + " without a RETURN MISSION or a home: holding");
+      String problem = "failsafe " + action + " without a RETURN MISSION or a home: holding";
+      logger.log(LogLevelEnum.ERROR, problem);
       return Optional.of(ended());
     }
     GoalSequence sequence = new GoalSequence(own, false, GoalSequence.Options.ALL);

@@ -77,20 +77,20 @@ final class Followers {
   }
 
   private static Optional<List<String>> own(GoalInformation goal, GoalResult result) {
-    switch (result) {
-      case TIMED_OUT:
-        Optional<List<String>> timedOut = goal.nextIf(GoalResult.TIMED_OUT);
-        return timedOut.isPresent() ? timedOut : goal.nextIf(GoalResult.FAILED);
-      case SKIPPED:
-        return goal.nextIf(GoalResult.DONE);
-      default:
-        return goal.nextIf(result);
-    }
+    return switch (result) {
+      case TIMED_OUT -> goal.nextIf(GoalResult.TIMED_OUT).or(() -> goal.nextIf(GoalResult.FAILED));
+      case SKIPPED -> goal.nextIf(GoalResult.DONE);
+      default -> goal.nextIf(result);
+    };
   }
 
   /** Followers of a completed goal, without repetitions. */
   List<String> usual(String uid) {
-    return own(book.goal(uid), GoalResult.DONE).map(this::known).orElseGet(() -> otherwise(uid));
+    return usual(uid, GoalResult.DONE);
+  }
+
+  private List<String> usual(String uid, GoalResult result) {
+    return own(book.goal(uid), result).map(this::known).orElseGet(() -> otherwise(uid));
   }
 
   private List<String> otherwise(String uid) {
@@ -113,8 +113,7 @@ final class Followers {
     Map<GoalResult, List<String>> possible = new LinkedHashMap<>();
     for (GoalResult result : List.of(GoalResult.DONE, GoalResult.FAILED, GoalResult.TIMED_OUT)) {
       if (result != GoalResult.TIMED_OUT || book.goal(uid).timeLimit().isPresent()) {
-        possible.put(
-            result, own(book.goal(uid), result).map(this::known).orElseGet(() -> otherwise(uid)));
+        possible.put(result, usual(uid, result));
       }
     }
     return possible;

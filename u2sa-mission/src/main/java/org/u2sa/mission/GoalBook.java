@@ -7,10 +7,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.stream.Collectors;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -66,9 +69,7 @@ final class GoalBook {
 
   /** Current state of the goals. */
   List<GoalInformation> named(Collection<String> names) {
-    List<GoalInformation> list = new ArrayList<>();
-    names.forEach(name -> list.add(present.get(name)));
-    return list;
+    return names.stream().map(present::get).collect(Collectors.toList());
   }
 
   /** How often the goal was completed or abandoned. */
@@ -100,7 +101,7 @@ final class GoalBook {
     boolean done = result == GoalResult.DONE;
     now.completed(done).abandoned(!done).result(result);
     if (done && now.arrivedAt().isEmpty()) {
-      now.arrivedAt(report.flatMap(each -> optional(each)).orElse(micros));
+      now.arrivedAt(report.map(U2SAData::timestamp).orElse(OptionalLong.empty()).orElse(micros));
     }
     if (!done && now.reason().isEmpty() && !reason.isEmpty()) {
       now.reason(reason);
@@ -119,12 +120,6 @@ final class GoalBook {
         each.setValue(shifted);
       }
     }
-  }
-
-  private static Optional<Long> optional(GoalInformation report) {
-    return report.timestamp().isPresent()
-        ? Optional.of(report.timestamp().getAsLong())
-        : Optional.empty();
   }
 
   /** Whether the goals would stay short enough to be published if an update were taken over. */

@@ -14,8 +14,15 @@ import org.u2sa.messages.schema.Kind;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
 
-/** A goal with its XML elements, so that errors can name the line. */
-final class GoalElement {
+/**
+ * A goal with its XML elements, so that errors can name the line.
+ *
+ * @param element the goal's own
+ * @param fields elements of its fields, by field name
+ * @param links its links to following goals
+ */
+record GoalElement(
+    XmlElement element, GoalInformation message, Map<String, XmlElement> fields, GoalLinks links) {
   /** Message fields that are absent in files or written differently. */
   static final List<String> NOT_IN_FILES =
       Arrays.asList(
@@ -33,22 +40,6 @@ final class GoalElement {
           "repeatTimes");
 
   private static final String FRAME = "referenceFrame";
-
-  private final XmlElement element;
-  private final GoalInformation message;
-  private final Map<String, XmlElement> fields;
-  private final GoalLinks links;
-
-  private GoalElement(
-      XmlElement element,
-      GoalInformation message,
-      Map<String, XmlElement> fields,
-      GoalLinks links) {
-    this.element = element;
-    this.message = message;
-    this.fields = fields;
-    this.links = links;
-  }
 
   /** Reads the children of a goal's element as fields of its class, converting units. */
   static <T extends GoalInformation> GoalElement read(XmlElement element, MessageType<T> type) {
@@ -139,21 +130,6 @@ final class GoalElement {
     return field.kind() == Kind.DOUBLE
         ? "a number" + (unit.isEmpty() ? "" : " of " + unit)
         : "a value";
-  }
-
-  /** The goal's element. */
-  XmlElement element() {
-    return element;
-  }
-
-  /** The goal. */
-  GoalInformation message() {
-    return message;
-  }
-
-  /** Its links to following goals. */
-  GoalLinks links() {
-    return links;
   }
 
   /** Element of a field, by field name; empty if omitted in the file. */

@@ -19,9 +19,6 @@ final class GoalGraph {
   private final Collection<String> further; // known goals from outside the file
   private final Followers followers;
 
-  /**
-   * @param further additional names that goals may refer to
-   */
   GoalGraph(Map<String, GoalElement> goals, Collection<String> further) {
     this.goals = goals;
     this.further = further;
@@ -37,7 +34,6 @@ final class GoalGraph {
     return known;
   }
 
-  /** Rejects references to unknown goals. */
   void refuseUnknownSuccessors() {
     Set<String> known = known();
     goals.values().forEach(goal -> goal.links().refuseOthers(known));
@@ -60,19 +56,17 @@ final class GoalGraph {
         (name, goal) -> {
           if (!reachable.contains(name)) {
             warnings.add(
-                goal.element()
-                    + ": no <next> leads to goal \""
-                    + name
-                    + "\" from the first; it is pursued on command only");
+                String.format(
+                    "%s: no <next> leads to goal \"%s\" from the first; it is pursued on command only",
+                    goal.element(), name));
           }
         });
     Set<String> endless = endless(reachable);
     if (!ends && !endless.isEmpty()) {
       warnings.add(
-          goals.get(endless.iterator().next()).element()
-              + ": a loop without an exit: no <next> leads from "
-              + String.join(", ", endless)
-              + " to an end of the mission");
+          String.format(
+              "%s: a loop without an exit: no <next> leads from %s to an end of the mission",
+              goals.get(endless.iterator().next()).element(), String.join(", ", endless)));
     }
     return warnings;
   }
@@ -110,10 +104,7 @@ final class GoalGraph {
     GoalInformation goal = goals.get(name).message();
     return !Collections.disjoint(goal.next(), further)
         || followers.possible(name).keySet().stream()
-            .anyMatch(
-                result ->
-                    goal.nextIf(result)
-                        .filter(next -> !Collections.disjoint(next, further))
-                        .isPresent());
+            .flatMap(result -> goal.nextIf(result).stream())
+            .anyMatch(next -> !Collections.disjoint(next, further));
   }
 }

@@ -7,34 +7,18 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
-import org.u2sa.messages.schema.MessageType;
 
 /** Inserts goals into a mission between a goal and its followers. */
-final class GoalInsertion {
-  private final GoalSequence mission;
-  private final List<GoalInformation> goals;
-
-  /**
-   * @param goals at least one, with names not used in the mission
-   */
-  GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
-    this.mission = mission;
-    this.goals = goals;
-  }
-
-  /**
-   * Inserts them after a goal.
-   *
-   * @param after name of a known goal
-   */
+record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
+  /** Inserts them after a known goal. */
   void after(String after) {
-    GoalInformation before = mission.book().goal(after);
-    GoalInformation change = empty(before.type());
+    GoalInformation before = mission.book.goal(after);
+    GoalInformation change = (GoalInformation) before.type().create();
     change.uid(after);
     List<String> next = List.of(first());
-    List<String> exit = mission.followers().usual(after);
+    List<String> exit = mission.followers.usual(after);
     if (before.nextIf(GoalResult.DONE).isPresent()) {
-      boolean ends = mission.followers().end(after, GoalResult.DONE);
+      boolean ends = mission.followers.end(after, GoalResult.DONE);
       add(last -> lead(last, exit, before, ends));
       change.nextIf(GoalResult.DONE, next);
     } else {
@@ -57,10 +41,6 @@ final class GoalInsertion {
     }
   }
 
-  private static GoalInformation empty(MessageType<?> type) {
-    return (GoalInformation) type.create();
-  }
-
   /** Inserts the goals before the current ones, which are pursued again afterwards. */
   void now() {
     Set<String> current = mission.currentNames();
@@ -73,11 +53,7 @@ final class GoalInsertion {
     return goals.get(0).uid();
   }
 
-  /**
-   * Adds the goals.
-   *
-   * @param exit links a goal without followers to those in the mission
-   */
+  /** Adds the goals; {@code exit} links one without followers to those in the mission. */
   private void add(Consumer<GoalInformation> exit) {
     boolean ordered = goals.stream().noneMatch(Followers::isLinked);
     for (int i = 0; i < goals.size(); i++) {
@@ -95,7 +71,6 @@ final class GoalInsertion {
     }
   }
 
-  /** Their names. */
   String names() {
     return goals.stream().map(goal -> "\"" + goal.uid() + "\"").collect(Collectors.joining(", "));
   }

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.goal.GoalInformation;
@@ -47,13 +49,13 @@ final class GoalLinks {
       end(child);
     } else if (child.name().equals("repeat")) {
       repeat(child);
-    } else if (child.name().equals("next") && child.optionalAttribute(IF).isPresent()) {
+    } else if (!child.name().equals("next")) {
+      return false;
+    } else if (child.optionalAttribute(IF).isPresent()) {
       next(child);
     } else {
-      if (child.name().equals("next")) {
-        names.put(child, split(child.text())); // also a field
-      }
-      return false;
+      names.put(child, split(child.text()));
+      return false; // also a field
     }
     return true;
   }
@@ -67,7 +69,8 @@ final class GoalLinks {
     }
     GoalResult result = result(child);
     if (ends.containsKey(result)) {
-      throw contradiction(child, ends.get(result));
+      throw child.error(
+          "contradicts <end> in line " + ends.get(result).line() + "; expected one of the two");
     }
     byResult.computeIfAbsent(result, each -> new ArrayList<>()).addAll(named);
     names.put(child, named);
@@ -85,10 +88,6 @@ final class GoalLinks {
     }
     ends.put(result, child);
     byResult.put(result, new ArrayList<>());
-  }
-
-  private static RuntimeException contradiction(XmlElement child, XmlElement other) {
-    return child.error("contradicts <end> in line " + other.line() + "; expected one of the two");
   }
 
   private void repeat(XmlElement child) {
@@ -119,23 +118,20 @@ final class GoalLinks {
     GoalResult result = RESULTS.get(plain);
     if (result == null) {
       throw child.error(
-          "if: \""
-              + text
-              + "\" is no result of a goal; expected one of "
-              + String.join(", ", RESULTS.keySet())
-              + NearestNames.didYouMean(plain, RESULTS.keySet()));
+          String.format(
+              "if: \"%s\" is no result of a goal; expected one of %s%s",
+              text,
+              String.join(", ", RESULTS.keySet()),
+              NearestNames.didYouMean(plain, RESULTS.keySet())));
     }
     return result;
   }
 
-  private static List<String> split(String text) {
-    List<String> parts = new ArrayList<>();
-    for (String part : text.split(",")) {
-      if (!part.trim().isEmpty()) {
-        parts.add(part.trim());
-      }
-    }
-    return parts;
+  static List<String> split(String text) {
+    return Stream.of(text.split(","))
+        .map(String::trim)
+        .filter(part -> !part.isEmpty())
+        .collect(Collectors.toList());
   }
 
   /** Sets the links in the goal, and rejects impossible ones. */
@@ -168,11 +164,7 @@ final class GoalLinks {
         && result(element) == RESULTS.get(text);
   }
 
-  /**
-   * Rejects names that are not among these.
-   *
-   * @throws org.u2sa.interfaces.BadInputException at the element that names it
-   */
+  /** Rejects names that are not among these, at the element that names them. */
   void refuseOthers(Collection<String> known) {
     names.forEach((element, named) -> named.forEach(name -> refuseUnless(known, element, name)));
   }
@@ -180,11 +172,9 @@ final class GoalLinks {
   static void refuseUnless(Collection<String> known, XmlElement element, String name) {
     if (!known.contains(name)) {
       throw element.error(
-          "\""
-              + name
-              + "\" names no goal; the goals are "
-              + String.join(", ", known)
-              + NearestNames.didYouMean(name, known));
+          String.format(
+              "\"%s\" names no goal; the goals are %s%s",
+              name, String.join(", ", known), NearestNames.didYouMean(name, known)));
     }
   }
 }

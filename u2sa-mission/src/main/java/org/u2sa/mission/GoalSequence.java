@@ -30,8 +30,8 @@ final class GoalSequence {
     ANY
   }
 
-  private final GoalBook book;
-  private final Followers followers;
+  final GoalBook book;
+  final Followers followers;
   private final String first;
   private final Map<String, Long> pursuedMicros = new LinkedHashMap<>(); // by current goal
   private Position at;
@@ -88,20 +88,9 @@ final class GoalSequence {
             });
   }
 
-  /** Changes the rules from here on. */
   void rules(boolean newLoop, Options newOptions) {
     loop = newLoop;
     options = newOptions;
-  }
-
-  /** Current state of all goals. */
-  GoalBook book() {
-    return book;
-  }
-
-  /** Followers of each goal. */
-  Followers followers() {
-    return followers;
   }
 
   /** Current goals; empty if the mission is over. */
@@ -109,7 +98,6 @@ final class GoalSequence {
     return book.named(at.current);
   }
 
-  /** Names of the current goals. */
   Set<String> currentNames() {
     return Collections.unmodifiableSet(at.current);
   }
@@ -235,7 +223,6 @@ final class GoalSequence {
     return new Position(at);
   }
 
-  /** Returns to a position. */
   void backTo(Position before) {
     at = new Position(before);
     at.current.forEach(book::renew);

@@ -83,7 +83,7 @@ public final class Mission {
 
   /** Time limit of the mission [s], above 0; empty: unlimited. */
   public OptionalDouble timeLimit() {
-    return limit.isPresent() ? OptionalDouble.of(limit.get().seconds()) : OptionalDouble.empty();
+    return limit.map(each -> OptionalDouble.of(each.seconds())).orElseGet(OptionalDouble::empty);
   }
 
   /** Goals to pursue when {@link #timeLimit()} has expired; empty: the mission ends. */

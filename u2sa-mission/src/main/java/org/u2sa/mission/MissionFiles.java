@@ -28,12 +28,7 @@ final class MissionFiles {
     this.context = context;
   }
 
-  /**
-   * Reads a mission file and monitors it from now on, instead of the variable's previous file.
-   *
-   * @param path path in the variable
-   * @throws BadInputException naming the variable, the position in the file and the error
-   */
+  /** Reads a mission file and monitors it from now on, instead of the variable's previous file. */
   Mission load(String variable, String path, double thresholdM) {
     Path file = context.configuration().resolve(path);
     LoadedFile watched = new LoadedFile(file, each -> read(variable, each, thresholdM));
@@ -42,7 +37,6 @@ final class MissionFiles {
     return mission;
   }
 
-  /** Stops monitoring a variable's file. */
   void forget(String variable) {
     loaded.remove(variable);
   }

@@ -1,6 +1,5 @@
 package org.u2sa.mission;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import org.u2sa.interfaces.units.XmlNumbers;
@@ -26,13 +25,8 @@ record MissionLimit(double seconds, List<String> next) {
     if (!(seconds > 0.0)) {
       throw element.error(seconds + " s; expected more than 0 s");
     }
-    List<String> next = new ArrayList<>();
-    for (String name : element.optionalAttribute("next").orElse("").split(",")) {
-      if (!name.trim().isEmpty()) {
-        GoalLinks.refuseUnless(known, element, name.trim());
-        next.add(name.trim());
-      }
-    }
+    List<String> next = GoalLinks.split(element.optionalAttribute("next").orElse(""));
+    next.forEach(name -> GoalLinks.refuseUnless(known, element, name));
     return new MissionLimit(seconds, next);
   }
 }

@@ -1,10 +1,11 @@
 package org.u2sa.mission;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
@@ -16,7 +17,6 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionOrder;
-import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
@@ -66,7 +66,7 @@ public final class MissionManager extends PeriodicService {
   private final MissionOrders orders;
   private final MissionRun run = new MissionRun(clock(), this::thresholdM);
   private final TimeLimits limits = new TimeLimits(run, this);
-  private final RepeatedReports reports = new RepeatedReports();
+  private final Map<String, Long> reportedMicros = new HashMap<>(); // latest report by goal
   private final Resumable resumable;
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
@@ -107,7 +107,7 @@ public final class MissionManager extends PeriodicService {
   private GoalSequence load() {
     Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
     run.mission(mission);
-    log("mission " + mission.origin() + " with goals " + names(mission.goals()));
+    log("mission " + mission.origin() + " with goals " + MissionRun.names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded =
         new GoalSequence(mission.goals(), settings.get().loop(), settings.get().options());
@@ -148,7 +148,7 @@ public final class MissionManager extends PeriodicService {
   private void startMission() {
     try {
       run.progress().begin(load());
-      reports.forget();
+      reportedMicros.clear();
       resumable.forgetOther();
     } catch (BadInputException e) {
       log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
@@ -174,14 +174,13 @@ public final class MissionManager extends PeriodicService {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");
       return;
     }
-    Optional<MissionProgress> before =
-        MissionProgress.takenOver(state, settings.get().loop(), settings.get().options());
-    before.ifPresent(
-        taken -> {
-          run.progress(taken);
-          limits.takeOver(state);
-          beginsAnew = false;
-        });
+    MissionProgress.takenOver(state, settings.get().loop(), settings.get().options())
+        .ifPresent(
+            taken -> {
+              run.progress(taken);
+              limits.takeOver(state);
+              beginsAnew = false;
+            });
   }
 
   @Override
@@ -213,15 +212,11 @@ public final class MissionManager extends PeriodicService {
   private void onMission(U2SAData message) {
     passTime();
     if (message instanceof MissionRequest request) {
-      publish(Channels.MISSION, report(request.requestId()));
+      Optional<String> resumableAt = resumable.where().or(() -> run.progress().backTo());
+      publish(Channels.MISSION, run.report(request.requestId(), getServiceName(), resumableAt));
     } else if (message instanceof MissionOrder order) {
       publish(Channels.MISSION, orders.obey(order, getServiceName()));
     }
-  }
-
-  private MissionReport report(String requestId) {
-    return MissionReportMaker.report(
-        run, requestId, getServiceName(), resumable.where().or(() -> run.progress().backTo()));
   }
 
   private void onFailsafe(FailsafeState failsafe) {
@@ -263,7 +258,7 @@ public final class MissionManager extends PeriodicService {
     boolean current = run.progress().pursued().currentNames().contains(uid);
     boolean known = run.progress().pursued().knows(uid); // others' times are not kept
     if (!known
-        || reports.repeats(goal)
+        || isRepeated(goal)
         || !run.progress()
             .finish(uid, result, Optional.of(goal), "given up by the planner", run.micros())) {
       String what = current ? "came before" : known ? "is not current" : "is not known";
@@ -292,7 +287,7 @@ public final class MissionManager extends PeriodicService {
 
   private void update(GoalInformation goal) {
     GoalSequence updated = run.progress().knowing(goal.uid());
-    if (!updated.book().hasRoomForUpdate(goal)) {
+    if (!updated.book.hasRoomForUpdate(goal)) {
       ignore(
           "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
       return;
@@ -300,11 +295,8 @@ public final class MissionManager extends PeriodicService {
     if (updated.update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {
-      log(
-          LogLevelEnum.WARN,
-          "goal \""
-              + goal.uid()
-              + "\" added; until another goal's next names it, or it is commanded, it is never pursued");
+      String fate = "until another goal's next names it, or it is commanded, it is never pursued";
+      log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" added; " + fate);
     }
     publishGoals();
   }
@@ -327,7 +319,7 @@ public final class MissionManager extends PeriodicService {
     } else {
       log(
           (run.progress().isHeld() ? "paused at goals " : "current goals ")
-              + names(sequence.current()));
+              + MissionRun.names(sequence.current()));
     }
     remember();
     resumable.save(run.progress());
@@ -363,7 +355,14 @@ public final class MissionManager extends PeriodicService {
     }
   }
 
-  private static List<String> names(List<GoalInformation> goals) {
-    return goals.stream().map(GoalInformation::uid).collect(Collectors.toList());
+  /**
+   * Whether a report of this goal and time came before: from the network, or from a planner that
+   * waits for an answer. In a loop each would count as another lap. False without a time.
+   */
+  private boolean isRepeated(GoalInformation report) {
+    return report.timestamp().isPresent()
+        && Objects.equals(
+            reportedMicros.put(report.uid(), report.timestamp().getAsLong()),
+            report.timestamp().getAsLong());
   }
 }

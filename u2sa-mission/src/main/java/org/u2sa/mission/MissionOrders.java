@@ -78,26 +78,15 @@ final class MissionOrders {
     return result;
   }
 
-  /**
-   * @throws BadInputException if it cannot be done
-   */
   private String outcome(MissionOrder order) {
-    switch (order.action()) {
-      case GOTO:
-        return goTo(known(run.progress().pursued(), order.uid().orElse("")));
-      case SKIP:
-        return skip(order);
-      case INSERT:
-        return insert(order);
-      case UPDATE:
-        return update(order);
-      case RESUME:
-        return resumable.resume();
-      case PAUSE:
-        return pause();
-      default:
-        throw new BadInputException(order.action() + ": not known here");
-    }
+    return switch (order.action()) {
+      case GOTO -> goTo(known(run.progress().pursued(), order.uid().orElse("")));
+      case SKIP -> skip(order);
+      case INSERT -> insert(order);
+      case UPDATE -> update(order);
+      case RESUME -> resumable.resume();
+      case PAUSE -> pause();
+    };
   }
 
   private String goTo(String uid) {
@@ -120,15 +109,14 @@ final class MissionOrders {
 
   private String skip(MissionOrder order) {
     GoalSequence pursued = run.progress().pursued();
-    String uid = order.uid().map(name -> known(pursued, name)).orElseGet(() -> only(pursued));
+    String uid =
+        order
+            .uid()
+            .map(name -> known(pursued, name))
+            .orElseGet(() -> only(pursued, ": there is no goal to skip", "the name of one of "));
+    String reason = "skipped by " + order.operator();
     boolean skipped =
-        run.progress()
-            .finish(
-                uid,
-                GoalResult.SKIPPED,
-                Optional.empty(),
-                "skipped by " + order.operator(),
-                run.micros());
+        run.progress().finish(uid, GoalResult.SKIPPED, Optional.empty(), reason, run.micros());
     if (!skipped) {
       throw new BadInputException(
           "goal \"" + uid + "\" is not current; current: " + currentOf(pursued));
@@ -136,20 +124,20 @@ final class MissionOrders {
     return "goal \"" + uid + "\" skipped; current: " + currentOf(pursued);
   }
 
-  private static String only(GoalSequence pursued) {
-    Set<String> current = pursued.currentNames();
+  private static String only(GoalSequence sequence, String ifOver, String ifSeveral) {
+    Set<String> current = sequence.currentNames();
     if (current.size() != 1) {
       throw new BadInputException(
           current.isEmpty()
-              ? "the mission is over: there is no goal to skip"
-              : "several goals are current; expected the name of one of " + currentOf(pursued));
+              ? "the mission is over" + ifOver
+              : "several goals are current; expected " + ifSeveral + currentOf(sequence));
     }
     return current.iterator().next();
   }
 
   private String insert(MissionOrder order) {
     GoalSequence mission = run.progress().mission();
-    List<GoalInformation> goals = reader().readAdded(root(order), mission.book());
+    List<GoalInformation> goals = reader().readAdded(root(order), mission.book);
     checkRoom(mission, goals);
     GoalInsertion insertion = new GoalInsertion(mission, goals);
     if (order.now()) {
@@ -163,32 +151,25 @@ final class MissionOrders {
       return "pursuing " + insertion.names() + ", then " + then;
     }
     String after =
-        order.uid().map(name -> known(mission, name)).orElseGet(() -> onlyCurrent(mission));
-    if (!mission.followers().reachable(mission.currentNames()).contains(after)) {
+        order
+            .uid()
+            .map(name -> known(mission, name))
+            .orElseGet(
+                () -> only(mission, "; expected goals to be pursued now", "after which of "));
+    if (!mission.followers.reachable(mission.currentNames()).contains(after)) {
       throw new BadInputException(
-          "goal \""
-              + after
-              + "\" does not follow what is pursued, so nothing after it would be reached; current: "
-              + currentOf(mission)
-              + "; expected one of what follows, or insertion now");
+          String.format(
+              "goal \"%s\" does not follow what is pursued, so nothing after it would be reached;"
+                  + " current: %s; expected one of what follows, or insertion now",
+              after, currentOf(mission)));
     }
     insertion.after(after);
     return "inserted " + insertion.names() + " after \"" + after + "\"";
   }
 
-  private static String onlyCurrent(GoalSequence mission) {
-    if (mission.currentNames().size() != 1) {
-      throw new BadInputException(
-          mission.isOver()
-              ? "the mission is over; expected goals to be pursued now"
-              : "several goals are current; expected after which of " + currentOf(mission));
-    }
-    return mission.currentNames().iterator().next();
-  }
-
   private String update(MissionOrder order) {
     GoalSequence mission = run.progress().mission();
-    List<GoalInformation> changes = reader().readChanged(root(order), mission.book());
+    List<GoalInformation> changes = reader().readChanged(root(order), mission.book);
     checkRoom(mission, changes);
     changes.forEach(mission::update);
     return "updated "
@@ -196,7 +177,7 @@ final class MissionOrders {
   }
 
   private static void checkRoom(GoalSequence mission, List<GoalInformation> goals) {
-    if (!mission.book().hasRoomForUpdates(goals)) {
+    if (!mission.book.hasRoomForUpdates(goals)) {
       throw new BadInputException("the mission's goals would be too long to publish");
     }
   }
@@ -217,13 +198,11 @@ final class MissionOrders {
 
   private static String known(GoalSequence sequence, String uid) {
     if (!sequence.knows(uid)) {
-      List<String> names = sequence.book().names();
+      List<String> names = sequence.book.names();
       throw new BadInputException(
-          "no goal \""
-              + uid
-              + "\"; expected one of "
-              + String.join(", ", names)
-              + NearestNames.didYouMean(uid, names));
+          String.format(
+              "no goal \"%s\"; expected one of %s%s",
+              uid, String.join(", ", names), NearestNames.didYouMean(uid, names)));
     }
     return uid;
   }

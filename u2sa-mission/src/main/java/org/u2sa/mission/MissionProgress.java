@@ -77,7 +77,6 @@ final class MissionProgress {
     commanded = "";
   }
 
-  /** {@link GoalSequence#rules} of the mission. */
   void rules(boolean loop, GoalSequence.Options options) {
     mission().rules(loop, options);
   }
@@ -151,7 +150,7 @@ final class MissionProgress {
     if (beganMicros.isEmpty() && micros > 0) {
       long began = Math.max(0, nowMicros - micros - elapsedMicros);
       beganMicros = OptionalLong.of(began);
-      beganElsewhere.ifPresent(then -> mission().book().shiftArrivals(began - then));
+      beganElsewhere.ifPresent(then -> mission().book.shiftArrivals(began - then));
       beganElsewhere = OptionalLong.empty();
     }
     if (isHeld()) {
@@ -180,7 +179,6 @@ final class MissionProgress {
     return beganMicros;
   }
 
-  /** Elapsed mission time [s]. */
   double elapsedS() {
     return Clock.seconds(elapsedMicros);
   }
@@ -223,7 +221,6 @@ final class MissionProgress {
     return completed.isEmpty() && abandoned.isEmpty();
   }
 
-  /** Summary of the goals' results. */
   String words() {
     return "completed " + completed + ", given up " + abandoned;
   }

@@ -5,28 +5,24 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Reads {@code <mission>} (thesis 3.2.3.2, 4.5.2.3) and rejects contradictions. */
-final class MissionReader {
-  private final GoalClasses classes;
-  private final OptionalDouble defaultThresholdM;
-
-  MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
-    classes = new GoalClasses(types);
-    this.defaultThresholdM = defaultThresholdM;
-  }
-
+record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
   Mission read(XmlElement root) {
     root.refuseUnknownAttributes();
     Map<String, GoalElement> goals = goals(root, Collections.emptyList(), true);
-    Optional<Home> home = root.child("home").map(HomeReader::read);
+    Optional<Home> home = root.child("home").map(Home::read);
     WaypointRules.check(goals.values());
     GoalGraph graph =
         new GoalGraph(
@@ -61,9 +57,9 @@ final class MissionReader {
         throw goal.field("uid")
             .orElse(goal.element())
             .error(
-                "the mission has a goal \""
-                    + goal.message().uid()
-                    + "\"; expected another name, or update");
+                String.format(
+                    "the mission has a goal \"%s\"; expected another name, or update",
+                    goal.message().uid()));
       }
     }
     WaypointRules.check(goals.values(), mission);
@@ -83,7 +79,8 @@ final class MissionReader {
     List<GoalElement> changed = new ArrayList<>();
     for (GoalElement goal : goals.values()) {
       GoalInformation change = goal.message();
-      XmlElement name = goal.field("uid").orElseThrow(() -> unnamed(goal.element()));
+      String expected = "lacks <name>; expected the name of the goal that changes";
+      XmlElement name = goal.field("uid").orElseThrow(() -> goal.element().error(expected));
       GoalLinks.refuseUnless(known.names(), name, change.uid());
       GoalInformation now = known.goal(change.uid());
       if (now.type() != change.type()) {
@@ -94,24 +91,17 @@ final class MissionReader {
       goal.links().refuseOthers(known.names());
     }
     WaypointRules.check(changed, known);
-    List<GoalInformation> changes = new ArrayList<>();
-    goals.values().forEach(goal -> changes.add(goal.message()));
-    return changes;
-  }
-
-  private static RuntimeException unnamed(XmlElement goal) {
-    return goal.error("lacks <name>; expected the name of the goal that changes");
+    return goals.values().stream().map(GoalElement::message).collect(Collectors.toList());
   }
 
   private static void refuseAllBut(XmlElement root) {
     root.refuseUnknownAttributes();
-    for (String other : List.of(Home.NAME, MissionLimit.ELEMENT)) {
-      root.child(other)
-          .ifPresent(
-              element -> {
-                throw element.error("belongs to a whole mission; expected goals only");
-              });
-    }
+    root.child(Home.NAME)
+        .or(() -> root.child(MissionLimit.ELEMENT))
+        .ifPresent(
+            element -> {
+              throw element.error("belongs to a whole mission; expected goals only");
+            });
   }
 
   private Map<String, GoalElement> goals(
@@ -119,7 +109,7 @@ final class MissionReader {
     List<GoalElement> read = new ArrayList<>();
     for (XmlElement child : root.children()) {
       if (!child.name().equals(Home.NAME) && !child.name().equals(MissionLimit.ELEMENT)) {
-        read.add(GoalElement.read(child, classes.of(child)));
+        read.add(GoalElement.read(child, goalClass(child)));
       }
     }
     Map<String, GoalElement> goals = new LinkedHashMap<>();
@@ -130,6 +120,40 @@ final class MissionReader {
           "holds no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
     }
     return goals;
+  }
+
+  private MessageType<? extends GoalInformation> goalClass(XmlElement element) {
+    List<String> names = new ArrayList<>();
+    for (MessageType<?> each : types.all()) {
+      if (asGoal(each) != null && !each.isAbstract()) {
+        names.add(each.name().substring(0, 1).toLowerCase(Locale.ROOT) + each.name().substring(1));
+      }
+    }
+    String known = String.join(", ", names);
+    MessageType<?> type =
+        types
+            .byElementName(element.name())
+            .orElseThrow(
+                () ->
+                    element.error(
+                        "unknown element in <mission>; expected home or a class of goals: "
+                            + known
+                            + NearestNames.didYouMean(element.name(), names)));
+    MessageType<? extends GoalInformation> goal = asGoal(type);
+    if (goal == null) {
+      throw element.error("is not a class of goals; expected one of " + known);
+    }
+    if (goal.isAbstract()) {
+      throw element.error("is abstract: no goal can be of this class; expected one of " + known);
+    }
+    return goal;
+  }
+
+  @SuppressWarnings("unchecked") // the message class was compared
+  private static MessageType<? extends GoalInformation> asGoal(MessageType<?> type) {
+    return GoalInformation.class.isAssignableFrom(type.messageClass())
+        ? (MessageType<? extends GoalInformation>) type
+        : null;
   }
 
   private void add(
@@ -143,11 +167,10 @@ final class MissionReader {
       throw goal.field("uid")
           .orElse(goal.element())
           .error(
-              "the goal in line "
-                  + other.element().line()
-                  + " is named \""
-                  + goal.message().uid()
-                  + "\" already; names must differ (without one, a goal's name is its number in the file)");
+              String.format(
+                  "the goal in line %s is named \"%s\" already; names must differ (without one, a"
+                      + " goal's name is its number in the file)",
+                  other.element().line(), goal.message().uid()));
     }
   }
 

@@ -1,7 +1,13 @@
 package org.u2sa.mission;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.mission.MissionReport;
 
 /** The mission that is carried out, and how far. Confined to the manager's thread. */
 final class MissionRun {
@@ -40,8 +46,55 @@ final class MissionRun {
     return thresholdM.getAsDouble();
   }
 
-  /** Current time [µs of the run's clock]. */
   long micros() {
     return clock.micros();
+  }
+
+  /**
+   * Creates the answer to a request for the mission's progress.
+   *
+   * @param manager the Mission Manager's name
+   * @param resumable where RESUME would return to; empty: nowhere
+   */
+  MissionReport report(String requestId, String manager, Optional<String> resumable) {
+    GoalSequence pursued = progress.pursued();
+    List<GoalInformation> goals = new ArrayList<>();
+    List<Double> finished = new ArrayList<>();
+    add(progress.mission().book, goals, finished);
+    if (progress.isLeft()) {
+      add(pursued.book, goals, finished);
+    }
+    MissionReport report =
+        new MissionReport()
+            .requestId(requestId)
+            .serviceName(manager)
+            .mission(mission.origin())
+            .goals(goals)
+            .finished(finished)
+            .current(names(pursued.current()))
+            .upcoming(names(pursued.upcoming()))
+            .sequence(progress.mission().followers.order())
+            .elapsed(progress.elapsedS());
+    if (progress.isLeft()) {
+      report.failsafe(progress.pursuedFor().name());
+    }
+    mission.timeLimit().ifPresent(report::timeLimit);
+    progress.beganMicros().ifPresent(report::began);
+    resumable.ifPresent(report::resumable);
+    if (progress.isPaused()) {
+      report.paused(true);
+    }
+    return report;
+  }
+
+  private static void add(GoalBook book, List<GoalInformation> goals, List<Double> finished) {
+    for (String uid : book.names()) {
+      goals.add(book.goal(uid));
+      finished.add((double) book.timesFinished(uid));
+    }
+  }
+
+  static List<String> names(List<GoalInformation> goals) {
+    return goals.stream().map(GoalInformation::uid).collect(Collectors.toList());
   }
 }

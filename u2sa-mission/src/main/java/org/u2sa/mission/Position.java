@@ -10,17 +10,10 @@ import org.u2sa.service.handover.HandOver;
 
 /** Position in a {@link GoalSequence}, by goal names only. Not thread-safe. */
 final class Position {
-  /** Current goals. */
   final Set<String> current = new LinkedHashSet<>();
-
-  /** Goals that follow once the current ones are finished. */
-  final Set<String> pending = new LinkedHashSet<>();
-
-  /** Finished in this lap. */
-  final Set<String> finished = new LinkedHashSet<>();
-
-  /** Started repetitions, for goals in the middle of one. */
-  final Map<String, Long> repeats = new LinkedHashMap<>();
+  final Set<String> pending = new LinkedHashSet<>(); // follow once the current ones are finished
+  final Set<String> finished = new LinkedHashSet<>(); // in this lap
+  final Map<String, Long> repeats = new LinkedHashMap<>(); // started, of goals in the middle of one
 
   /**
    * How many of the current goals must still be completed, no matter which; 0: as the options say.

@@ -59,9 +59,9 @@ final class Resumable {
         before ->
             logger.log(
                 LogLevelEnum.WARN,
-                "the previous process ended at goal "
-                    + before.mission().currentNames()
-                    + ": the order resume continues there"));
+                String.format(
+                    "the previous process ended at goal %s: the order resume continues there",
+                    before.mission().currentNames())));
     return Optional.empty();
   }
 

@@ -1,6 +1,7 @@
 package org.u2sa.mission;
 
 import java.io.IOException;
+import java.math.BigInteger;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
@@ -70,16 +71,11 @@ final class SavedMission {
    */
   Optional<MissionProgress> read(Path mission, boolean loop, GoalSequence.Options options)
       throws IOException {
-    Optional<HandOver> saved =
-        access.read(
-            () ->
-                Files.exists(file)
-                    ? Optional.of(HandOverText.read(file, systemId, codec))
-                    : Optional.empty());
-    if (saved.isEmpty()) {
+    HandOver state =
+        access.read(() -> Files.exists(file) ? HandOverText.read(file, systemId, codec) : null);
+    if (state == null) {
       return Optional.empty();
     }
-    HandOver state = saved.get();
     if (state.text(DIGEST).filter(digest(mission)::equals).isEmpty()) {
       throw new IOException(file + ": is of another mission than " + mission + " is now");
     }
@@ -92,11 +88,7 @@ final class SavedMission {
     }
   }
 
-  /**
-   * Deletes the file if it is there.
-   *
-   * @param failed called if that fails, possibly later on another thread
-   */
+  /** Deletes the file if it is there; may call {@code failed} later on another thread. */
   void delete(Consumer<IOException> failed) {
     access.change(() -> Files.deleteIfExists(file), failed);
   }
@@ -104,12 +96,8 @@ final class SavedMission {
   /** Digest of a mission's file, which tells missions apart. */
   static String digest(Path mission) throws IOException {
     try {
-      StringBuilder hex = new StringBuilder();
-      for (byte each : MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission))) {
-        hex.append(Character.forDigit(each >> 4 & 0xf, 16))
-            .append(Character.forDigit(each & 0xf, 16));
-      }
-      return hex.toString();
+      byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission));
+      return String.format("%064x", new BigInteger(1, digest));
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException("every Java has SHA-256", e);
     }

@@ -3,15 +3,22 @@ package org.u2sa.mission;
 import java.util.Optional;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.log.Logger;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.service.handover.HandOver;
 
-/** Enforces time limits of goals and the mission. Confined to the manager's thread. */
+/**
+ * Enforces time limits of goals and the mission. Their clock runs while the vehicle is armed, or
+ * always if the arming state is unknown. Confined to the manager's thread.
+ */
 final class TimeLimits {
+  private static final long NEVER = -1;
+
   private final MissionRun run;
   private final Logger logger;
-  private final MissionTime time = new MissionTime();
+  private long lastMicros = NEVER;
+  private boolean stands; // disarmed
 
   TimeLimits(MissionRun run, Logger logger) {
     this.run = run;
@@ -24,7 +31,9 @@ final class TimeLimits {
    * @return whether it was stopped and runs again
    */
   boolean count(boolean armed) {
-    return time.counts(armed);
+    boolean resumes = stands && armed;
+    stands = !armed;
+    return resumes;
   }
 
   /**
@@ -35,7 +44,7 @@ final class TimeLimits {
   boolean pass() {
     MissionProgress progress = run.progress();
     long now = run.micros();
-    progress.pursuedFor(time.sinceLast(now), now);
+    progress.pursuedFor(sinceLast(now), now);
     boolean changed = false;
     Optional<GoalInformation> late = progress.pursued().timedOut();
     while (late.isPresent()) {
@@ -48,6 +57,12 @@ final class TimeLimits {
       end(progress.pursued(), run.mission().limit().orElseThrow());
     }
     return changed;
+  }
+
+  private long sinceLast(long nowMicros) {
+    long counted = lastMicros == NEVER || stands ? 0 : Math.max(0, nowMicros - lastMicros);
+    lastMicros = nowMicros;
+    return counted;
   }
 
   private void timeOut(GoalInformation goal, String reason) {
@@ -66,10 +81,15 @@ final class TimeLimits {
   }
 
   void handOver(HandOver state) {
-    time.handOver(state);
+    state.flag("TIME STANDS", stands);
+    if (lastMicros != NEVER) {
+      state.number("TIME", Clock.seconds(lastMicros));
+    }
   }
 
+  /** Restores the clock; the time between two Mission Managers counts. */
   void takeOver(HandOver state) {
-    time.takeOver(state);
+    stands = state.flag("TIME STANDS");
+    state.number("TIME").ifPresent(seconds -> lastMicros = Clock.micros(seconds));
   }
 }

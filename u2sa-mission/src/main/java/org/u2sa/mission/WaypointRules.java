@@ -4,6 +4,7 @@ import java.util.Collection;
 import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Constraints on a mission's waypoints beyond single fields' bounds. */
@@ -19,7 +20,8 @@ final class WaypointRules {
         if (first == null) {
           first = goal;
         } else {
-          checkSameEarth(first, goal);
+          Waypoint other = (Waypoint) first.message();
+          checkSameEarth(goal, waypoint, other, "waypoint in line " + first.element().line());
         }
       }
     }
@@ -30,39 +32,18 @@ final class WaypointRules {
     check(goals);
     for (GoalElement goal : goals) {
       if (goal.message() instanceof Waypoint waypoint) {
-        mission.names().stream()
-            .map(mission::goal)
-            .filter(Waypoint.class::isInstance)
-            .map(Waypoint.class::cast)
-            .filter(
-                other -> other.referenceFrame().isEarth() != waypoint.referenceFrame().isEarth())
-            .findFirst()
-            .ifPresent(
-                other -> {
-                  throw element(goal, "referenceFrame")
-                      .error(
-                          "is in "
-                              + waypoint.referenceFrame()
-                              + ", but the mission's waypoint \""
-                              + other.uid()
-                              + "\" is in "
-                              + other.referenceFrame()
-                              + "; expected all on the earth or all on a local plane");
-                });
+        for (GoalInformation each : mission.named(mission.names())) {
+          if (each instanceof Waypoint other) {
+            checkSameEarth(goal, waypoint, other, "mission's waypoint \"" + other.uid() + "\"");
+          }
+        }
       }
     }
   }
 
   private static void checkCoordinates(GoalElement goal, Waypoint waypoint) {
     ReferenceFrame frame = waypoint.referenceFrame();
-    if (frame.isBody()) {
-      throw goal.field("referenceFrame")
-          .orElse(goal.element())
-          .error(
-              "\""
-                  + frame
-                  + "\" moves with the vehicle; expected GLOBAL, LOCAL_ENU, LOCAL_NED or UTM");
-    }
+    Home.requireFixed(frame, element(goal, "referenceFrame"));
     boolean hasX = waypoint.x().isPresent();
     boolean hasY = waypoint.y().isPresent();
     if (!hasX && !hasY && waypoint.z().isEmpty()) {
@@ -104,19 +85,14 @@ final class WaypointRules {
     return goal.field(field).orElse(goal.element());
   }
 
-  private static void checkSameEarth(GoalElement first, GoalElement goal) {
-    ReferenceFrame frame = ((Waypoint) first.message()).referenceFrame();
-    ReferenceFrame other = ((Waypoint) goal.message()).referenceFrame();
-    if (frame.isEarth() != other.isEarth()) {
+  private static void checkSameEarth(
+      GoalElement goal, Waypoint waypoint, Waypoint other, String otherName) {
+    if (waypoint.referenceFrame().isEarth() != other.referenceFrame().isEarth()) {
       throw element(goal, "referenceFrame")
           .error(
-              "is in "
-                  + other
-                  + ", but the waypoint in line "
-                  + first.element().line()
-                  + " is in "
-                  + frame
-                  + "; expected all on the earth or all on a local plane");
+              String.format(
+                  "is in %s, but the %s is in %s; expected all on the earth or all on a local plane",
+                  waypoint.referenceFrame(), otherName, other.referenceFrame()));
     }
   }
 }

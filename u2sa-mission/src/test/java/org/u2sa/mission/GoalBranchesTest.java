@@ -163,7 +163,7 @@ class GoalBranchesTest {
     }
 
     assertThat(seen).hasToString("abababc");
-    assertThat(sequence.book().timesFinished("a")).isEqualTo(3);
+    assertThat(sequence.book.timesFinished("a")).isEqualTo(3);
   }
 
   @Test

@@ -18,9 +18,6 @@ final class BlindStand {
   private final Supplier<AvoidanceVariables> settings;
   private String said = "";
 
-  /**
-   * @param planner tells the operator
-   */
   BlindStand(U2SAService planner, Avoidance avoidance, Supplier<AvoidanceVariables> settings) {
     this.planner = planner;
     this.avoidance = avoidance;

@@ -19,11 +19,6 @@ final class EndOfMission {
   private final WaypointGuidance guidance;
   private Optional<LoiterCircle> circle = Optional.empty();
 
-  /**
-   * @param settings whether to hold, and on which circle
-   * @param lines look-ahead on the circle
-   * @param guidance for the representation of the point passed to control
-   */
   EndOfMission(
       Supplier<PlanningVariables> settings,
       Supplier<LineSettings> lines,

@@ -24,7 +24,6 @@ final class GoalChoice {
     return choose(list.goals(), preferred, distance);
   }
 
-  /** Most likely goal after the chosen one. */
   Optional<GoalInformation> after(
       GoalInformation goal, String preferred, ToDoubleFunction<GoalInformation> distance) {
     return choose(candidates(goal), preferred, distance);

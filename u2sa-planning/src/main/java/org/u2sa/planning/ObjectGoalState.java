@@ -97,14 +97,8 @@ final class ObjectGoalState implements PlannerState {
                 target.radiusM() + goal.within(),
                 OptionalDouble.empty(),
                 goal.speed()));
-    NavigationPoint point = NavigationPoint.at(vehicle.body(step.ned())).speed(step.speedMps());
-    if (step.backwards()) {
-      point.backwards(true);
-    }
-    points.add(0, point);
-    return step.givenUp().isPresent()
-        ? new Plan(points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
-        : Plan.underWay(points);
+    points.add(0, step.point(vehicle));
+    return Plan.unless(step.givenUp(), points);
   }
 
   /** Stops and waits for the object to be seen. */

@@ -18,9 +18,9 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
-import org.u2sa.planning.guidance.AltitudeProfile;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
@@ -59,14 +59,11 @@ public class PathPlanner extends EventDrivenService {
   private String complaint = ""; // last one logged, to log it once
   private String threshold = ""; // last remark on the current goal's threshold
 
-  /** Launcher constructor. */
   public PathPlanner(ServiceContext context) {
     this(context, planner -> new ChosenGuidance(planner, planner::lines));
   }
 
   /**
-   * Creates a planner with its own guidance.
-   *
    * @param guide creates the guidance; may read further variables of the planner
    */
   PathPlanner(ServiceContext context, Function<PathPlanner, WaypointGuidance> guide) {
@@ -99,10 +96,7 @@ public class PathPlanner extends EventDrivenService {
         });
   }
 
-  /**
-   * Configured settings; but a landing glide path is linear, whatever the mission's altitude
-   * profile.
-   */
+  /** Configured settings; but a landing glide path is linear, whatever the altitude profile. */
   final LineSettings lines() {
     PlanningVariables configured = settings.get();
     return failsafe == FailsafeAction.LAND
@@ -183,14 +177,8 @@ public class PathPlanner extends EventDrivenService {
         && needsNoState()
         && list.timestamp().isPresent()
         && avoidance.world().isSeenFromVehicle()) {
-      StateInformation origin =
-          new StateInformation()
-              .referenceFrame(ReferenceFrame.LOCAL_NED)
-              .x(0.0)
-              .y(0.0)
-              .z(0.0)
-              .psi(0.0);
-      origin.timestamp(list.timestamp().getAsLong());
+      StateInformation origin = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED);
+      origin.x(0.0).y(0.0).z(0.0).psi(0.0).timestamp(list.timestamp().getAsLong());
       plan(origin, true);
     }
   }
@@ -228,7 +216,6 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** Whether a failsafe or a paused mission holds the vehicle. */
   private boolean isHolding() {
     return failsafe == FailsafeAction.HOLD || goals.filter(GoalList::paused).isPresent();
   }
@@ -290,10 +277,7 @@ public class PathPlanner extends EventDrivenService {
         .goal(preferred, option -> distanceM(option, state, stateless));
   }
 
-  /**
-   * Start of the mission, from the list's elapsed time if given, else from the arrival of the first
-   * goals [µs].
-   */
+  /** Mission start: the list's elapsed time ago, or else the arrival of its first goals [µs]. */
   private long missionBegan(GoalList list) {
     long now = clock().micros();
     if (list.elapsed().isPresent()) {
@@ -343,11 +327,7 @@ public class PathPlanner extends EventDrivenService {
     Optional<PlannerState> planner = states.forGoal(chosen);
     if (planner.isEmpty()) {
       complain(
-          "goal \""
-              + chosen.uid()
-              + "\" is a "
-              + chosen.typeChain()
-              + ": no planner state for that",
+          named(chosen) + " is a " + chosen.typeChain() + ": no planner state for that",
           chosen.uid());
       return atEnd(state);
     }
@@ -363,9 +343,8 @@ public class PathPlanner extends EventDrivenService {
         new Pursuit(chosen, begins ? finished : Optional.empty(), after, state, missionS());
     if (begins) {
       log(
-          "goal \""
-              + chosen.uid()
-              + "\" begins"
+          named(chosen)
+              + " begins"
               + finished.map(done -> ", from \"" + done.uid() + "\"").orElse(""));
       judgeThreshold(chosen, state);
       planner.get().enter(pursuit);
@@ -377,7 +356,7 @@ public class PathPlanner extends EventDrivenService {
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
           plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;
-      log(level, "goal \"" + chosen.uid() + "\" " + plan.remark());
+      log(level, named(chosen) + " " + plan.remark());
     }
     if (plan.progress() != Plan.Progress.UNDER_WAY) {
       report(chosen, plan);
@@ -390,6 +369,10 @@ public class PathPlanner extends EventDrivenService {
               publish(Channels.PLANS, path);
             });
     return plan.points();
+  }
+
+  private static String named(GoalInformation goal) {
+    return "goal \"" + goal.uid() + "\"";
   }
 
   /** Reports to the Mission Manager, and repeats after a while if it does not react. */

@@ -19,7 +19,6 @@ public record Plan(
     Progress progress,
     String remark,
     Optional<GoalInformation> changed) {
-  /** Progress of a goal. */
   public enum Progress {
     /** Neither reached nor given up. */
     UNDER_WAY,
@@ -34,9 +33,15 @@ public record Plan(
     this(points, progress, remark, Optional.empty());
   }
 
-  /** Copy with a changed goal. */
   public Plan changing(GoalInformation goal) {
     return new Plan(points, progress, remark, Optional.of(goal));
+  }
+
+  /** Creates a step of a pursuit that is given up for a reason, or else continues. */
+  static Plan unless(Optional<String> givenUp, List<NavigationPoint> points) {
+    return givenUp
+        .map(reason -> new Plan(points, Progress.ABANDONED, "given up: " + reason))
+        .orElseGet(() -> underWay(points));
   }
 
   /** Creates a step of a pursuit that continues. */

@@ -1,9 +1,10 @@
 package org.u2sa.planning;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.planning.guidance.AltitudeProfile;
 import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.TurnAnticipation;
 
 /**
@@ -11,76 +12,47 @@ import org.u2sa.planning.guidance.TurnAnticipation;
  * ground vehicle.
  */
 record PlanningVariables(
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Lateral acceleration of turns: g tan(bank) for aircraft; 0 for a vehicle that turns on the spot.")
+    @Variable(unit = "m/s^2", min = 0, ifAbsent = 0)
+        @Description(
+            "Lateral acceleration of turns: g tan(bank) for aircraft; 0 for a vehicle that turns on the spot.")
         double turnAcceleration,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Delay from the command to turn until the turn is established: an aircraft's roll-in.")
+    @Variable(unit = "s", min = 0, ifAbsent = 0)
+        @Description(
+            "Delay from the command to turn until the turn is established: an aircraft's roll-in.")
         double turnLag,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 60,
-            text =
-                "Maximum distance by which a turn may cut the corner at a waypoint, however large its threshold.")
+    @Variable(unit = "m", min = 0, ifAbsent = 60)
+        @Description(
+            "Maximum distance by which a turn may cut the corner at a waypoint, however large its threshold.")
         double cornerLimit,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text = "Minimum look-ahead distance along the line. Shorter holds the line tighter.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description("Minimum look-ahead distance along the line. Shorter holds the line tighter.")
         double lookAhead,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 1,
-            text =
-                "Look-ahead time: the target is at least the distance covered in this time ahead.")
+    @Variable(unit = "s", min = 0, ifAbsent = 1)
+        @Description(
+            "Look-ahead time: the target is at least the distance covered in this time ahead.")
         double lookAheadTime,
-    @Variable(
-            ifAbsentText = "IMMEDIATE",
-            text =
-                "IMMEDIATE takes the altitude of a leg's end at once, LINEAR changes it in proportion to the distance flown.")
+    @Variable(ifAbsentText = "IMMEDIATE")
+        @Description(
+            "IMMEDIATE takes the altitude of a leg's end at once, LINEAR changes it in proportion to the distance flown.")
         AltitudeProfile altitudeProfile,
     @Variable(min = 1, max = 1000, ifAbsent = 3, text = "Passes at a waypoint before giving up.")
         int attempts,
-    @Variable(
-            min = 0,
-            max = 5,
-            ifAbsent = 0,
-            text =
-                "Horizontal thresholds of waypoints are at least this many standard deviations of the state's position; 0: as the mission says.")
+    @Variable(min = 0, max = 5, ifAbsent = 0)
+        @Description(
+            "Horizontal thresholds of waypoints are at least this many standard deviations of the state's position; 0: as the mission says.")
         double thresholdSigmas,
-    @Variable(
-            ifAbsentText = "STOP",
-            text =
-                "After the last goal: HOLD stays at the last waypoint, STOP sends no navigation points.")
+    @Variable(ifAbsentText = "STOP")
+        @Description(
+            "After the last goal: HOLD stays at the last waypoint, STOP sends no navigation points.")
         AtEnd atEnd,
     @Variable(unit = "m", min = 0, ifAbsent = 0, text = "Holding-circle radius; 0: hold in place.")
         double loiterRadius,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text = "Maximum age of a state to plan from.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description("Maximum age of a state to plan from.")
         double staleAfter,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text =
-                "Time after which the report of a finished goal is repeated unless the Mission Manager reacts.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description(
+            "Time after which the report of a finished goal is repeated unless the Mission Manager reacts.")
         double reportInterval) {
   /** Behaviour after the last goal. */
   enum AtEnd {
@@ -90,12 +62,10 @@ record PlanningVariables(
     STOP
   }
 
-  /** Settings of line following. */
   LineSettings lines() {
     return lines(altitudeProfile);
   }
 
-  /** Settings of line following with the given altitude profile. */
   LineSettings lines(AltitudeProfile altitudes) {
     return new LineSettings(
         lookAhead,

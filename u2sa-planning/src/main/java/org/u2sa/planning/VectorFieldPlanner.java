@@ -1,5 +1,6 @@
 package org.u2sa.planning;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.planning.guidance.GuidanceLaw;
@@ -14,15 +15,10 @@ import org.u2sa.service.ServiceContext;
  */
 public final class VectorFieldPlanner extends PathPlanner {
   private record Field(
-      @Variable(
-              unit = "deg",
-              min = 5,
-              max = 90,
-              ifAbsent = 60,
-              text = "Angle at which a vehicle far off the line returns to it.")
+      @Variable(unit = "deg", min = 5, max = 90, ifAbsent = 60)
+          @Description("Angle at which a vehicle far off the line returns to it.")
           double interceptAngle) {}
 
-  /** Launcher constructor. */
   public VectorFieldPlanner(ServiceContext context) {
     super(context, VectorFieldPlanner::guidance);
   }

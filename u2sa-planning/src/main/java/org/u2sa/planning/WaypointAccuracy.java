@@ -21,9 +21,7 @@ final class WaypointAccuracy {
 
   private WaypointAccuracy() {}
 
-  /**
-   * Standard deviation of the horizontal position along the worse axis [m]; empty if not reported.
-   */
+  /** Standard deviation of the horizontal position, worse axis [m]; empty if not reported. */
   static OptionalDouble sigmaM(StateInformation state) {
     if (state.xSigma().isEmpty() && state.ySigma().isEmpty()) {
       return OptionalDouble.empty();

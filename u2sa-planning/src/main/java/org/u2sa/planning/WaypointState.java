@@ -31,9 +31,7 @@ final class WaypointState implements PlannerState {
   /** Share of a threshold within which usual estimation errors do not hide a miss. */
   private static final double SHARE_NEAR = 0.8;
 
-  /**
-   * Maximum gap between states; beyond it, as after a lost link, the path between is unknown [µs].
-   */
+  /** Maximum gap between states; beyond it, as after a lost link, the path is unknown [µs]. */
   private static final long LONGEST_STEP_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   /** Below this speed the vehicle counts as stopped [m/s]. */
@@ -130,7 +128,6 @@ final class WaypointState implements PlannerState {
     return true;
   }
 
-  /** Position of a goal, if it is a waypoint. */
   static Optional<Place> placeOf(Optional<GoalInformation> goal) {
     return goal.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
   }
@@ -189,10 +186,7 @@ final class WaypointState implements PlannerState {
         : Vehicle.of(state).orElseThrow().speedMps() - state.fluidxDot().getAsDouble();
   }
 
-  /**
-   * Handles a waypoint with a heading: complete if the vehicle has it; otherwise it turns in place,
-   * or makes another approach if it cannot.
-   */
+  /** Ends at a waypoint's heading; otherwise turns in place to it, or makes another approach. */
   private Plan turned(
       Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
     double psi = waypoint.psi().getAsDouble();
@@ -242,10 +236,7 @@ final class WaypointState implements PlannerState {
     double downM = vehicle.nedOf(target).z();
     look(vehicle, target, waypoint, downM);
     last = Optional.of(pursuit.state());
-    NavigationPoint point = NavigationPoint.at(vehicle.body(step.ned())).speed(step.speedMps());
-    if (step.backwards()) {
-      point.backwards(true);
-    }
+    NavigationPoint point = step.point(vehicle);
     if (reached && waypoint.psi().isPresent()) {
       return turned(waypoint, vehicle, target, point, downM);
     }
@@ -254,9 +245,7 @@ final class WaypointState implements PlannerState {
       avoidance.reached(vehicle, pursuit.state());
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
-    return step.givenUp().isPresent()
-        ? new Plan(points, Plan.Progress.ABANDONED, "given up: " + step.givenUp().get())
-        : Plan.underWay(points);
+    return Plan.unless(step.givenUp(), points);
   }
 
   /**

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
@@ -41,6 +42,11 @@ class PlannerSeesTest extends PlannedVehicle {
     kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(objects)));
   }
 
+  private void start(String planner) {
+    kit.with("PLANNER", planner).start(PathPlanner::new);
+    goals(waypoint("1", 10, 0));
+  }
+
   private PlannedPath path() {
     return kit.latest(Channels.PLANS).orElseThrow();
   }
@@ -55,8 +61,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
   @Test
   void state_discOnTheLine_plansAroundItAndSaysSo() {
-    kit.with("PLANNER", "GRID").start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    start("GRID");
     see(disc("rock", 5, 0, 1.0));
     drive(1, 0, 0, 0);
 
@@ -95,19 +100,15 @@ class PlannerSeesTest extends PlannedVehicle {
     drive(10, 0, 0, 0);
   }
 
-  @Test
-  void state_gapTooNarrowToTurnIn_goesAround() {
-    assertThat(costThroughAGap(0.0, 8.0)).isGreaterThan(15.0);
-  }
-
-  @Test
-  void state_gapTooNarrowToTurnInAndNoWayAround_goesThrough() {
-    assertThat(costThroughAGap(0.0, 25.0)).isBetween(9.9, 10.5);
-  }
-
-  @Test
-  void state_gapTooNarrowToTurnInButNoNarrowerThanThePassage_goesThrough() {
-    assertThat(costThroughAGap(1.0, 8.0)).isBetween(9.9, 10.5);
+  @ParameterizedTest
+  @CsvSource({
+    "around it, 0.0, 8.0, 15.0, 50.0",
+    "through it as there is no other way, 0.0, 25.0, 9.9, 10.5",
+    "through it as it is no narrower than the passage, 1.0, 8.0, 9.9, 10.5"
+  })
+  void state_gapTooNarrowToTurnIn_goes(
+      String which, double narrowestM, double reachesM, double leastCost, double mostCost) {
+    assertThat(costThroughAGap(narrowestM, reachesM)).as(which).isBetween(leastCost, mostCost);
   }
 
   @Test
@@ -138,8 +139,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
   @Test
   void state_newDiscOnTheRoute_plansAnew() {
-    kit.with("PLANNER", "GRID").start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    start("GRID");
     drive(1, 0, 0, 0);
     double before = path().cost().orElseThrow();
     see(disc("rock", 5, 0, 1.0));
@@ -150,8 +150,8 @@ class PlannerSeesTest extends PlannedVehicle {
 
   @Test
   void state_discOnTheGoal_isGivenUpWithThatReason() {
-    kit.with("PLANNER", "GRID").with("GIVE UP AFTER", 2.0).start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    kit.with("GIVE UP AFTER", 2.0);
+    start("GRID");
     see(disc("rock", 10, 0, 4.0));
     drive(30, 0, 0, 0);
 
@@ -179,19 +179,10 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(path().cost().orElseThrow()).isBetween(9.0, 11.0);
   }
 
-  @Test
-  void state_noWayButThroughAGuess_waitsFirst() {
-    assertThat(rockOfConfidence(0.5, 4.0)).isEqualTo(PathStatus.WAITING);
-  }
-
-  @Test
-  void state_noWayButThroughWhatWasSeen_doesNotGoThroughIt() {
-    assertThat(rockOfConfidence(0.6, 2.0)).isEqualTo(PathStatus.WAITING);
-  }
-
-  @Test
-  void state_noWayButThroughAGuess_waitsForEverUnlessConfigured() {
-    assertThat(rockOfConfidence(0.5, 0.0)).isEqualTo(PathStatus.WAITING);
+  @ParameterizedTest
+  @CsvSource({"waits first, 0.5, 4.0", "was seen, 0.6, 2.0", "is not to be overlooked, 0.5, 0.0"})
+  void state_noWayButThroughAGuess_waits(String why, double confidence, double overlookAfterS) {
+    assertThat(rockOfConfidence(confidence, overlookAfterS)).as(why).isEqualTo(PathStatus.WAITING);
   }
 
   @Test
@@ -215,25 +206,29 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(Math.hypot(point().x(), point().y())).isLessThan(0.01);
   }
 
+  private void startReversing(int recoveries) {
+    kit.with("STUCK AFTER", 1.0).with("RECOVERIES", recoveries).with("REVERSES", true);
+    start("GRID");
+  }
+
+  private String reason() {
+    return kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow();
+  }
+
   @Test
   void state_vehicleDoesNotMove_freesItselfThenGivesUp() {
-    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).with("RECOVERIES", 2);
-    kit.with("REVERSES", true).start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    startReversing(2);
     see(disc("rock", 30, 30, 1.0));
     drive(60, 0, 0, 0);
 
     assertThat(logged("stuck: freeing itself, attempt 2 of 2")).isEqualTo(1);
     assertThat(kit.published(Channels.NAVIGATION)).anyMatch(NavigationPoint::backwards);
-    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
-        .contains("stuck after 2 attempts");
+    assertThat(reason()).contains("stuck after 2 attempts");
   }
 
   @Test
   void state_walkerComesOnForLong_keepsTheGoalAsLongAsHeIsThere() {
-    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).with("RECOVERIES", 2);
-    kit.with("REVERSES", true).start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    startReversing(2);
     Circle walker = disc("walker", 2.5, 0, 0.3);
     walker.motion().velocity(Point.of(-0.3, 0.0, 0.0));
     for (int second = 0; second < 60; second++) {
@@ -244,22 +239,18 @@ class PlannerSeesTest extends PlannedVehicle {
 
     see(disc("rock", 30, 30, 1.0));
     drive(60, 0, 0, 0);
-    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
-        .contains("stuck after 2 attempts");
+    assertThat(reason()).contains("stuck after 2 attempts");
   }
 
   @Test
   void state_freesItselfAgainAndAgain_givesUpSinceItGetsNoNearer() {
-    kit.with("PLANNER", "GRID").with("STUCK AFTER", 1.0).with("RECOVERIES", 100);
-    kit.with("REVERSES", true).start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    startReversing(100);
     see(disc("rock", 30, 30, 1.0));
     drive(380, 0, 0, 0);
     assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
     drive(60, 0, 0, 0); // four times 10 m at 1 m/s, and STUCK AFTER
 
-    assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().reason().orElseThrow())
-        .contains("no nearer to the goal for 4");
+    assertThat(reason()).contains("no nearer to the goal for 4");
   }
 
   /** A bay that opens to the north: a way into it backwards takes HYBRID many nodes. */
@@ -267,11 +258,7 @@ class PlannerSeesTest extends PlannedVehicle {
   void state_wayIsHardToFind_standsAndSaysSoUntilItIsFound() {
     kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 0.9).with("REVERSES", true);
     kit.with("VEHICLE FRONT", 0.43).with("VEHICLE REAR", 0.1).with("VEHICLE WIDTH", 0.3);
-    kit.with("CLEARANCE", 0.15).with("PLANNING SPAN", 20.0).with("PLANNING EFFORT", 1000);
-    kit.start(PathPlanner::new);
-    goals(waypoint("1", -4.4, 0).horizontalThreshold(0.2).psi(0.0));
-    see(bay("left", 0.8), bay("right", -0.8));
-    drive(1, 0, 0, Math.PI / 2.0);
+    driveToABay(1000);
 
     assertThat(path().status()).isEqualTo(PathStatus.WAITING);
     assertThat(path().reason()).hasValue("searching for a route to the goal");
@@ -287,17 +274,21 @@ class PlannerSeesTest extends PlannedVehicle {
   @Test
   void state_wayInFlightIsHardToFind_goesOnWhileItIsSoughtInParts() {
     kit.with("PLANNER", "HYBRID").with("TURN RADIUS", 0.9).with("MIN SPEED", 0.5);
-    kit.with("CLEARANCE", 0.15).with("PLANNING SPAN", 20.0).with("PLANNING EFFORT", 100);
-    kit.start(PathPlanner::new);
-    goals(waypoint("1", -4.4, 0).horizontalThreshold(0.2).psi(0.0));
-    see(bay("left", 0.8), bay("right", -0.8));
-    drive(1, 0, 0, Math.PI / 2.0);
+    driveToABay(100);
 
     assertThat(kit.published(Channels.PLANS)).allMatch(plan -> plan.points().isEmpty());
     assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed().orElseThrow())
         .isGreaterThanOrEqualTo(0.5);
     drive(190, 0, 0, Math.PI / 2.0);
     assertThat(kit.published(Channels.PLANS)).anyMatch(plan -> !plan.points().isEmpty());
+  }
+
+  private void driveToABay(int effort) {
+    kit.with("CLEARANCE", 0.15).with("PLANNING SPAN", 20.0).with("PLANNING EFFORT", effort);
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", -4.4, 0).horizontalThreshold(0.2).psi(0.0));
+    see(bay("left", 0.8), bay("right", -0.8));
+    drive(1, 0, 0, Math.PI / 2.0);
   }
 
   /** A wall of 1.6 m along the bay. */
@@ -318,8 +309,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
   @Test
   void state_trafficCannotBeAvoided_brakesAndSaysSo() {
-    kit.with("PLANNER", "GRID").start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    start("GRID");
     Circle car = disc("car", 1.5, 0, 0.9);
     car.motion().velocity(Point.of(-3.0, 0.0, 0.0));
     see(car);
@@ -335,8 +325,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
   @Test
   void state_trafficCrossesLater_isNotFollowedIntoIt() {
-    kit.with("PLANNER", "GRID").start(PathPlanner::new);
-    goals(waypoint("1", 10, 0));
+    start("GRID");
     Circle car = disc("car", 3.0, -3.0, 0.5);
     car.motion().velocity(Point.of(0.0, 1.0, 0.0)); // is where the vehicle would be in 3 s
     see(car);
@@ -451,16 +440,8 @@ class PlannerSeesTest extends PlannedVehicle {
     kit.advance(0.1);
     see(buoy(6.0, 2.0));
 
-    NavigationPoint gimbal =
-        kit.published(Channels.NAVIGATION).stream()
-            .filter(point -> point.subsystem().equals("GIMBAL"))
-            .findFirst()
-            .orElseThrow();
-    NavigationPoint vehicle =
-        kit.published(Channels.NAVIGATION).stream()
-            .filter(point -> point.subsystem().equals("VEHICLE"))
-            .findFirst()
-            .orElseThrow();
+    NavigationPoint gimbal = first("GIMBAL");
+    NavigationPoint vehicle = first("VEHICLE");
     assertThat(gimbal.point().x()).isCloseTo(6.0, within(1.0e-6));
     assertThat(gimbal.point().y()).isCloseTo(2.0, within(1.0e-6)); // BODY: to the left
     assertThat(vehicle.point().x()).isPositive();
@@ -469,6 +450,13 @@ class PlannerSeesTest extends PlannedVehicle {
     kit.advance(0.1);
     see(buoy(1.2, 0.0));
     assertThat(kit.latest(Channels.GOAL_REPORTS).orElseThrow().completed()).isTrue();
+  }
+
+  private NavigationPoint first(String subsystem) {
+    return kit.published(Channels.NAVIGATION).stream()
+        .filter(point -> point.subsystem().equals(subsystem))
+        .findFirst()
+        .orElseThrow();
   }
 
   private static Circle buoy(double ahead, double left) {

@@ -17,7 +17,7 @@ import org.u2sa.control.fixedwing.ControlStatus;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.AccessRule;
 import org.u2sa.core.security.AccessTable;
-import org.u2sa.flightgear.link.FlightChannels;
+import org.u2sa.flightgear.link.Simulator;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -64,7 +64,7 @@ class SchemaFileTest {
     for (Channel<?> channel : Channels.all()) {
       channel(channel, "");
     }
-    channel(FlightChannels.TRUTH, "cessna");
+    channel(Simulator.TRUTH, "cessna");
     channel(ControlStatus.CHANNEL, "cessna");
     json.writeEndArray();
     json.writeArrayFieldStart("messages");

@@ -47,7 +47,6 @@ final class Arrivals {
     return due;
   }
 
-  /** Number of messages dropped because the queue was full. */
   long lost() {
     return lost;
   }

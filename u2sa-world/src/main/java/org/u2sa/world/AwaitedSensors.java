@@ -44,7 +44,6 @@ final class AwaitedSensors {
     seen.merge(sensor, micros, Math::max);
   }
 
-  /** Scanners heard so far. */
   List<String> scanners() {
     return List.copyOf(scanned.keySet());
   }

@@ -25,10 +25,6 @@ final class ChosenModellers {
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
 
-  /**
-   * @param configuration configuration of the World Modeler, in which all modellers declare their
-   *     variables
-   */
   ChosenModellers(Configurator configuration) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));

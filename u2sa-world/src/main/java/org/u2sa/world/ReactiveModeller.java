@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
@@ -25,16 +26,11 @@ import org.u2sa.world.modeller.Sighting;
  */
 final class ReactiveModeller implements Modeller {
   private record Variables(
-      @Variable(
-              unit = "s",
-              min = 0.01,
-              max = 3600,
-              ifAbsent = 1,
-              text = "REACTIVE: time after which a sensor's latest sighting is dropped.")
+      @Variable(unit = "s", min = 0.01, max = 3600, ifAbsent = 1)
+          @Description("REACTIVE: time after which a sensor's latest sighting is dropped.")
           double memory,
-      @Variable(
-              ifAbsentText = "true",
-              text = "REACTIVE: whether a scan's echoes become a point cloud among the objects.")
+      @Variable(ifAbsentText = "true")
+          @Description("REACTIVE: whether a scan's echoes become a point cloud among the objects.")
           boolean scansAsObjects) {}
 
   private record Memory(long micros, List<ObjectDescription> objects) {}

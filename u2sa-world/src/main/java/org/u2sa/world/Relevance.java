@@ -24,7 +24,6 @@ final class Relevance {
 
   private Set<String> wanted = Set.of(); // empty: all
 
-  /** Sets the current goals. */
   void of(GoalList goals) {
     Set<String> types = new TreeSet<>();
     for (GoalInformation goal : goals.goals()) {
@@ -63,7 +62,6 @@ final class Relevance {
     return wanted;
   }
 
-  /** Filters the relevant objects. */
   List<ObjectDescription> of(List<ObjectDescription> objects) {
     if (wanted.isEmpty()) {
       return objects;

@@ -1,56 +1,24 @@
 package org.u2sa.world;
 
-/** Counts measurements used and dropped, for the health report. */
+/** Numbers of measurements used and dropped, for the health report. */
 final class SightingCount {
-  private long sightings;
-  private long scans;
-  private long stateless;
-  private long untimed;
-  private long early;
-  private long badStates;
-
-  /** Counts one sensor's detections of one time as used. */
-  void used() {
-    sightings++;
-  }
-
-  /** Counts a scan as used. */
-  void scan() {
-    scans++;
-  }
-
-  /** Counts a measurement dropped because the vehicle state of its time is unknown. */
-  void stateless() {
-    stateless++;
-  }
-
-  /** Counts a measurement dropped because it has no timestamp. */
-  void untimed() {
-    untimed++;
-  }
-
-  /** Counts a measurement dropped because its timestamp is in the future. */
-  void early() {
-    early++;
-  }
-
-  /** Counts a state dropped because it lacks position, heading or time. */
-  void badState() {
-    badStates++;
-  }
+  long sightings; // one sensor's detections of one time
+  long scans;
+  long stateless; // dropped: the vehicle state of their time is unknown
+  long untimed; // dropped: no timestamp
+  long early; // dropped: timestamp in the future
+  long badStates; // states without position, heading or time
 
   @Override
   public String toString() {
-    return sightings
-        + " sightings, "
-        + scans
-        + " scans, "
-        + stateless
-        + " without a state of their time, "
-        + untimed
-        + " without a time, "
-        + (early == 0 ? "" : early + " from the future, ")
-        + badStates
-        + " states without place or heading";
+    return String.format(
+        "%s sightings, %s scans, %s without a state of their time, %s without a time, %s"
+            + "%s states without place or heading",
+        sightings,
+        scans,
+        stateless,
+        untimed,
+        early == 0 ? "" : early + " from the future, ",
+        badStates);
   }
 }

@@ -58,7 +58,6 @@ public final class WorldModeler extends PeriodicService {
   private long heardStateMicros; // run clock, not the state's timestamp
   private long gridDueMicros = Long.MIN_VALUE;
 
-  /** Launcher constructor. */
   public WorldModeler(ServiceContext context) {
     super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
     this.context = context;
@@ -124,10 +123,7 @@ public final class WorldModeler extends PeriodicService {
         .forEach(modeller -> modeller.known(placed(), known(now())));
   }
 
-  /**
-   * A priori objects count as known from the time the file was loaded, whichever modeller asks
-   * later.
-   */
+  /** A priori objects are known from when the file was loaded, whichever modeller asks later. */
   private Sighting known(Sighting now) {
     return new Sighting(knownMicros, now.frame(), now.vehicle());
   }
@@ -162,7 +158,7 @@ public final class WorldModeler extends PeriodicService {
 
   private void onState(StateInformation state) {
     if (!poses.add(state)) {
-      count.badState();
+      count.badStates++;
       return;
     }
     heardStateMicros = clock().micros();
@@ -196,9 +192,9 @@ public final class WorldModeler extends PeriodicService {
 
   private void onArrival(U2SAData measured) {
     if (measured.timestamp().isEmpty()) {
-      count.untimed();
+      count.untimed++;
     } else if (measured.timestamp().getAsLong() - clock().micros() > FUTURE_MICROS) {
-      count.early(); // it would wait until then
+      count.early++; // it would wait until then
     } else {
       arrivals.add(measured);
     }
@@ -255,10 +251,10 @@ public final class WorldModeler extends PeriodicService {
     Optional<Sighting> sighting = sighting(seen.get(0).timestamp().orElseThrow());
     boolean needsState = seen.get(0).referenceFrame().isBody() != frame.frame().isBody();
     if (sighting.isEmpty() && needsState) {
-      count.stateless();
+      count.stateless++;
       return;
     }
-    count.used();
+    count.sightings++;
     sensors.sighting(seen.get(0).sensorName(), seen.get(0).timestamp().orElseThrow());
     Sighting placed =
         sighting.orElse(
@@ -270,7 +266,7 @@ public final class WorldModeler extends PeriodicService {
     long first = scan.timestamp().orElseThrow();
     Optional<Sighting> sighting = sighting(first);
     if (sighting.isEmpty() || !scan.referenceFrame().isBody()) {
-      count.stateless();
+      count.stateless++;
       return;
     }
     long span = Clock.micros(scan.timeIncrement() * Math.max(0, scan.ranges().size() - 1));
@@ -279,7 +275,7 @@ public final class WorldModeler extends PeriodicService {
             ? Optional.empty()
             : poses.at(first + span, settings.get().gapMicros());
     ScanPoses placed = new ScanPoses(sighting.get(), last);
-    count.scan();
+    count.scans++;
     sensors.scan(scan.sensorName(), first + span);
     modellers.working().values().forEach(modeller -> modeller.scan(scan, placed));
   }
@@ -294,7 +290,7 @@ public final class WorldModeler extends PeriodicService {
           .at(micros, settings.get().gapMicros())
           .map(vehicle -> new Sighting(micros, frame, Optional.of(vehicle)));
     } catch (IllegalArgumentException e) { // speeds that overflow the coordinates
-      count.badState();
+      count.badStates++;
       return Optional.empty();
     }
   }

@@ -3,78 +3,52 @@ package org.u2sa.world;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /** Variables of the {@link WorldModeler} itself; each modeller has its own. */
 record WorldVariables(
-    @Variable(
-            ifAbsentText = "OBJECTS, GRID",
-            text =
-                "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), LINES (painted lines), or an extension's.")
+    @Variable(ifAbsentText = "OBJECTS, GRID")
+        @Description(
+            "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), LINES (painted lines), or an extension's.")
         String modellers,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "World XML file with objects known beforehand, relative to the configuration file; empty: none.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "World XML file with objects known beforehand, relative to the configuration file; empty: none.")
         String world,
-    @Variable(
-            ifAbsentText = "true",
-            text =
-                "Whether objects of WORLD that move are known beforehand too; false: sensors have to find them, as traffic that no chart shows.")
+    @Variable(ifAbsentText = "true")
+        @Description(
+            "Whether objects of WORLD that move are known beforehand too; false: sensors have to find them, as traffic that no chart shows.")
         boolean worldMovers,
-    @Variable(
-            unit = "Hz",
-            min = 0.01,
-            max = 100,
-            ifAbsent = 2,
-            text = "Grids published per second, at most RATE.")
+    @Variable(unit = "Hz", min = 0.01, max = 100, ifAbsent = 2)
+        @Description("Grids published per second, at most RATE.")
         double gridRate,
-    @Variable(
-            ifAbsentText = "GOAL",
-            text =
-                "GOAL leaves out, while every current goal names types of objects, passable ones (HINDRANCE) of other types; ALL publishes everything.")
+    @Variable(ifAbsentText = "GOAL")
+        @Description(
+            "GOAL leaves out, while every current goal names types of objects, passable ones (HINDRANCE) of other types; ALL publishes everything.")
         Relevant relevant,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 10,
-            ifAbsent = 0.3,
-            text =
-                "Maximum time that a measurement waits for the state of its time; then the newest state is carried on to it.")
+    @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.3)
+        @Description(
+            "Maximum time that a measurement waits for the state of its time; then the newest state is carried on to it.")
         double waitForState,
-    @Variable(
-            unit = "s",
-            min = 0.001,
-            max = 10,
-            ifAbsent = 0.5,
-            text =
-                "Maximum time between two states to place a measurement between, and beyond the newest; without, the measurement is dropped.")
+    @Variable(unit = "s", min = 0.001, max = 10, ifAbsent = 0.5)
+        @Description(
+            "Maximum time between two states to place a measurement between, and beyond the newest; without, the measurement is dropped.")
         double stateGap,
-    @Variable(
-            unit = "s",
-            min = 0.1,
-            max = 3600,
-            ifAbsent = 3,
-            text = "Time without a state after which the map continues in BODY.")
+    @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 3)
+        @Description("Time without a state after which the map continues in BODY.")
         double stateLostAfter,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Names of sensors that must go on measuring, separated by commas; while one is silent, the Path Planner stands. Empty: every scanner heard so far and, with GRID among MODELLERS and no WORLD, at least one.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Names of sensors that must go on measuring, separated by commas; while one is silent, the Path Planner stands. Empty: every scanner heard so far and, with GRID among MODELLERS and no WORLD, at least one.")
         String expectedSensors,
-    @Variable(
-            unit = "s",
-            min = 0.05,
-            max = 3600,
-            ifAbsent = 1,
-            text = "Age of an expected sensor's newest measurement from which it counts as silent.")
+    @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 1)
+        @Description(
+            "Age of an expected sensor's newest measurement from which it counts as silent.")
         double silentAfter) {
-  /** Which objects are published. */
   enum Relevant {
-    /** Objects relevant to the current goals. */
     GOAL,
-    /** All objects. */
     ALL
   }
 

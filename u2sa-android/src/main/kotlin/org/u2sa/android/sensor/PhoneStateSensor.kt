@@ -80,7 +80,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
             }
     }
 
-    /** A value that no message takes, such as NaN from a sensor's driver, costs that measurement only. */
+    /** Drops a measurement that its message rejects, such as NaN from a sensor's driver. */
     private fun publishing(state: () -> StateInformation) {
         val measured = try {
             state()

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.control.allocation.Allocator;
 import org.u2sa.control.allocation.Authority;
@@ -325,7 +326,7 @@ public final class AllocatingControl extends ControlSystem {
     super.handOver(state);
     cascade.handOver(state);
     if (wentBySight) {
-      seen.handOver(state.text("BY SIGHT", "true"));
+      seen.transfer(Transfer.saving(state.text("BY SIGHT", "true")));
     }
   }
 
@@ -335,7 +336,7 @@ public final class AllocatingControl extends ControlSystem {
     if (isOfMyClass(state)) {
       cascade.takeOver(state);
       wentBySight = state.text("BY SIGHT").isPresent();
-      seen.takeOver(state);
+      seen.transfer(Transfer.restoring(state));
     } else {
       takesOver = true;
     }

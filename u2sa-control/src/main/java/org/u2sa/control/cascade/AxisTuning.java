@@ -12,14 +12,6 @@ import org.u2sa.control.Pid;
  * @param fastest maximum velocity [m/s] or rate [rad/s]
  */
 record AxisTuning(double weight, double mass, Pid.Gains gains, double outerGain, double fastest) {
-  /** How many times faster than the derivative time its filter is. */
-  private static final double DERIVATIVE_FILTER = 10.0;
-
-  /** Gains of an inner loop, with the times in seconds. */
-  static Pid.Gains gains(double gain, double integralTime, double derivativeTime) {
-    return new Pid.Gains(gain, integralTime, derivativeTime, DERIVATIVE_FILTER, 1.0);
-  }
-
   boolean isControlled() {
     return weight > 0.0;
   }

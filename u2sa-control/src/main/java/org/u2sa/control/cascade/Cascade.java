@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.control.Pid;
+import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.Allocator;
 import org.u2sa.control.allocation.DegreeOfFreedom;
 import org.u2sa.messages.frame.Attitude;
@@ -68,7 +69,7 @@ final class Cascade {
       }
       double forward = pids[SURGE].step(wanted[SURGE], measured[SURGE], stepS);
       double right = pids[SWAY].step(wanted[SWAY], measured[SWAY], stepS);
-      lean.towards(forward, right, settings.maxLeanRad());
+      lean.towards(forward, right, Math.toRadians(settings.way().maxLean()));
       turn(motion);
     }
     for (int j = 0; j < AXES.length; j++) {
@@ -86,13 +87,13 @@ final class Cascade {
     Point toGo = way.orElse(Point.ORIGIN);
     double distance = Math.hypot(toGo.x(), toGo.y());
     double heading = motion.attitude().psi();
-    if (settings.facesTheWay() && distance >= settings.facingDistanceM()) {
+    if (settings.way().facesTheWay() && distance >= settings.way().facingDistance()) {
       headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()));
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(heading);
     }
     attitude = motion.attitude();
-    Point velocity = velocity(motion, toGo, speedMps.orElse(settings.cruiseMps()));
+    Point velocity = velocity(motion, toGo, speedMps.orElse(settings.way().cruiseSpeed()));
     wanted[SURGE] = velocity.x();
     wanted[SWAY] = velocity.y();
     wanted[HEAVE] = velocity.z();
@@ -183,7 +184,7 @@ final class Cascade {
    * direction of travel must not move sideways, which would look like turning.
    */
   void goBySight(boolean bySight) {
-    turnsFirst = bySight && settings.facesTheWay();
+    turnsFirst = bySight && settings.way().facesTheWay();
     if (bySight) {
       headingRad = OptionalDouble.empty();
     }
@@ -236,14 +237,14 @@ final class Cascade {
       state.text("FLIES", "true");
     }
     for (DegreeOfFreedom axis : AXES) {
-      pids[axis.ordinal()].handOver(state, axis.name());
+      pids[axis.ordinal()].transfer(Transfer.saving(state), axis.name());
     }
     headingRad.ifPresent(heading -> state.number("HEADING", heading));
   }
 
   void takeOver(HandOver state) {
     for (DegreeOfFreedom axis : AXES) {
-      pids[axis.ordinal()].takeOver(state, axis.name());
+      pids[axis.ordinal()].transfer(Transfer.restoring(state), axis.name());
     }
     headingRad = state.number("HEADING");
     state.text("FLIES").ifPresent(flies -> ground.flies());

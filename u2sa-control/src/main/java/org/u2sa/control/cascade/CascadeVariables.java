@@ -5,6 +5,7 @@ import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.u2sa.control.Pid;
 import org.u2sa.control.allocation.DegreeOfFreedom;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
@@ -12,7 +13,115 @@ import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of a cascade: six axes, and how the vehicle turns to its direction of travel. */
 final class CascadeVariables {
-  private record Way(
+  /** Variables of the control of motion along one axis of the vehicle. */
+  private record Linear(
+      @Variable(
+              min = 0,
+              max = 1000,
+              ifAbsent = 0,
+              text = "Weight of the axis when actuators saturate; 0: the axis is not controlled.")
+          double weight,
+      @Variable(
+              unit = "kg",
+              min = 0.001,
+              max = 1.0e7,
+              ifAbsent = 1,
+              text = "Mass, including the added mass of the water.")
+          double mass,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 100,
+              ifAbsent = 1,
+              text = "Acceleration per velocity error.")
+          double gain,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 1000,
+              ifAbsent = 4,
+              text = "Integral time of the velocity loop; 0: no integral.")
+          double integralTime,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 100,
+              ifAbsent = 0,
+              text = "Derivative time of the velocity loop; 0: no derivative.")
+          double derivativeTime,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 10,
+              ifAbsent = 0.3,
+              text = "Velocity per distance to the navigation point.")
+          double positionGain,
+      @Variable(
+              unit = "m/s",
+              min = 0,
+              max = 100,
+              ifAbsent = 0.5,
+              text = "Maximum speed along the axis.")
+          double maxSpeed) {
+
+    AxisTuning tuning() {
+      return new AxisTuning(
+          weight, mass, Pid.Gains.of(gain, integralTime, derivativeTime), positionGain, maxSpeed);
+    }
+  }
+
+  /** Variables of the control of rotation about one axis of the vehicle. */
+  private record Angular(
+      @Variable(
+              min = 0,
+              max = 1000,
+              ifAbsent = 0,
+              text = "Weight of the axis when actuators saturate; 0: the axis is not controlled.")
+          double weight,
+      @Variable(
+              min = 1.0e-6,
+              max = 1.0e7,
+              ifAbsent = 1,
+              text = "Moment of inertia, including that of the water [kg m²].")
+          double inertia,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 100,
+              ifAbsent = 2,
+              text = "Angular acceleration per rate error.")
+          double gain,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 1000,
+              ifAbsent = 2,
+              text = "Integral time of the rate loop; 0: no integral.")
+          double integralTime,
+      @Variable(
+              unit = "s",
+              min = 0,
+              max = 100,
+              ifAbsent = 0,
+              text = "Derivative time of the rate loop; 0: no derivative.")
+          double derivativeTime,
+      @Variable(unit = "1/s", min = 0, max = 20, ifAbsent = 0.8, text = "Rate per angle error.")
+          double angleGain,
+      @Variable(unit = "deg/s", min = 0, max = 1000, ifAbsent = 30, text = "Fastest rotation.")
+          double maxRate) {
+
+    AxisTuning tuning() {
+      return new AxisTuning(
+          weight,
+          inertia,
+          Pid.Gains.of(gain, integralTime, derivativeTime),
+          angleGain,
+          Math.toRadians(maxRate));
+    }
+  }
+
+  /** How the vehicle moves to its navigation point. */
+  record Way(
       @Variable(
               ifAbsentText = "false",
               text = "Whether the vehicle turns towards the navigation point.")
@@ -52,10 +161,10 @@ final class CascadeVariables {
     for (DegreeOfFreedom axis : DegreeOfFreedom.values()) {
       String prefix = axis.name() + " ";
       if (axis.ordinal() < DegreeOfFreedom.ROLL.ordinal()) {
-        Settings<LinearAxis> linear = variables.settings(LinearAxis.class, prefix);
+        Settings<Linear> linear = variables.settings(Linear.class, prefix);
         axes.put(axis, () -> linear.get().tuning());
       } else {
-        Settings<AngularAxis> angular = variables.settings(AngularAxis.class, prefix);
+        Settings<Angular> angular = variables.settings(Angular.class, prefix);
         axes.put(axis, () -> angular.get().tuning());
       }
     }
@@ -66,24 +175,12 @@ final class CascadeVariables {
     return axes.get(axis).get();
   }
 
-  boolean facesTheWay() {
-    return way.get().facesTheWay();
-  }
-
-  double facingDistanceM() {
-    return way.get().facingDistance();
-  }
-
-  double cruiseMps() {
-    return way.get().cruiseSpeed();
+  Way way() {
+    return way.get();
   }
 
   boolean leans() {
-    return way.get().leans();
-  }
-
-  double maxLeanRad() {
-    return Math.toRadians(way.get().maxLean());
+    return way().leans();
   }
 
   Set<DegreeOfFreedom> controlled() {

@@ -1,8 +1,8 @@
 package org.u2sa.control.cascade;
 
+import org.u2sa.control.Transfer;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Estimates the vehicle's motion without states. The actuators' effect predicts acceleration;
@@ -58,18 +58,13 @@ final class SeenMotion {
     return new BodyMotion(LEVEL, velocity, Point.of(0.0, 0.0, turnRadPerS));
   }
 
-  void handOver(HandOver state) {
-    state.number("FORWARD", velocity.x()).number("RIGHT", velocity.y());
-    state.number("DOWN", velocity.z()).number("TURN", turnRadPerS);
-  }
-
-  void takeOver(HandOver state) {
+  void transfer(Transfer state) {
     velocity =
         Point.of(
-            state.number("FORWARD").orElse(0.0),
-            state.number("RIGHT").orElse(0.0),
-            state.number("DOWN").orElse(0.0));
-    turnRadPerS = state.number("TURN").orElse(0.0);
+            state.number("FORWARD", velocity.x()),
+            state.number("RIGHT", velocity.y()),
+            state.number("DOWN", velocity.z()));
+    turnRadPerS = state.number("TURN", turnRadPerS);
   }
 
   private static Point along(Point way, double times) {

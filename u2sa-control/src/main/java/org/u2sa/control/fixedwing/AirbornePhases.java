@@ -1,14 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
-import org.u2sa.control.fixedwing.law.EnergyLaw;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.GuidanceVariables;
-import org.u2sa.control.fixedwing.law.LateralGuidance;
-import org.u2sa.control.fixedwing.law.Limit;
-import org.u2sa.control.fixedwing.law.StallGuard;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /** The airborne phases: climb-out, cruise, holding and go-around. */
 final class AirbornePhases {
@@ -20,30 +13,22 @@ final class AirbornePhases {
   private final GroundSteering steering;
   private final InnerLoops loops;
   private final LateralGuidance lateral;
-  private final StallGuard stall;
   private final EnergyLaw energy;
 
   private final WindEstimate wind;
-  private final TakeOffRotation rotation;
 
   private double holdAltitudeM;
   private double altitudeDemandM;
   private double speedDemandMps; // calibrated
 
   AirbornePhases(
-      AutopilotVariables tuning,
-      GroundSteering steering,
-      InnerLoops loops,
-      WindEstimate wind,
-      TakeOffRotation rotation) {
+      AutopilotVariables tuning, GroundSteering steering, InnerLoops loops, WindEstimate wind) {
     this.tuning = tuning;
     guidance = tuning.guidance();
     this.steering = steering;
     this.loops = loops;
     this.wind = wind;
-    this.rotation = rotation;
     lateral = new LateralGuidance(guidance.minLookAhead());
-    stall = new StallGuard(guidance);
     energy = new EnergyLaw(tuning.energy());
     speedDemandMps = guidance.cruiseSpeed();
   }
@@ -72,7 +57,7 @@ final class AirbornePhases {
     // Near the ground the nose keeps its take-off pitch, whatever the airspeed demands.
     double low = Limit.within(0.0, 2.0 - state.heightM() / NEAR_GROUND_M, 1.0);
     double lower = Math.toRadians(climb.climbOutPitchLowerLimit());
-    double least = lower + low * Math.max(0.0, rotation.pitchRad() - lower);
+    double least = lower + low * Math.max(0.0, tuning.rotationPitchRad(wind) - lower);
     return surfaces(
         state,
         bank,
@@ -138,14 +123,15 @@ final class AirbornePhases {
       EnergyLaw.Priority priority,
       double leastPitch,
       double dtS) {
-    double limit = Math.min(bankLimit, stall.bankLimitRad(state));
+    double limit = Math.min(bankLimit, guidance.bankLimitRad(state));
     loops.bankTowards(Limit.symmetric(bank, limit), dtS);
     double slowest =
-        stall.leastSpeedMps(loops.bankRad())
+        guidance.leastSpeedMps(loops.bankRad())
             + 0.5 * guidance.stallBand()
             + guidance.gustShare() * wind.speedMps();
     speedDemandMps = Limit.within(slowest, speedDemandMps, guidance.maxSpeed());
-    double most = Math.min(Math.toRadians(guidance.pitchUpperLimit()), stall.pitchLimitRad(state));
+    double most =
+        Math.min(Math.toRadians(guidance.pitchUpperLimit()), guidance.pitchLimitRad(state));
     EnergyLaw.Command command =
         energy.step(
             state,
@@ -155,7 +141,7 @@ final class AirbornePhases {
                 priority,
                 Math.min(leastPitch, most),
                 most),
-            stall.urgency(state),
+            guidance.urgency(state),
             dtS);
     loops.throttle(command.throttle());
     double load = 1.0 / Math.max(0.5, StrictMath.cos(state.rollRad()));
@@ -177,18 +163,10 @@ final class AirbornePhases {
     return speedDemandMps;
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("HOLD ALTITUDE", holdAltitudeM)
-        .number("ALTITUDE DEMAND", altitudeDemandM)
-        .number("SPEED DEMAND", speedDemandMps);
-    energy.handOver(state);
-  }
-
-  void takeOver(HandOver state) {
-    holdAltitudeM = state.number("HOLD ALTITUDE").orElse(0.0);
-    altitudeDemandM = state.number("ALTITUDE DEMAND").orElse(0.0);
-    speedDemandMps = state.number("SPEED DEMAND").orElse(guidance.cruiseSpeed());
-    energy.takeOver(state);
+  void transfer(Transfer state) {
+    holdAltitudeM = state.number("HOLD ALTITUDE", holdAltitudeM);
+    altitudeDemandM = state.number("ALTITUDE DEMAND", altitudeDemandM);
+    speedDemandMps = state.number("SPEED DEMAND", speedDemandMps, guidance.cruiseSpeed());
+    energy.transfer(state);
   }
 }

@@ -48,7 +48,7 @@ public enum AircraftActuator {
     return this == THROTTLE || this == MIXTURE || this == FLAPS;
   }
 
-  /** Whether {@link Elevons} do its work on a flying wing. */
+  /** Whether elevons do its work on a flying wing. */
   boolean isElevons() {
     return this == AILERON || this == ELEVATOR;
   }

@@ -1,10 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.Limit;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Flies an aeroplane from the runway along its mission: state and navigation in, surfaces out. Pure
@@ -20,11 +17,9 @@ public final class Autopilot {
   private final TakeOffSequence sequence;
   private final GroundSteering steering;
   private final InnerLoops loops;
-  private final GroundPhases ground;
   private final AirbornePhases air;
   private final TouchDown touchDown;
   private final WindEstimate wind = new WindEstimate();
-  private final TakeOffRotation rotation;
   private final FinalApproach approach = new FinalApproach();
   private final LandingRefusal refusal;
 
@@ -38,9 +33,7 @@ public final class Autopilot {
     sequence = new TakeOffSequence(tuning.takeOff());
     steering = new GroundSteering(tuning.ground());
     loops = new InnerLoops(tuning);
-    rotation = new TakeOffRotation(tuning, wind);
-    ground = new GroundPhases(tuning, sequence, steering, loops, rotation);
-    air = new AirbornePhases(tuning, steering, loops, wind, rotation);
+    air = new AirbornePhases(tuning, steering, loops, wind);
     touchDown = new TouchDown(tuning.touchDown(), tuning.flare(), steering, loops);
     refusal =
         new LandingRefusal(
@@ -73,20 +66,52 @@ public final class Autopilot {
             target.isPresent(),
             isLanding(state, target),
             refusal.step(state, target, wind, approach),
-            rotation.speedMps(),
+            tuning.rotationMps(wind),
             loops.throttle());
     if (first || phase != before) {
       enter(state, before, first);
     }
     return switch (phase) {
-      case RUN_UP -> ground.runUp(state, target.isPresent(), dtS);
-      case ROLL, ROTATE -> ground.run(state, phase == FlightPhase.ROTATE, dtS);
+      case RUN_UP -> runUp(state, target.isPresent(), dtS);
+      case ROLL, ROTATE -> run(state, phase == FlightPhase.ROTATE, dtS);
       case CLIMB_OUT -> air.climbOut(state, dtS);
       case CRUISE, HOLD -> air.fly(state, target, isLost(state), dtS);
       case GO_AROUND -> air.goAround(state, target.orElseThrow(), dtS);
       case FLARE -> touchDown.flare(state, dtS);
       case STOPPED -> touchDown.rollOut(state, dtS);
     };
+  }
+
+  private Surfaces runUp(FlightState state, boolean navigating, double dtS) {
+    steering.lineUp(state);
+    double wanted = 0.0;
+    if (!sequence.engineReady(state)) {
+      wanted = tuning.climbOut().startThrottle();
+    } else if (navigating && sequence.cleared(state)) {
+      wanted = 1.0;
+    }
+    loops.throttleTowards(wanted, dtS);
+    loops.rudder(0.0);
+    return new Surfaces(steering.aileron(state), 0.0, 0.0, loops.throttle(), 1.0, 0.0, 1.0);
+  }
+
+  /**
+   * @param rotating whether to raise the nose
+   */
+  private Surfaces run(FlightState state, boolean rotating, double dtS) {
+    loops.throttleTowards(1.0, dtS);
+    loops.rudder(steering.rudder(state, !rotating, dtS));
+    double elevator = 0.0;
+    double level = 0.0;
+    if (rotating) {
+      double step = Math.toRadians(tuning.climbOut().rotationRate()) * dtS;
+      double pitch = Limit.approach(loops.pitchRad(), tuning.rotationPitchRad(wind), step);
+      loops.pitch(Math.min(pitch, tuning.guidance().pitchLimitRad(state)));
+      elevator = loops.elevator(state, dtS);
+      level = loops.levelAileron(state, dtS);
+    }
+    double aileron = Limit.symmetric(steering.aileron(state) + level, 1.0);
+    return new Surfaces(aileron, elevator, loops.rudder(), loops.throttle(), 1.0, 0.0, 0.0);
   }
 
   private boolean isLost(FlightState state) {
@@ -129,32 +154,19 @@ public final class Autopilot {
     }
   }
 
-  /** Saves the complete state for the successor. */
-  void handOver(HandOver state) {
-    state.number("LAST TIME", lastTimeS).number("NAVIGATED", navigatedS);
-    sequence.handOver(state);
-    steering.handOver(state);
-    loops.handOver(state);
-    air.handOver(state);
-    touchDown.handOver(state);
-    wind.handOver(state);
-    approach.handOver(state);
-    refusal.handOver(state);
-  }
-
-  /** Continues exactly where its predecessor stopped. */
-  void takeOver(HandOver state) {
-    sequence.takeOver(state);
-    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(phase);
-    lastTimeS = state.number("LAST TIME").orElse(Double.NaN);
-    navigatedS = state.number("NAVIGATED").orElse(lastTimeS);
-    steering.takeOver(state);
-    loops.takeOver(state);
-    air.takeOver(state);
-    touchDown.takeOver(state);
-    wind.takeOver(state);
-    approach.takeOver(state);
-    refusal.takeOver(state);
+  /** Saves or restores the complete state. */
+  void transfer(Transfer state) {
+    lastTimeS = state.number("LAST TIME", lastTimeS, Double.NaN);
+    navigatedS = state.number("NAVIGATED", navigatedS, lastTimeS);
+    sequence.transfer(state);
+    phase = sequence.phase().orElse(phase);
+    steering.transfer(state);
+    loops.transfer(state);
+    air.transfer(state);
+    touchDown.transfer(state);
+    wind.transfer(state);
+    approach.transfer(state);
+    refusal.transfer(state);
   }
 
   /**

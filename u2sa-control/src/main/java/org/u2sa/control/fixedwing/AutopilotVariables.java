@@ -1,13 +1,6 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.function.Supplier;
-import org.u2sa.control.fixedwing.law.EnergyVariables;
-import org.u2sa.control.fixedwing.law.FlareLaw;
-import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.GuidanceVariables;
-import org.u2sa.control.fixedwing.law.PitchLaw;
-import org.u2sa.control.fixedwing.law.RollLaw;
-import org.u2sa.control.fixedwing.law.YawLaw;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
@@ -18,7 +11,7 @@ record AutopilotVariables(
     RollLaw.Variables roll,
     PitchLaw.Variables pitch,
     YawLaw.Variables yaw,
-    EnergyVariables energy,
+    EnergyLaw.Variables energy,
     TakeOffSequence.Variables takeOff,
     GroundSteering.Variables ground,
     ClimbOut climbOut,
@@ -75,13 +68,30 @@ record AutopilotVariables(
               text = "Distance to the aim point on the extended centreline.")
           double climbOutLookAhead) {}
 
+  /**
+   * Calibrated airspeed at which the nose is raised [m/s]: higher by a share of the wind speed, for
+   * gusts.
+   */
+  double rotationMps(WindEstimate wind) {
+    return KNOT_MPS * takeOff.rotationSpeed() + guidance.gustShare() * wind.speedMps();
+  }
+
+  /**
+   * Pitch to which the nose is raised [rad]. Lift grows with speed squared, so at a higher speed
+   * less pitch gives the same lift, leaving more margin for upward gusts.
+   */
+  double rotationPitchRad(WindEstimate wind) {
+    double slower = KNOT_MPS * takeOff.rotationSpeed() / rotationMps(wind);
+    return Math.toRadians(climbOut.rotationPitch()) * slower * slower;
+  }
+
   /** Declares all variables and returns a supplier of their current values. */
   static Supplier<AutopilotVariables> in(Configurator variables) {
     Settings<GuidanceVariables> guidance = variables.settings(GuidanceVariables.class);
     Settings<RollLaw.Variables> roll = variables.settings(RollLaw.Variables.class);
     Settings<PitchLaw.Variables> pitch = variables.settings(PitchLaw.Variables.class);
     Settings<YawLaw.Variables> yaw = variables.settings(YawLaw.Variables.class);
-    Settings<EnergyVariables> energy = variables.settings(EnergyVariables.class);
+    Settings<EnergyLaw.Variables> energy = variables.settings(EnergyLaw.Variables.class);
     Settings<TakeOffSequence.Variables> takeOff =
         variables.settings(TakeOffSequence.Variables.class);
     Settings<GroundSteering.Variables> ground = variables.settings(GroundSteering.Variables.class);

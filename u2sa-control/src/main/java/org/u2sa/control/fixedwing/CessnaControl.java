@@ -6,8 +6,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.ActuatorRoster;
-import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
@@ -66,9 +66,9 @@ public final class CessnaControl extends ControlSystem {
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     HandOver state = new HandOver(getClass().getName());
-    autopilot.handOver(state);
+    autopilot.transfer(Transfer.saving(state));
     autopilot = new Autopilot(tuning.get());
-    autopilot.takeOver(state);
+    autopilot.transfer(Transfer.restoring(state));
   }
 
   @Override
@@ -85,8 +85,8 @@ public final class CessnaControl extends ControlSystem {
     Surfaces surfaces = mixing.of(autopilot.step(now, target));
     boolean elevons = outputs.get().elevons();
     if (elevons) {
-      commandShare(Elevons.LEFT, Elevons.left(surfaces));
-      commandShare(Elevons.RIGHT, Elevons.right(surfaces));
+      commandShare(Surfaces.LEFT_ELEVON, surfaces.leftElevon());
+      commandShare(Surfaces.RIGHT_ELEVON, surfaces.rightElevon());
     }
     for (AircraftActuator actuator : AircraftActuator.values()) {
       if (elevons && actuator.isElevons()) {
@@ -188,7 +188,7 @@ public final class CessnaControl extends ControlSystem {
   protected void handOver(HandOver state) {
     super.handOver(state);
     reader.handOver(state);
-    autopilot.handOver(state);
+    autopilot.transfer(Transfer.saving(state));
   }
 
   @Override
@@ -196,18 +196,14 @@ public final class CessnaControl extends ControlSystem {
     super.takeOver(state);
     if (isOfMyClass(state)) {
       reader.takeOver(state);
-      autopilot.takeOver(state);
+      autopilot.transfer(Transfer.restoring(state));
     } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
       boolean elevons = outputs.get().elevons();
-      double left = lastShare(Elevons.LEFT);
-      double right = lastShare(Elevons.RIGHT);
+      double left = lastShare(Surfaces.LEFT_ELEVON);
+      double right = lastShare(Surfaces.RIGHT_ELEVON);
       autopilot.takeOver(
-          elevons
-              ? Elevons.aileron(left, right)
-              : lastShare(AircraftActuator.AILERON.actuatorName()),
-          elevons
-              ? Elevons.elevator(left, right)
-              : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
+          elevons ? (left - right) / 2.0 : lastShare(AircraftActuator.AILERON.actuatorName()),
+          elevons ? (left + right) / 2.0 : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
           lastShare(AircraftActuator.RUDDER.actuatorName()),
           lastShare(AircraftActuator.THROTTLE.actuatorName()));
     }
@@ -224,7 +220,10 @@ public final class CessnaControl extends ControlSystem {
   protected Map<String, Double> neutral() {
     Map<String, Double> neutral = AircraftActuator.neutral();
     if (outputs.get().elevons()) {
-      Elevons.replace(neutral);
+      double elevator = neutral.remove(AircraftActuator.ELEVATOR.actuatorName());
+      neutral.remove(AircraftActuator.AILERON.actuatorName());
+      neutral.put(Surfaces.LEFT_ELEVON, elevator);
+      neutral.put(Surfaces.RIGHT_ELEVON, elevator);
     }
     return neutral;
   }

@@ -1,8 +1,11 @@
 package org.u2sa.control.fixedwing;
 
+import java.util.Collection;
+import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
@@ -91,6 +94,14 @@ public final class ControlStatus extends U2SAData {
   /** Sets {@link #airspeed()}; not negative. */
   public ControlStatus airspeed(double metresPerSecond) {
     return put(AIRSPEED, metresPerSecond);
+  }
+
+  /** Registers the message type. */
+  public static final class Provider implements MessageTypeProvider {
+    @Override
+    public Collection<MessageType<?>> messageTypes() {
+      return List.of(TYPE);
+    }
   }
 
   @Override

@@ -1,7 +1,6 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Estimates the line that navigation follows from its points ahead, independent of the aircraft's
@@ -51,21 +50,13 @@ final class FinalApproach {
     return eastM;
   }
 
-  void handOver(HandOver state) {
+  void transfer(Transfer state) {
+    seen = state.has("FINAL NORTH", seen);
     if (seen) {
-      state
-          .number("FINAL NORTH", northM)
-          .number("FINAL EAST", eastM)
-          .number("FINAL LAGGED NORTH", laggedNorthM)
-          .number("FINAL LAGGED EAST", laggedEastM);
+      northM = state.number("FINAL NORTH", northM);
+      eastM = state.number("FINAL EAST", eastM);
+      laggedNorthM = state.number("FINAL LAGGED NORTH", laggedNorthM);
+      laggedEastM = state.number("FINAL LAGGED EAST", laggedEastM);
     }
-  }
-
-  void takeOver(HandOver state) {
-    seen = state.number("FINAL NORTH").isPresent();
-    northM = state.number("FINAL NORTH").orElse(0.0);
-    eastM = state.number("FINAL EAST").orElse(0.0);
-    laggedNorthM = state.number("FINAL LAGGED NORTH").orElse(0.0);
-    laggedEastM = state.number("FINAL LAGGED EAST").orElse(0.0);
   }
 }

@@ -8,8 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateField;

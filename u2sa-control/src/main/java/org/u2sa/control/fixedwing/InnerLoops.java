@@ -1,11 +1,6 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.Limit;
-import org.u2sa.control.fixedwing.law.PitchLaw;
-import org.u2sa.control.fixedwing.law.RollLaw;
-import org.u2sa.control.fixedwing.law.YawLaw;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * The inner loops and their setpoints: bank by the ailerons, pitch by the elevator, coordination by
@@ -111,8 +106,8 @@ final class InnerLoops {
 
   /** Resets the roll and pitch loops. */
   void restart() {
-    pitch.restart();
-    roll.restart();
+    pitch.restart(0.0);
+    roll.restart(0.0);
   }
 
   /** Restarts the yaw loop at the current rudder. */
@@ -123,30 +118,19 @@ final class InnerLoops {
   /** Starts from another control law's commands, shares of full as in {@link Surfaces}. */
   void takeOver(double aileron, double elevator, double lastRudder, double lastThrottle) {
     roll.restart(aileron);
-    pitch.restart(elevator);
+    pitch.restart(-elevator); // positive lowers the nose
     yaw.restart(lastRudder);
     rudder = lastRudder;
     throttle = lastThrottle;
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("THROTTLE", throttle)
-        .number("RUDDER", rudder)
-        .number("BANK DEMAND", bankRad)
-        .number("PITCH DEMAND", pitchRad);
-    roll.handOver(state);
-    pitch.handOver(state);
-    yaw.handOver(state);
-  }
-
-  void takeOver(HandOver state) {
-    throttle = state.number("THROTTLE").orElse(0.0);
-    rudder = state.number("RUDDER").orElse(0.0);
-    bankRad = state.number("BANK DEMAND").orElse(0.0);
-    pitchRad = state.number("PITCH DEMAND").orElse(0.0);
-    roll.takeOver(state);
-    pitch.takeOver(state);
-    yaw.takeOver(state);
+  void transfer(Transfer state) {
+    throttle = state.number("THROTTLE", throttle);
+    rudder = state.number("RUDDER", rudder);
+    bankRad = state.number("BANK DEMAND", bankRad);
+    pitchRad = state.number("PITCH DEMAND", pitchRad);
+    roll.transfer(state);
+    pitch.transfer(state);
+    yaw.transfer(state);
   }
 }

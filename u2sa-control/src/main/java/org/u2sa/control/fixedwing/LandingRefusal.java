@@ -2,8 +2,7 @@ package org.u2sa.control.fixedwing;
 
 import java.util.Locale;
 import java.util.Optional;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Refuses to land in more crosswind than configured. After a refusal the aircraft stays airborne
@@ -78,12 +77,8 @@ final class LandingRefusal {
         safeHeightM);
   }
 
-  void handOver(HandOver state) {
-    state.flag("LANDING REFUSED", refused).number("REFUSED CROSSWIND", crosswindMps);
-  }
-
-  void takeOver(HandOver state) {
-    refused = state.flag("LANDING REFUSED");
-    crosswindMps = state.number("REFUSED CROSSWIND").orElse(0.0);
+  void transfer(Transfer state) {
+    refused = state.flag("LANDING REFUSED", refused);
+    crosswindMps = state.number("REFUSED CROSSWIND", crosswindMps);
   }
 }

@@ -3,7 +3,6 @@ package org.u2sa.control.fixedwing;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.u2sa.control.fixedwing.law.Limit;
 
 /**
  * Reconfigures the commands for the remaining surfaces. A weakened aileron or rudder deflects

@@ -1,8 +1,8 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
+import java.util.Optional;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.handover.HandOver;
 
 /** State machine of {@link FlightPhase}s. */
 final class TakeOffSequence {
@@ -50,21 +50,16 @@ final class TakeOffSequence {
     rotationMps = AutopilotVariables.KNOT_MPS * parameters.rotationSpeed();
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("READY SINCE", readySinceS)
-        .number("LIFTED SINCE", liftedSinceS)
-        .number("LANDED SINCE", landedSinceS);
-    if (phase != null) {
-      state.text("PHASE", phase.name());
-    }
+  void transfer(Transfer state) {
+    readySinceS = state.number("READY SINCE", readySinceS, Double.NaN);
+    liftedSinceS = state.number("LIFTED SINCE", liftedSinceS, Double.NaN);
+    landedSinceS = state.number("LANDED SINCE", landedSinceS, Double.NaN);
+    phase = state.constant("PHASE", FlightPhase.class, phase);
   }
 
-  void takeOver(HandOver state) {
-    phase = state.text("PHASE").map(FlightPhase::valueOf).orElse(null);
-    readySinceS = state.number("READY SINCE").orElse(Double.NaN);
-    liftedSinceS = state.number("LIFTED SINCE").orElse(Double.NaN);
-    landedSinceS = state.number("LANDED SINCE").orElse(Double.NaN);
+  /** Current phase; empty before the first step. */
+  Optional<FlightPhase> phase() {
+    return Optional.ofNullable(phase);
   }
 
   /**

@@ -3,8 +3,6 @@ package org.u2sa.control.fixedwing;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.control.ControlSystem;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;

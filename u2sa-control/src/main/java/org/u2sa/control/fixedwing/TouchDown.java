@@ -1,12 +1,7 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlareLaw;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.GroundSteering;
-import org.u2sa.control.fixedwing.law.LateralGuidance;
-import org.u2sa.control.fixedwing.law.Limit;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by
@@ -182,13 +177,8 @@ final class TouchDown {
     return state.pitchRad() > NOSE_UP_RAD;
   }
 
-  void handOver(HandOver state) {
-    flare.handOver(state);
-    state.flag("NOSEWHEEL STEERS", nosewheel);
-  }
-
-  void takeOver(HandOver state) {
-    flare.takeOver(state);
-    nosewheel = state.flag("NOSEWHEEL STEERS");
+  void transfer(Transfer state) {
+    flare.transfer(state);
+    nosewheel = state.flag("NOSEWHEEL STEERS", nosewheel);
   }
 }

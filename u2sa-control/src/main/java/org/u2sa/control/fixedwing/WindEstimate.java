@@ -1,9 +1,8 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
+import org.u2sa.control.Transfer;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * Estimates the wind: velocity over ground minus velocity through the air, with gusts averaged out.
@@ -42,16 +41,9 @@ final class WindEstimate {
     return eastMps * StrictMath.cos(courseRad) - northMps * StrictMath.sin(courseRad);
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("WIND NORTH", northMps)
-        .number("WIND EAST", eastMps)
-        .number("WIND KNOWN FOR", knownS);
-  }
-
-  void takeOver(HandOver state) {
-    northMps = state.number("WIND NORTH").orElse(0.0);
-    eastMps = state.number("WIND EAST").orElse(0.0);
-    knownS = state.number("WIND KNOWN FOR").orElse(0.0);
+  void transfer(Transfer state) {
+    northMps = state.number("WIND NORTH", northMps);
+    eastMps = state.number("WIND EAST", eastMps);
+    knownS = state.number("WIND KNOWN FOR", knownS);
   }
 }

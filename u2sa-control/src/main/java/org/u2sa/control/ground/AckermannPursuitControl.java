@@ -1,15 +1,11 @@
 package org.u2sa.control.ground;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
-import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.AngleCommand;
 import org.u2sa.service.ServiceContext;
@@ -21,7 +17,7 @@ import org.u2sa.service.handover.HandOver;
  * the right positive), once per state. Without fresh navigation or without a position, the vehicle
  * brakes to a stop.
  */
-public final class AckermannPursuitControl extends ControlSystem {
+public final class AckermannPursuitControl extends GroundControl {
   /** Steering settings. */
   private record Steering(
       @Variable(
@@ -78,16 +74,11 @@ public final class AckermannPursuitControl extends ControlSystem {
   private final Settings<Steering> steering = settings(Steering.class);
   private final Settings<StanleyLaw.Variables> stanley = settings(StanleyLaw.Variables.class);
   private final PathSteering path = new PathSteering();
-  private final GroundControl ground =
-      new GroundControl(
-          this,
-          clock(),
-          () -> List.of(steering.get().throttleActuator(), steering.get().steeringActuator()));
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
   /** Called by the launcher. */
   public AckermannPursuitControl(ServiceContext context) {
-    super(context, "Control");
+    super(context);
   }
 
   private PursuitSettings pursuitSettings() {
@@ -101,6 +92,11 @@ public final class AckermannPursuitControl extends ControlSystem {
     pursuit.settings(pursuitSettings());
   }
 
+  @Override
+  List<String> motors() {
+    return List.of(steering.get().throttleActuator(), steering.get().steeringActuator());
+  }
+
   /** Only Stanley's law needs the position: it follows a path, not a point. */
   @Override
   protected boolean obeysWithoutState() {
@@ -108,10 +104,7 @@ public final class AckermannPursuitControl extends ControlSystem {
   }
 
   @Override
-  protected void control(StateInformation state, Optional<NavigationPoint> point) {
-    Optional<GroundTarget> target =
-        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
-    GroundControl.Measured measured = ground.measured(state, stepS());
+  void drive(StateInformation state, Optional<GroundTarget> target, Measured measured) {
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
     OptionalDouble alongPath =
         steering.get().steeringLaw() == SteeringLaw.STANLEY
@@ -175,13 +168,5 @@ public final class AckermannPursuitControl extends ControlSystem {
     double speed = tuning.get().calibration().speedMps(lastShare(now.throttleActuator()));
     double angle = -now.angleRad() * lastShare(now.steeringActuator());
     return new Drive(speed, speed * Math.tan(angle) / now.wheelbase());
-  }
-
-  @Override
-  protected Map<String, Double> neutral() {
-    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
-    all.put(steering.get().throttleActuator(), 0.0);
-    all.put(steering.get().steeringActuator(), 0.0);
-    return all;
   }
 }

@@ -1,12 +1,11 @@
 package org.u2sa.control.ground;
 
-import java.util.Map;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
@@ -20,7 +19,7 @@ import org.u2sa.service.handover.HandOver;
  * with opposite signs. Acceleration and ground speed are not considered; for those see {@link
  * DifferentialPursuitControl}. Without fresh navigation both wheels stop.
  */
-public final class DifferentialDriveControl extends ControlSystem {
+public final class DifferentialDriveControl extends GroundControl {
   private record Gains(
       @Variable(
               unit = "%/m",
@@ -65,12 +64,16 @@ public final class DifferentialDriveControl extends ControlSystem {
 
   private final Settings<Gains> gains = settings(Gains.class);
   private final Settings<Motors> motors = settings(Motors.class);
-  private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
   private final WheelBalance balance = new WheelBalance();
 
   /** Called by the launcher. */
   public DifferentialDriveControl(ServiceContext context) {
-    super(context, "Control");
+    super(context);
+  }
+
+  @Override
+  List<String> motors() {
+    return motors.get().names();
   }
 
   @Override
@@ -79,10 +82,7 @@ public final class DifferentialDriveControl extends ControlSystem {
   }
 
   @Override
-  protected void control(StateInformation state, Optional<NavigationPoint> point) {
-    Optional<GroundTarget> target =
-        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
-    GroundControl.Measured measured = ground.measured(state, stepS());
+  void drive(StateInformation state, Optional<GroundTarget> target, Measured measured) {
     double ahead = 0.0; // [%]
     double turn = 0.0;
     OptionalDouble error = OptionalDouble.empty();
@@ -122,17 +122,12 @@ public final class DifferentialDriveControl extends ControlSystem {
   @Override
   protected void handOver(HandOver state) {
     super.handOver(state);
-    balance.handOver(state);
+    balance.transfer(Transfer.saving(state));
   }
 
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    balance.takeOver(state);
-  }
-
-  @Override
-  protected Map<String, Double> neutral() {
-    return motors.get().neutral();
+    balance.transfer(Transfer.restoring(state));
   }
 }

@@ -1,12 +1,11 @@
 package org.u2sa.control.ground;
 
-import java.util.Map;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import org.u2sa.control.ControlSystem;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
@@ -17,7 +16,7 @@ import org.u2sa.service.handover.HandOver;
  * left and the right motor, once per state, or once per navigation point while no states arrive.
  * Without fresh navigation the vehicle brakes to a stop.
  */
-public final class DifferentialPursuitControl extends ControlSystem {
+public final class DifferentialPursuitControl extends GroundControl {
   /** Turn settings. */
   private record Turning(
       @Variable(
@@ -78,14 +77,13 @@ public final class DifferentialPursuitControl extends ControlSystem {
   private final Settings<Turning> turning = settings(Turning.class);
   private final Settings<SlopeHelp> slopes = settings(SlopeHelp.class);
   private final Settings<Motors> motors = settings(Motors.class);
-  private final GroundControl ground = new GroundControl(this, clock(), () -> motors.get().names());
   private final InertiaFeedForward turnPickUp = new InertiaFeedForward();
   private final WheelBalance balance = new WheelBalance();
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
   /** Called by the launcher. */
   public DifferentialPursuitControl(ServiceContext context) {
-    super(context, "Control");
+    super(context);
   }
 
   private PursuitSettings pursuitSettings() {
@@ -107,15 +105,17 @@ public final class DifferentialPursuitControl extends ControlSystem {
   }
 
   @Override
+  List<String> motors() {
+    return motors.get().names();
+  }
+
+  @Override
   protected boolean obeysWithoutState() {
     return true;
   }
 
   @Override
-  protected void control(StateInformation state, Optional<NavigationPoint> point) {
-    Optional<GroundTarget> target =
-        ground.target(state, point, point.flatMap(this::stateOf), point.flatMap(this::nedOf));
-    GroundControl.Measured measured = ground.measured(state, stepS());
+  void drive(StateInformation state, Optional<GroundTarget> target, Measured measured) {
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
     pursuit
         .commanded(demand, drive(demand, state), measured, stepS())
@@ -165,13 +165,13 @@ public final class DifferentialPursuitControl extends ControlSystem {
   protected void handOver(HandOver state) {
     super.handOver(state);
     pursuit.handOver(state);
-    balance.handOver(state);
+    balance.transfer(Transfer.saving(state));
   }
 
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
-    balance.takeOver(state);
+    balance.transfer(Transfer.restoring(state));
     pursuit.takeOver(state, isOfMyClass(state), lastDrive());
   }
 
@@ -182,10 +182,5 @@ public final class DifferentialPursuitControl extends ControlSystem {
             motor.speedMps(lastShare(motors.get().leftActuator())),
             motor.speedMps(lastShare(motors.get().rightActuator())))
         .drive(turning.get().track());
-  }
-
-  @Override
-  protected Map<String, Double> neutral() {
-    return motors.get().neutral();
   }
 }

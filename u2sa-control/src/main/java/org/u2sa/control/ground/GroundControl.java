@@ -1,47 +1,57 @@
 package org.u2sa.control.ground;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.service.ServiceContext;
 
 /**
- * Common part of ground control systems: the navigation point relative to the vehicle now, the
- * vehicle's measured motion, and whether its motors are present. In: arming-state, actuators.
- * Confined to the control's thread.
+ * Control of a ground vehicle by the navigation point relative to the vehicle now and by its
+ * measured motion; it stops without its motors. In: navigation, state, arming-state, actuators.
  */
-final class GroundControl {
-  private final ControlSystem control;
-  private final Clock clock;
-  private final Supplier<List<String>> motors;
+abstract class GroundControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private boolean navigating;
   private boolean powerless;
   private boolean armed = true; // without an arming service, motors obey at once
   private OptionalDouble headingRad = OptionalDouble.empty(); // of the previous state
 
-  /**
-   * @param motors names of the actuators that are all required to drive
-   */
-  GroundControl(ControlSystem control, Clock clock, Supplier<List<String>> motors) {
-    this.control = control;
-    this.clock = clock;
-    this.motors = motors;
-    control.subscribe(Channels.ARMING_STATE, this::heed);
-    control.subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock.micros()));
+  GroundControl(ServiceContext context) {
+    super(context, "Control");
+    subscribe(Channels.ARMING_STATE, state -> armed = state.armed());
+    subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
   }
 
-  private void heed(ArmingState state) {
-    armed = state.armed();
+  /** Names of the actuators that are all required to drive. */
+  abstract List<String> motors();
+
+  /**
+   * Commands the motors.
+   *
+   * @param target target; empty to stop
+   * @param measured measured motion, as far as feedback may learn from it
+   */
+  abstract void drive(StateInformation state, Optional<GroundTarget> target, Measured measured);
+
+  @Override
+  protected final void control(StateInformation state, Optional<NavigationPoint> point) {
+    drive(state, target(state, point), measured(state));
+  }
+
+  @Override
+  protected final Map<String, Double> neutral() {
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
+    motors().forEach(motor -> all.put(motor, 0.0));
+    return all;
   }
 
   /**
@@ -58,15 +68,10 @@ final class GroundControl {
   /**
    * Target; empty to stop. A motor announced as lost also stops the vehicle, which would otherwise
    * lurch on its return, or rest as if stalled.
-   *
-   * @param then state from which the point was computed
-   * @param ned position of the point relative to the vehicle at that state: north, east, down [m]
    */
-  Optional<GroundTarget> target(
-      StateInformation now,
-      Optional<NavigationPoint> point,
-      Optional<StateInformation> then,
-      Optional<Point> ned) {
+  private Optional<GroundTarget> target(StateInformation now, Optional<NavigationPoint> point) {
+    Optional<StateInformation> then = point.flatMap(this::stateOf);
+    Optional<Point> ned = point.flatMap(this::nedOf);
     Optional<GroundTarget> target =
         then.isEmpty() || ned.isEmpty() || isPowerless()
             ? Optional.empty()
@@ -78,33 +83,28 @@ final class GroundControl {
                 point.orElseThrow().backwards());
     if (target.isPresent() != navigating) {
       navigating = target.isPresent();
-      control.log(navigating ? "driving" : "no navigation: stopped");
+      log(navigating ? "driving" : "no navigation: stopped");
     }
     return target;
   }
 
   private boolean isPowerless() {
-    long now = clock.micros();
+    long now = clock().micros();
     List<String> lost =
-        motors.get().stream()
+        motors().stream()
             .filter(motor -> roster.left(motor, now) == 0.0)
             .collect(Collectors.toList());
     if (lost.isEmpty() == powerless) {
       powerless = !lost.isEmpty();
-      control.log(powerless ? "lost " + String.join(", ", lost) : "all motors are available");
+      log(powerless ? "lost " + String.join(", ", lost) : "all motors are available");
     }
     return powerless;
   }
 
-  /**
-   * Measured motion, as far as feedback may learn from it. Called once per state.
-   *
-   * @param stepS time since the previous call [s]; 0 for the first call and after a gap
-   */
-  Measured measured(StateInformation state, double stepS) {
-    Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state, stepS));
+  private Measured measured(StateInformation state) {
+    Measured measured = new Measured(forwardMps(state), yawRateRadPerS(state, stepS()));
     headingRad = state.psi();
-    return armed && !control.isStateless() ? measured : Measured.NOTHING;
+    return armed && !isStateless() ? measured : Measured.NOTHING;
   }
 
   private static OptionalDouble forwardMps(StateInformation state) {

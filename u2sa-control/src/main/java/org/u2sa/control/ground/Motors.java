@@ -1,8 +1,6 @@
 package org.u2sa.control.ground;
 
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** The two motors of a differential vehicle. */
@@ -21,12 +19,5 @@ record Motors(
         double mismatchLimit) {
   List<String> names() {
     return List.of(leftActuator, rightActuator);
-  }
-
-  Map<String, Double> neutral() {
-    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
-    all.put(leftActuator, 0.0);
-    all.put(rightActuator, 0.0);
-    return all;
   }
 }

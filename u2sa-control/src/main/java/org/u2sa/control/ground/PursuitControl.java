@@ -3,6 +3,7 @@ package org.u2sa.control.ground;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import org.u2sa.control.Transfer;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -12,7 +13,7 @@ import org.u2sa.service.handover.HandOver;
 final class PursuitControl {
   private final Supplier<PursuitVariables> tuning;
   private final PursuitLaw law;
-  private final TurnTrim speedTrim = new TurnTrim("SPEED TRIM");
+  private final SpeedTrim speedTrim = new SpeedTrim();
   private final InertiaFeedForward inertia = new InertiaFeedForward();
   private final MotionWatch watch = new MotionWatch();
   private Drive due = Drive.STANDING; // expected motion by now, after the response lag
@@ -90,8 +91,8 @@ final class PursuitControl {
   }
 
   void handOver(HandOver state) {
-    law.handOver(state);
-    speedTrim.handOver(state);
+    law.transfer(Transfer.saving(state));
+    speedTrim.transfer(Transfer.saving(state));
   }
 
   /**
@@ -102,8 +103,8 @@ final class PursuitControl {
    */
   void takeOver(HandOver state, boolean alike, Drive last) {
     if (alike) {
-      law.takeOver(state);
-      speedTrim.takeOver(state);
+      law.transfer(Transfer.restoring(state));
+      speedTrim.transfer(Transfer.restoring(state));
     } else {
       law.startFrom(last);
     }

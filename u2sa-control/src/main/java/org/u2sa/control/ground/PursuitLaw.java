@@ -1,7 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.Optional;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Regulated pure pursuit: drives the arc to the point, slower in tight curves and near the goal,
@@ -37,18 +37,11 @@ final class PursuitLaw {
     drive = moving;
   }
 
-  void handOver(HandOver state) {
-    state
-        .number("SPEED", drive.speedMps())
-        .number("YAW RATE", drive.yawRateRadPerS())
-        .flag("TURNING", turning)
-        .flag("ARRIVED", arrived);
-  }
-
-  void takeOver(HandOver state) {
-    drive = new Drive(state.number("SPEED").orElse(0.0), state.number("YAW RATE").orElse(0.0));
-    turning = state.flag("TURNING");
-    arrived = state.flag("ARRIVED");
+  void transfer(Transfer state) {
+    double speed = state.number("SPEED", drive.speedMps());
+    drive = new Drive(speed, state.number("YAW RATE", drive.yawRateRadPerS()));
+    turning = state.flag("TURNING", turning);
+    arrived = state.flag("ARRIVED", arrived);
   }
 
   /**

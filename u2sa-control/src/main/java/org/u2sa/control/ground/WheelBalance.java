@@ -1,7 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.OptionalDouble;
-import org.u2sa.service.handover.HandOver;
+import org.u2sa.control.Transfer;
 
 /**
  * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals
@@ -44,15 +44,11 @@ final class WheelBalance {
       double mostMismatch,
       double sharePerRadPerS) {}
 
-  void handOver(HandOver state) {
-    state.number("MISMATCH", mismatch).number("BIAS", bias).number("PUSH", push);
-  }
-
-  /** Takes over the learnt values, which hold for every control system. */
-  void takeOver(HandOver state) {
-    mismatch = state.number("MISMATCH").orElse(0.0);
-    bias = state.number("BIAS").orElse(0.0);
-    push = state.number("PUSH").orElse(0.0);
+  /** Saves or restores what was learnt, which holds for every control system. */
+  void transfer(Transfer state) {
+    mismatch = state.number("MISMATCH", mismatch);
+    bias = state.number("BIAS", bias);
+    push = state.number("PUSH", push);
   }
 
   /** Resets the push for the next attempt to turn. */

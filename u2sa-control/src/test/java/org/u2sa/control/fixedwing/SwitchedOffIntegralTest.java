@@ -3,14 +3,13 @@ package org.u2sa.control.fixedwing;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.control.fixedwing.law.RateLoop;
-import org.u2sa.control.fixedwing.law.YawLaw;
+import org.u2sa.control.Transfer;
 import org.u2sa.service.handover.HandOver;
 
 class SwitchedOffIntegralTest {
   @Test
   void step_rateLoopWithoutIntegral_keepsNoneOfAnother() {
-    RateLoop loop = new RateLoop(new RateLoop.Gains(0.5, 0.2, 0.0, 0.6));
+    RateLoop loop = new RateLoop("", new RateLoop.Gains(0.5, 0.2, 0.0, 0.6));
 
     loop.restart(0.4); // what a loop with an integral hands over
 
@@ -23,7 +22,7 @@ class SwitchedOffIntegralTest {
     HandOver state = new HandOver("test");
 
     law.restart(0.4);
-    law.handOver(state);
+    law.transfer(Transfer.saving(state));
 
     assertThat(state.number("YAW INTEGRAL")).hasValue(0.0);
   }

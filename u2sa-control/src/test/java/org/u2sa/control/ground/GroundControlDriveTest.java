@@ -21,6 +21,15 @@ class GroundControlDriveTest {
   private static final double[][] CORNERS = {{20, 0}, {20, 15}, {5, 15}, {15, 30}, {-5, 20}};
   private static final Map<String, Object> PLANNER =
       Map.of("LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD");
+  private static final Map<String, Object> FOR_STEERING =
+      Map.of(
+          "LOOK AHEAD", 1.5,
+          "LOOK AHEAD TIME", 1.2,
+          "TURN ACCELERATION", 1.0,
+          "TURN LAG", 0.3,
+          "AT END", "STOP");
+  private static final Map<String, Object> STEERED =
+      Map.of("MAX SPEED", 3.0, "CRUISE SPEED", 1.2, "WHEELBASE", 0.6, "STEERING ANGLE", 28.0);
   private static final double COMPASS_ERROR_RAD = Math.toRadians(2.0);
   private static final double THRESHOLD_M = 0.5;
   private static final double HEAVY_LAG_S = 1.2;
@@ -111,22 +120,9 @@ class GroundControlDriveTest {
 
   @Test
   void ackermann_fiveCorners_capturesAll() {
-    Map<String, Object> planner = new HashMap<>(PLANNER);
-    planner.put("LOOK AHEAD", 1.5);
-    planner.put("TURN ACCELERATION", 1.0);
-    planner.put("TURN LAG", 0.3);
-    planner.put("AT END", "STOP");
-    try (RoverDrive drive =
-        new RoverDrive(
-            new KinematicRover(KinematicRover.ackermann(), COMPASS_ERROR_RAD),
-            RoverDrive.mission(directory, 1.0, CORNERS),
-            planner,
-            AckermannPursuitControl::new,
-            Map.of(
-                "MAX SPEED", 3.0, "CRUISE SPEED", 1.2, "WHEELBASE", 0.6, "STEERING ANGLE", 28.0))) {
+    try (RoverDrive drive = ackermann(FOR_STEERING, STEERED)) {
       requireAllWithin(drive, 1.0);
       assertThat(drive.crossTrackRmsM(4.0, CORNERS)).isLessThan(0.4); // it swings out at corners
-
       drive.until(() -> false, 3.0);
       requireStanding(drive, 5.0);
     }
@@ -134,11 +130,7 @@ class GroundControlDriveTest {
 
   @Test
   void steersByAngle_fiveCorners_isTheSameDrive() {
-    Map<String, Object> variables = new HashMap<>();
-    variables.put("MAX SPEED", 3.0);
-    variables.put("CRUISE SPEED", 1.2);
-    variables.put("WHEELBASE", 0.6);
-    variables.put("STEERING ANGLE", Math.toDegrees(RoverDrive.FULL_ANGLE_RAD));
+    Map<String, Object> variables = new HashMap<>(STEERED);
     try (RoverDrive byPercent = ackermann(PLANNER, variables)) {
       byPercent.until(() -> false, 40.0);
       variables.put("STEERS BY ANGLE", true);
@@ -167,16 +159,9 @@ class GroundControlDriveTest {
 
   @Test
   void stanley_fiveCorners_capturesAllAndStaysOnTheLegs() {
-    Map<String, Object> planner = new HashMap<>(PLANNER);
-    planner.put("LOOK AHEAD", 1.5);
-    planner.put("TURN ACCELERATION", 1.0);
-    planner.put("TURN LAG", 0.3);
-    planner.put("AT END", "STOP");
-    Map<String, Object> vehicle =
-        Map.of("MAX SPEED", 3.0, "CRUISE SPEED", 1.2, "WHEELBASE", 0.6, "STEERING ANGLE", 28.0);
-    Map<String, Object> stanley = new HashMap<>(vehicle);
+    Map<String, Object> stanley = new HashMap<>(STEERED);
     stanley.put("STEERING LAW", "STANLEY");
-    try (RoverDrive drive = ackermann(planner, stanley)) {
+    try (RoverDrive drive = ackermann(FOR_STEERING, stanley)) {
       requireAllWithin(drive, 1.0);
       assertThat(drive.crossTrackRmsM(4.0, CORNERS)).isLessThan(0.35); // the sharp corner again
     }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.control.Transfer;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.service.handover.HandOver;
 
@@ -136,9 +137,9 @@ class PursuitLawTest {
   void takeOver_inACurve_goesOnAsTheOtherWouldHave() {
     settled(at(2.0, 0.5));
     HandOver state = new HandOver("PursuitLaw");
-    law.handOver(state);
+    law.transfer(Transfer.saving(state));
     PursuitLaw successor = new PursuitLaw(SETTINGS);
-    successor.takeOver(state);
+    successor.transfer(Transfer.restoring(state));
 
     assertThat(successor.step(at(2.0, 0.4), STEP_S)).isEqualTo(law.step(at(2.0, 0.4), STEP_S));
   }

@@ -20,7 +20,6 @@ import org.u2sa.interfaces.mqtt.BrokerAccess;
 
 /** Security of the embedded broker: users and encryption, or listening on this host only. */
 final class BrokerSecurity {
-  /** The variables. */
   record Variables(
       @Variable(
               ifAbsentText = "",
@@ -102,10 +101,9 @@ final class BrokerSecurity {
       return new BrokerSecurity(directory, tls);
     } catch (SSLException | IllegalArgumentException e) {
       throw new BadInputException(
-          "SECURITY DIRECTORY \""
-              + path
-              + "\": server.pem and server-key.pem cannot be used: "
-              + e.getMessage(),
+          String.format(
+              "SECURITY DIRECTORY \"%s\": server.pem and server-key.pem cannot be used: %s",
+              path, e.getMessage()),
           e);
     }
   }

@@ -26,29 +26,29 @@ final class BrokerState implements AutoCloseable {
 
   private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
 
-  private final BrokerLimits limits;
-  private final MessageCodec codec;
+  final BrokerLimits limits;
+  final MessageCodec codec;
   private final Clock clock;
-  private final Refusals refusals;
+  final Refusals refusals;
   private final Users users; // null grants everyone full access
-  private final Authenticator authenticator; // null likewise
+  final Authenticator authenticator; // null likewise
   private final byte[] pass = newPass();
   private final AtomicLong kept = new AtomicLong();
-  private final PendingConnections<Client> pending = new PendingConnections<>();
+  final PendingConnections<Client> pending = new PendingConnections<>();
   private final AtomicLong dropped = new AtomicLong();
-  private final ClientTable clients;
-  private final RetainedTable retained;
-  private final Allowance.PerUser questions;
-  private final MemoryBudget<Client> unfinished = // touched by the network's thread only
+  final ClientTable clients;
+  final RetainedTable retained;
+  final Allowance.PerUser questions; // queries to all services
+  final MemoryBudget<Client> unfinished = // packets; touched by the network's thread only
       MemoryBudget.ofClients(
           8, 64 << 20, "connection closed, too many bytes wait for the rest of a packet");
-  private final MemoryBudget<Client> unsent = // touched by the network's thread only
+  final MemoryBudget<Client> unsent = // or unacknowledged; touched by the network's thread only
       MemoryBudget.ofClients(4, 256 << 20, TOO_SLOW);
-  private final Allowance beyondShares; // touched by the network's thread only
-  private final CostlyTime costlyTime; // touched by the network's thread only
-  private final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
-  private final MessageRouter router;
-  private final SourceNames sources;
+  final Allowance beyondShares; // of all clients; touched by the network's thread only
+  final CostlyTime costlyTime; // of all clients; touched by the network's thread only
+  final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
+  final MessageRouter router;
+  final SourceNames sources;
   private volatile boolean ending;
 
   /**
@@ -86,74 +86,17 @@ final class BrokerState implements AutoCloseable {
     return new String(pass, StandardCharsets.US_ASCII);
   }
 
-  /** Whether it is that pass. */
   boolean isPass(byte[] password) {
     return password != null && MessageDigest.isEqual(pass, password);
   }
 
-  /** The admitted clients. */
-  ClientTable clients() {
-    return clients;
-  }
-
-  /** Forgets a client that has left. */
   void leave(String clientId, Client client) {
     clients.leave(clientId, client);
     subscriptions.remove(client.connection());
   }
 
-  /** The broker's retained messages. */
-  RetainedTable retained() {
-    return retained;
-  }
-
-  /** The subscriptions of remote clients. */
-  RemoteSubscriptions subscriptions() {
-    return subscriptions;
-  }
-
-  /** The message router. */
-  MessageRouter router() {
-    return router;
-  }
-
-  /** Who may publish under which source name. */
-  SourceNames sources() {
-    return sources;
-  }
-
-  /** Per-user allowances for queries. */
-  Allowance.PerUser questions() {
-    return questions;
-  }
-
-  /**
-   * Shared allowance for messages of all clients beyond their own shares. For the network's thread
-   * only.
-   */
-  Allowance beyondShares() {
-    return beyondShares;
-  }
-
-  /** The network thread's time for long messages and grids of all clients. For that thread only. */
-  CostlyTime costlyTime() {
-    return costlyTime;
-  }
-
-  BrokerLimits limits() {
-    return limits;
-  }
-
-  MessageCodec codec() {
-    return codec;
-  }
-
   long nowMicros() {
     return clock.micros();
-  }
-
-  Refusals refusals() {
-    return refusals;
   }
 
   /** The known users; empty if anyone may connect without a password. */
@@ -161,36 +104,13 @@ final class BrokerState implements AutoCloseable {
     return Optional.ofNullable(users);
   }
 
-  /** The authenticator; present if {@link #users} have passwords. */
-  Authenticator authenticator() {
-    return authenticator;
-  }
-
-  /** Memory budget for incomplete packets. For the network's thread. */
-  MemoryBudget<Client> unfinished() {
-    return unfinished;
-  }
-
-  /**
-   * Memory budget for messages that clients have not read or acknowledged. For the network's
-   * thread.
-   */
-  MemoryBudget<Client> unsent() {
-    return unsent;
-  }
-
   /** Counts a message that is kept until all its subscribers have acknowledged it. */
   void keep(int bytes) {
     kept.addAndGet(bytes);
   }
 
-  /** Total bytes passed to {@link #keep}. */
   long kept() {
     return kept.get();
-  }
-
-  PendingConnections<Client> pending() {
-    return pending;
   }
 
   /** Counts a message dropped because a client was too slow. */
@@ -199,7 +119,6 @@ final class BrokerState implements AutoCloseable {
     refusals.add("message to a slow client dropped", client);
   }
 
-  /** Number of messages dropped because a client was too slow. */
   long dropped() {
     return dropped.get();
   }
@@ -209,7 +128,6 @@ final class BrokerState implements AutoCloseable {
     return ending;
   }
 
-  /** Accepts nothing new from now on. */
   void end() {
     ending = true;
   }

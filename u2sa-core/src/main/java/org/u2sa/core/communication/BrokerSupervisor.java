@@ -17,12 +17,7 @@ final class BrokerSupervisor implements AutoCloseable {
   private long droppedBefore; // by predecessors; guarded by this, as below
   private boolean closed;
 
-  /**
-   * Starts the broker.
-   *
-   * @param starter starts a broker, given a callback for its failure
-   * @throws CommunicationException if it cannot listen
-   */
+  /** Starts the broker; {@code starter} is given a callback for the broker's failure. */
   BrokerSupervisor(Function<Runnable, EmbeddedBroker> starter, Consumer<String> log) {
     this.starter = starter;
     this.log = log;

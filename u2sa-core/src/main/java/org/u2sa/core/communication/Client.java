@@ -67,7 +67,6 @@ interface Client {
   /** Handles the client's acknowledgement of a message. */
   void acknowledged(int packet);
 
-  /** Answers the client. */
   void answer(MqttMessage answer);
 
   /** What is still unsent or unacknowledged to the client; may be called on any thread. */

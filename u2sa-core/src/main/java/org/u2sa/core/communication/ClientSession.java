@@ -63,7 +63,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   ClientSession(BrokerState broker, Outflow outflow) {
     this.broker = broker;
     this.outflow = outflow;
-    connection = broker.clients().newConnection();
+    connection = broker.clients.newConnection();
   }
 
   void inflow(Inflow before) {
@@ -124,7 +124,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     context = ctx;
     since = broker.nowMicros();
     from = ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress();
-    for (Client longest : broker.pending().add(this, from)) {
+    for (Client longest : broker.pending.add(this, from)) {
       longest.putOutFor("pending connection closed in favour of a newer one");
     }
     watch = ctx.executor().scheduleAtFixedRate(() -> look(ctx), 1, 1, TimeUnit.SECONDS);
@@ -148,7 +148,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     long kept = outflow.kept(ctx);
     if (kept > BrokerLimits.BEHIND_BYTES || isBudgeted) {
       isBudgeted = kept > BrokerLimits.BEHIND_BYTES;
-      broker.unsent().set(this, isBudgeted ? kept : 0);
+      broker.unsent.set(this, isBudgeted ? kept : 0);
     }
   }
 
@@ -196,19 +196,16 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   private void putOut(ChannelHandlerContext ctx, String kind, String details) {
     if (stage != Stage.OUT) {
       stage = Stage.OUT;
-      broker.refusals().add(kind, who() + (details.isEmpty() ? "" : ", " + details));
+      broker.refusals.add(kind, who() + (details.isEmpty() ? "" : ", " + details));
       // Bypasses the encryption, which would wait until the client has read its close_notify.
       ctx.pipeline().firstContext().close();
     }
   }
 
   private String who() {
-    return "user "
-        + Refusals.shown(name)
-        + ", client "
-        + Refusals.shown(ClientIds.shown(clientId))
-        + ", from "
-        + from.getHostAddress();
+    return String.format(
+        "user %s, client %s, from %s",
+        Refusals.shown(name), Refusals.shown(ClientIds.shown(clientId)), from.getHostAddress());
   }
 
   private void look(ChannelHandlerContext ctx) {
@@ -291,13 +288,11 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
       name = said.user();
       stage = Stage.CHECKED;
       inflow.hold();
-      broker
-          .authenticator()
-          .check(
-              name,
-              said.password(),
-              from,
-              verdict -> Client.execute(ctx.executor(), () -> judged(ctx, said, verdict)));
+      broker.authenticator.check(
+          name,
+          said.password(),
+          from,
+          verdict -> Client.execute(ctx.executor(), () -> judged(ctx, said, verdict)));
     }
   }
 
@@ -311,7 +306,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     user = known.get();
     name = user.name();
     if (isOperator()) { // of the account, not anonymous
-      broker.pending().proven(this);
+      broker.pending.proven(this);
     }
     admit(ctx, said);
   }
@@ -331,7 +326,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
       return;
     }
     user = verdict.user().get();
-    broker.pending().proven(this);
+    broker.pending.proven(this);
     admit(ctx, said);
     ctx.fireChannelReadComplete();
   }
@@ -344,7 +339,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
       refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, foreign.get());
       return;
     }
-    ClientTable.Entry entry = broker.clients().enter(clientId, this);
+    ClientTable.Entry entry = broker.clients.enter(clientId, this);
     if (entry != ClientTable.Entry.FREE) {
       refuse(ctx, entry.answer(), entry.reason());
       return;
@@ -354,7 +349,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     subscriptions = new ClientSubscriptions(broker, its, name, connection);
     packets = new PacketFilter(broker, its, subscriptions, who(), this);
     inflow.hold();
-    broker.pending().remove(this);
+    broker.pending.remove(this);
     outflow.admitted(user, clientId);
     // A refused will does not refuse the client: every U2SA client has one, even an observer.
     Optional<String> refused = last.flatMap(its::refusalOfWill);
@@ -364,7 +359,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   }
 
   private void willRefused(String why) {
-    broker.refusals().add("will refused, " + why, who());
+    broker.refusals.add("will refused, " + why, who());
   }
 
   private void publishWill() {
@@ -383,14 +378,13 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     if (last.eachMatters()) {
       broker.keep(last.payload().length);
     }
-    broker
-        .router()
-        .route(last.topic(), Unpooled.wrappedBuffer(last.payload()), last.eachMatters(), this);
+    broker.router.route(
+        last.topic(), Unpooled.wrappedBuffer(last.payload()), last.eachMatters(), this);
   }
 
   private void refuse(ChannelHandlerContext ctx, MqttConnectReturnCode code, String why) {
     stage = Stage.OUT;
-    broker.refusals().add("log-in refused, " + why, who());
+    broker.refusals.add("log-in refused, " + why, who());
     ctx.writeAndFlush(MqttMessageBuilders.connAck().returnCode(code).build())
         .addListener(ChannelFutureListener.CLOSE);
   }
@@ -406,8 +400,8 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   public void handlerRemoved(ChannelHandlerContext ctx) {
     stage = Stage.OUT;
     watch.cancel(false);
-    broker.pending().remove(this);
-    broker.unsent().set(this, 0);
+    broker.pending.remove(this);
+    broker.unsent.set(this, 0);
     broker.leave(clientId, this);
     if (rules != null) {
       rules.leave();

@@ -37,9 +37,6 @@ final class ClientSubscriptions {
   private final Allowance newTopics;
   private final Set<String> filters = new HashSet<>();
 
-  /**
-   * @param name the user's name; filters are limited per user
-   */
   ClientSubscriptions(BrokerState broker, PacketRules rules, String name, String connection) {
     this.broker = broker;
     this.rules = rules;
@@ -56,7 +53,7 @@ final class ClientSubscriptions {
   boolean isInTurn(MqttMessage packet) {
     double questions = questions(packet);
     if (questions > 0.0) {
-      return broker.questions().take(name, questions, broker.nowMicros());
+      return broker.questions.take(name, questions, broker.nowMicros());
     }
     return !(packet instanceof MqttPublishMessage publish)
         || isInTurn(publish.variableHeader().topicName());
@@ -67,8 +64,8 @@ final class ClientSubscriptions {
    * against all clients' filters and charged for it.
    */
   private boolean isInTurn(String topic) {
-    int compared = broker.subscriptions().filters();
-    if (compared == 0 || broker.subscriptions().isRemembered(topic)) {
+    int compared = broker.subscriptions.filters();
+    if (compared == 0 || broker.subscriptions.isRemembered(topic)) {
       return true;
     }
     boolean isOpen = newTopics.isOpen(broker.nowMicros());
@@ -96,7 +93,7 @@ final class ClientSubscriptions {
   }
 
   private double questions(int filters) {
-    int topics = broker.subscriptions().topics() + broker.retained().topics().size();
+    int topics = broker.subscriptions.topics() + broker.retained.topics().size();
     return 1.0 + (filters - 1) * topics / TOPICS_OF_A_QUESTION;
   }
 
@@ -124,12 +121,11 @@ final class ClientSubscriptions {
       return Optional.of("it has too many filters");
     }
     if (!added.isEmpty()
-        && broker.subscriptions().ofUser(name) + added.size() > BrokerLimits.FILTERS_PER_USER) {
+        && broker.subscriptions.ofUser(name) + added.size() > BrokerLimits.FILTERS_PER_USER) {
       return Optional.of("its user has too many filters");
     }
     filters.addAll(added);
-    eachMatters.forEach(
-        (wanted, each) -> broker.subscriptions().add(connection, name, wanted, each));
+    eachMatters.forEach((wanted, each) -> broker.subscriptions.add(connection, name, wanted, each));
     return Optional.empty();
   }
 
@@ -144,8 +140,8 @@ final class ClientSubscriptions {
 
   /** Sends the retained messages to a client that has subscribed. */
   void sendRetained(MqttSubscribeMessage subscribe, Client subscriber) {
-    int sent = broker.router().sendRetained(filtersOf(subscribe), subscriber);
-    broker.questions().charge(name, sent / RETAINED_OF_A_QUESTION, broker.nowMicros());
+    int sent = broker.router.sendRetained(filtersOf(subscribe), subscriber);
+    broker.questions.charge(name, sent / RETAINED_OF_A_QUESTION, broker.nowMicros());
   }
 
   /** The answer to SUBSCRIBE. No channel uses QoS 2, so 1 is the most that is granted. */
@@ -164,7 +160,7 @@ final class ClientSubscriptions {
   void unsubscribe(MqttUnsubscribeMessage packet) {
     for (String unwanted : packet.payload().topics()) {
       if (filters.remove(unwanted)) {
-        broker.subscriptions().remove(connection, unwanted);
+        broker.subscriptions.remove(connection, unwanted);
       }
     }
   }

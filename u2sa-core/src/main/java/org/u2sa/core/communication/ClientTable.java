@@ -24,7 +24,6 @@ final class ClientTable {
     this.hasUsers = hasUsers;
   }
 
-  /** Result of {@link #enter}. */
   enum Entry {
     FREE("", MqttConnectReturnCode.CONNECTION_ACCEPTED),
     FULL("too many connections", MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
@@ -43,7 +42,6 @@ final class ClientTable {
       this.answer = answer;
     }
 
-    /** Reason for refusing the client. */
     String reason() {
       return reason;
     }
@@ -54,7 +52,6 @@ final class ClientTable {
     }
   }
 
-  /** Creates a unique connection ID. */
   String newConnection() {
     return "connection-" + connectionsSoFar.incrementAndGet();
   }

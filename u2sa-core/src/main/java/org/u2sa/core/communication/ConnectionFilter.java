@@ -53,16 +53,10 @@ final class ConnectionFilter implements AutoCloseable {
   /** Moquette handlers that log and count each packet, unused here. */
   private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
 
-  private final BrokerState broker;
+  final BrokerState broker; // what the sessions share
   private final Clock clock;
   private final Encryption encryption; // null: plain text
   private final AtomicInteger open = new AtomicInteger();
-
-  /** Without encryption. */
-  ConnectionFilter(
-      BrokerLimits limits, MessageCodec codec, Clock clock, Users users, Consumer<String> log) {
-    this(limits, codec, clock, users, null, log);
-  }
 
   /**
    * @param users the known users; null lets anyone connect without a password
@@ -78,11 +72,6 @@ final class ConnectionFilter implements AutoCloseable {
     this.clock = clock;
     this.encryption = encryption;
     broker = new BrokerState(limits, codec, clock, users, log);
-  }
-
-  /** What the sessions share. */
-  BrokerState broker() {
-    return broker;
   }
 
   /**
@@ -118,9 +107,8 @@ final class ConnectionFilter implements AutoCloseable {
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
       if (isTooMuch(child.remoteAddress())) { // before anything is built for it
-        broker
-            .refusals()
-            .add("connection refused, too many a second", String.valueOf(child.remoteAddress()));
+        broker.refusals.add(
+            "connection refused, too many a second", String.valueOf(child.remoteAddress()));
         child.unsafe().closeForcibly();
         refused.take(1.0, broker.nowMicros());
         if (!refused.isOpen(broker.nowMicros())) {
@@ -129,14 +117,12 @@ final class ConnectionFilter implements AutoCloseable {
         return;
       }
       // Pending and admitted connections are counted apart; this bounds both together.
-      if (open.incrementAndGet() > broker.limits().maxClients() + 2 * BrokerLimits.PENDING
+      if (open.incrementAndGet() > broker.limits.maxClients() + 2 * BrokerLimits.PENDING
           || broker.isEnding()) {
         open.decrementAndGet();
-        broker
-            .refusals()
-            .add(
-                "connection refused, " + (broker.isEnding() ? "the broker ends" : "too many"),
-                String.valueOf(child.remoteAddress()));
+        broker.refusals.add(
+            "connection refused, " + (broker.isEnding() ? "the broker ends" : "too many"),
+            String.valueOf(child.remoteAddress()));
         child.unsafe().closeForcibly();
         return;
       }
@@ -162,9 +148,8 @@ final class ConnectionFilter implements AutoCloseable {
     /** Handles a failed accept, such as when file descriptors run out, by retrying. */
     @Override
     public void exceptionCaught(ChannelHandlerContext ctx, Throwable cause) {
-      broker
-          .refusals()
-          .add("connection not accepted", Refusals.shown(String.valueOf(cause.getMessage())));
+      broker.refusals.add(
+          "connection not accepted", Refusals.shown(String.valueOf(cause.getMessage())));
       pause(ctx, ACCEPT_AGAIN_AFTER_MS);
     }
 
@@ -172,7 +157,7 @@ final class ConnectionFilter implements AutoCloseable {
       return from instanceof InetSocketAddress address
           && !rate.accepts(
               address.getAddress(),
-              broker.pending().isKnown(address.getAddress()),
+              broker.pending.isKnown(address.getAddress()),
               broker.nowMicros());
     }
 
@@ -199,14 +184,13 @@ final class ConnectionFilter implements AutoCloseable {
         encryption.addTo(
             ctx.pipeline(),
             new TlsRecords(broker, session),
-            broker
-                .pending()
-                .isKnown(((InetSocketAddress) ctx.channel().remoteAddress()).getAddress()));
+            broker.pending.isKnown(
+                ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress()));
       }
       ctx.pipeline().addFirst(new ReceivedBytes(session, inflow));
       ctx.pipeline()
           .addBefore(
-              "decoder", "u2sa-framer", new PacketFramer(session, inflow, broker.unfinished()));
+              "decoder", "u2sa-framer", new PacketFramer(session, inflow, broker.unfinished));
       ctx.pipeline().addBefore("handler", "u2sa-inflow", inflow);
       ctx.pipeline().addBefore("handler", "u2sa-session", session);
       ctx.pipeline().addBefore("handler", "u2sa-outflow", outflow);
@@ -221,7 +205,7 @@ final class ConnectionFilter implements AutoCloseable {
    */
   int drain() {
     broker.end();
-    return new ShutdownDrain(broker.clients().all(), clock).await();
+    return new ShutdownDrain(broker.clients.all(), clock).await();
   }
 
   /** Housekeeping, to be called about once a second. */

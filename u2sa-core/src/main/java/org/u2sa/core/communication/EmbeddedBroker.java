@@ -51,7 +51,7 @@ final class EmbeddedBroker implements AutoCloseable {
     incoming = new IncomingCopies(bus, codec, log);
     this.address = address;
     this.log = log;
-    copies = new OutgoingCopies(bus.systemId(), codec, filter.broker(), log);
+    copies = new OutgoingCopies(bus.systemId(), codec, filter.broker, log);
   }
 
   /**
@@ -85,8 +85,8 @@ final class EmbeddedBroker implements AutoCloseable {
       filter.close();
       throw cannotListen(address, e);
     }
-    filter.broker().router().join(broker.incoming);
-    filter.broker().sources().join(bus);
+    filter.broker.router.join(broker.incoming);
+    filter.broker.sources.join(bus);
     broker.copies.start();
     bus.attach(broker.copies);
     return broker;
@@ -122,13 +122,10 @@ final class EmbeddedBroker implements AutoCloseable {
 
   private static CommunicationException cannotListen(InetSocketAddress address, Exception e) {
     return new CommunicationException(
-        "the Communication Manager cannot listen on "
-            + address.getHostString()
-            + ":"
-            + address.getPort()
-            + ": "
-            + e.getMessage()
-            + "; is the port taken by another system or broker? COMMUNICATION MANAGER PORT sets another",
+        String.format(
+            "the Communication Manager cannot listen on %s:%s: %s; is the port taken by"
+                + " another system or broker? COMMUNICATION MANAGER PORT sets another",
+            address.getHostString(), address.getPort(), e.getMessage()),
         e);
   }
 
@@ -138,11 +135,11 @@ final class EmbeddedBroker implements AutoCloseable {
 
   /** Whether the name is one of a service of this process or of a process that this one started. */
   boolean isOfVehicle(String serviceName) {
-    return filter.broker().sources().isOfVehicle(bus.systemId(), serviceName);
+    return filter.broker.sources.isOfVehicle(bus.systemId(), serviceName);
   }
 
   long dropped() {
-    return copies.dropped() + filter.broker().dropped() + notTaken.get();
+    return copies.dropped() + filter.broker.dropped() + notTaken.get();
   }
 
   @Override
@@ -181,7 +178,7 @@ final class EmbeddedBroker implements AutoCloseable {
 
     @Override
     public void onConnect(InterceptConnectMessage message) {
-      filter.broker().clients().connected(message.getClientID());
+      filter.broker.clients.connected(message.getClientID());
     }
   }
 }

@@ -105,7 +105,7 @@ final class FilterInstaller {
     while (channels.hasNext()) {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
-        filter.broker().router().runOn(putOnOneThread(channel));
+        filter.broker.router.runOn(putOnOneThread(channel));
         channel.pipeline().addFirst(filter.new Acceptor());
         loop.scheduleAtFixedRate(filter::tidy, 1, 1, SECONDS);
         installed++;

@@ -85,13 +85,9 @@ final class IncomingCopies implements MessageRouter.Reader {
       long count = unreadable.incrementAndGet();
       if (Long.bitCount(count) == 1) { // log the 1st, 2nd, 4th, 8th… to bound the log
         log.accept(
-            "a message on "
-                + Refusals.shown(topicName)
-                + " cannot be read: "
-                + Refusals.shown(String.valueOf(e.getMessage()))
-                + " ("
-                + count
-                + " so far)");
+            String.format(
+                "a message on %s cannot be read: %s (%s so far)",
+                Refusals.shown(topicName), Refusals.shown(String.valueOf(e.getMessage())), count));
       }
     }
   }

@@ -79,8 +79,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     this.broker = broker;
     this.gate = gate;
     long now = broker.nowMicros();
-    double messagesPerS = broker.limits().clientMessagesPerSecond();
-    double bytesPerS = broker.limits().clientBytesPerSecond();
+    double messagesPerS = broker.limits.clientMessagesPerSecond();
+    double bytesPerS = broker.limits.clientBytesPerSecond();
     share = new Allowance(SHARE * messagesPerS, SHARE_BURST_MESSAGES, now);
     messages = new Allowance(messagesPerS, now);
     bytes = new Allowance(bytesPerS, now);
@@ -119,7 +119,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     long now = broker.nowMicros();
     isWithinShare = share.isOpen(now);
     return gate.isReady()
-        && (isWithinShare || broker.beyondShares().isOpen(now))
+        && (isWithinShare || broker.beyondShares.isOpen(now))
         && messages.isOpen(now)
         && bytes.isOpen(now)
         && (!isBehind || slowMessages.isOpen(now) && slowBytes.isOpen(now));
@@ -151,7 +151,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     isLong = sincePacket > LONG_BYTES || chargedS > 0.0;
     if (isLong) {
       lastReadS = Math.max(0.0, seconds - chargedS);
-      broker.costlyTime().take(this, lastReadS - advanceS, now);
+      broker.costlyTime.take(this, lastReadS - advanceS, now);
       advanceS = 0.0;
       if (!mayReadOn(now)) {
         pause(context);
@@ -161,7 +161,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
 
   /** Whether the network's thread has time for the next read. Operators never wait. */
   private boolean mayReadOn(long now) {
-    return !isLong || gate.isOperator() || broker.costlyTime().isOpen(this, now);
+    return !isLong || gate.isOperator() || broker.costlyTime.isOpen(this, now);
   }
 
   /**
@@ -174,7 +174,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   private void letIn(ChannelHandlerContext ctx, Object message) {
-    (isWithinShare ? share : broker.beyondShares()).take(1.0);
+    (isWithinShare ? share : broker.beyondShares).take(1.0);
     messages.take(1.0);
     if (isBehind) {
       slowMessages.take(1.0);
@@ -188,7 +188,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     long now = broker.nowMicros();
     double tookS = Clock.seconds(now - before);
     chargedS += tookS;
-    broker.costlyTime().take(this, tookS, now);
+    broker.costlyTime.take(this, tookS, now);
   }
 
   /**
@@ -198,7 +198,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private boolean isAffordable(Object message) {
     return !isCostly(message)
         || gate.isOperator()
-        || broker.costlyTime().isOpen(this, broker.nowMicros());
+        || broker.costlyTime.isOpen(this, broker.nowMicros());
   }
 
   /**
@@ -237,7 +237,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     long now = broker.nowMicros();
     if (held.isEmpty() && isOpen() && mayReadOn(now)) {
       if (isLong) { // in advance, or all that wait would read at once
-        broker.costlyTime().take(this, lastReadS - advanceS, now);
+        broker.costlyTime.take(this, lastReadS - advanceS, now);
         advanceS = lastReadS;
       }
       ctx.channel().config().setAutoRead(true);

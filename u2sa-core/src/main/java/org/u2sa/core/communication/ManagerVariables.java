@@ -49,10 +49,8 @@ public record ManagerVariables(
   /** Name of the variable {@link #communicationManagerPort}. */
   public static final String PORT = "COMMUNICATION MANAGER PORT";
 
-  /** Constant for {@link #wireForm}. */
   static final String READABLE = "readable";
 
-  /** Constant for {@link #wireForm}. */
   static final String COMPACT = "compact";
 
   WireForm form() {

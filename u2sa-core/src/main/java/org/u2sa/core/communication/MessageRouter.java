@@ -43,9 +43,6 @@ final class MessageRouter {
   private volatile Reader reader; // null if no service of this process listens
   private volatile EventLoop loop;
 
-  /**
-   * @param clients the admitted clients
-   */
   MessageRouter(RemoteSubscriptions subscriptions, RetainedTable retained, ClientTable clients) {
     this.subscriptions = subscriptions;
     this.retained = retained;

@@ -98,13 +98,13 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     // Retained messages come in bursts and share their payload with the table.
     long limit =
         publication.isRetained()
-            ? broker.limits().maxUnacknowledgedBytes()
+            ? broker.limits.maxUnacknowledgedBytes()
             : BrokerLimits.UNREAD_BYTES;
     if (!eachMatters && unread > limit) {
       broker.dropped(Refusals.shown(client));
       return null;
     }
-    if (eachMatters && unread > broker.limits().maxUnacknowledgedBytes()) {
+    if (eachMatters && unread > broker.limits.maxUnacknowledgedBytes()) {
       return TOO_MANY_BYTES;
     }
     if (eachMatters && unacknowledged.size() >= MAX_UNACKNOWLEDGED) {
@@ -131,12 +131,10 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     return unread(ctx) + (long) BYTES_OF_A_NUMBER * unacknowledged.size();
   }
 
-  /** Acknowledges a message published by the client. */
   void acknowledge(ChannelHandlerContext ctx, int packet) {
     note(write(ctx, ctx.alloc().ioBuffer(2 * Short.BYTES).writeShort(PUBACK).writeShort(packet)));
   }
 
-  /** Sends an answer. */
   void answer(ChannelHandlerContext ctx, MqttMessage answer) {
     flushSoon(ctx);
     note(ctx.write(answer));
@@ -180,7 +178,6 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     packets.flush();
   }
 
-  /** What is still unsent or unacknowledged. */
   Client.Owed owed() {
     return new Client.Owed(unacknowledged.size() + onTheWay, sentMicros);
   }
@@ -224,17 +221,17 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     if (unread(ctx) == 0 || taken != takenBefore) {
       takenBefore = taken;
       idleSince = now;
-    } else if (now - idleSince > broker.limits().patienceMicros()) {
+    } else if (now - idleSince > broker.limits.patienceMicros()) {
       return Optional.of("it reads nothing");
     }
     if (unacknowledged.isEmpty()) {
       return Optional.empty();
     }
     Unacknowledged oldest = unacknowledged.values().iterator().next();
-    if (now - oldest.since > broker.limits().patienceMicros()) {
+    if (now - oldest.since > broker.limits.patienceMicros()) {
       return Optional.of("it acknowledges nothing");
     }
-    return broker.kept() - oldest.keptBefore > broker.limits().maxUnacknowledgedBytes()
+    return broker.kept() - oldest.keptBefore > broker.limits.maxUnacknowledgedBytes()
         ? Optional.of(TOO_MANY_BYTES)
         : Optional.empty();
   }

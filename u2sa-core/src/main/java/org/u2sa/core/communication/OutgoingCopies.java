@@ -48,7 +48,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   OutgoingCopies(String systemId, MessageCodec codec, BrokerState broker, Consumer<String> log) {
     this.systemId = systemId;
     this.codec = codec;
-    interest = new RemoteInterest(systemId, broker.subscriptions(), numbers);
+    interest = new RemoteInterest(systemId, broker.subscriptions, numbers);
     this.broker = broker;
     this.log = log;
     sender.setDaemon(true);
@@ -60,7 +60,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   @Override
   public void forward(Channel<?> channel, U2SAData message) {
-    broker.sources().hearLocal(channel, message);
+    broker.sources.hearLocal(channel, message);
     if (channel.isRetained()) { // also for late subscribers
       String topic = Topic.of(systemId, channel, message).toString();
       number(numbers.on(topic), channel, topic, message, true);
@@ -141,7 +141,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
     if (eachMatters) {
       broker.keep(payload.length);
     }
-    broker.router().send(copy.topic, eachMatters, copy.channel.isRetained(), payload, sent);
+    broker.router.send(copy.topic, eachMatters, copy.channel.isRetained(), payload, sent);
   }
 
   private void drop(String why) {

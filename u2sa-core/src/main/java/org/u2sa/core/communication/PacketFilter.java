@@ -12,30 +12,17 @@ import java.util.Optional;
 import org.u2sa.core.communication.access.Refusals;
 import org.u2sa.core.communication.access.SourceNames;
 
-/** Filters the packets of an admitted client. Confined to its connection's thread. */
-final class PacketFilter {
-  private final BrokerState broker;
-  private final PacketRules rules;
-  private final ClientSubscriptions subscriptions;
-  private final String who;
-  private final Client session;
-
-  /**
-   * @param who client description for the log
-   */
-  PacketFilter(
-      BrokerState broker,
-      PacketRules rules,
-      ClientSubscriptions subscriptions,
-      String who,
-      Client session) {
-    this.broker = broker;
-    this.rules = rules;
-    this.subscriptions = subscriptions;
-    this.who = who;
-    this.session = session;
-  }
-
+/**
+ * Filters the packets of an admitted client. Confined to its connection's thread.
+ *
+ * @param who client description for the log
+ */
+record PacketFilter(
+    BrokerState broker,
+    PacketRules rules,
+    ClientSubscriptions subscriptions,
+    String who,
+    Client session) {
   /**
    * Checks a packet and, if allowed, executes it or passes it to Moquette.
    *
@@ -43,29 +30,24 @@ final class PacketFilter {
    */
   boolean examine(ChannelHandlerContext ctx, MqttMessage packet) {
     switch (packet.fixedHeader().messageType()) {
-      case PUBLISH:
-        examine((MqttPublishMessage) packet);
-        return false;
-      case SUBSCRIBE:
-        subscribe((MqttSubscribeMessage) packet);
-        return false;
-      case UNSUBSCRIBE:
+      case PUBLISH -> examine((MqttPublishMessage) packet);
+      case SUBSCRIBE -> subscribe((MqttSubscribeMessage) packet);
+      case UNSUBSCRIBE -> {
         MqttUnsubscribeMessage unwanted = (MqttUnsubscribeMessage) packet;
         subscriptions.unsubscribe(unwanted);
         int id = unwanted.variableHeader().messageId();
         session.answer(MqttMessageBuilders.unsubAck().packetId(id).build());
-        return false;
-      case PUBACK:
-        session.acknowledged(((MqttPubAckMessage) packet).variableHeader().messageId());
-        return false;
-      case PINGREQ:
-      case DISCONNECT:
+      }
+      case PUBACK ->
+          session.acknowledged(((MqttPubAckMessage) packet).variableHeader().messageId());
+      case PINGREQ, DISCONNECT -> {
         ctx.fireChannelRead(packet);
         return true;
-      default: // QoS 2, a second CONNECT, or a packet only brokers send
-        session.putOut("unexpected packet", packet.fixedHeader().messageType().toString());
-        return false;
+      }
+      default -> // QoS 2, a second CONNECT, or a packet only brokers send
+          session.putOut("unexpected packet", packet.fixedHeader().messageType().toString());
     }
+    return false;
   }
 
   /** Answers first, as clients expect; newer messages follow. */
@@ -73,7 +55,7 @@ final class PacketFilter {
     Optional<String> refused = subscriptions.refusalOf(wanted);
     session.answer(ClientSubscriptions.answerTo(wanted, refused.isPresent()));
     if (refused.isPresent()) {
-      broker.refusals().add("subscription refused, " + refused.get(), who);
+      broker.refusals.add("subscription refused, " + refused.get(), who);
     } else {
       subscriptions.sendRetained(wanted, session);
     }
@@ -86,7 +68,7 @@ final class PacketFilter {
       return;
     }
     if (broker.isEnding()) { // unacknowledged, so the client knows that it is lost
-      broker.refusals().add("message not taken, the broker ends", who);
+      broker.refusals.add("message not taken, the broker ends", who);
       return;
     }
     Optional<String> refused = rules.refusalOf(publish);
@@ -97,14 +79,13 @@ final class PacketFilter {
           refused.get().equals(SourceNames.TAKEN)
               ? ", name " + Refusals.shown(rules.sourceOf(publish))
               : "";
-      broker.refusals().add("message refused, " + refused.get(), who + ", topic " + topic + source);
+      broker.refusals.add("message refused, " + refused.get(), who + ", topic " + topic + source);
     } else {
       if (eachMatters) {
         broker.keep(publish.content().readableBytes());
       }
-      broker
-          .router()
-          .route(publish.variableHeader().topicName(), publish.content(), eachMatters, session);
+      broker.router.route(
+          publish.variableHeader().topicName(), publish.content(), eachMatters, session);
     }
     if (eachMatters) { // also if refused: MQTT 3.1.1 has no other answer
       session.acknowledge(publish.variableHeader().packetId());

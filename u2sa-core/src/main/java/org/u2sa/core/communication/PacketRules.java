@@ -36,8 +36,8 @@ final class PacketRules {
     this.broker = broker;
     this.user = user;
     owner = user == null ? "client " + clientId : "user " + user.name();
-    judge = new TopicPermissions(broker.codec().types(), user);
-    orders = new Allowance(broker.limits().clientOrdersPerSecond(), broker.nowMicros());
+    judge = new TopicPermissions(broker.codec.types(), user);
+    orders = new Allowance(broker.limits.clientOrdersPerSecond(), broker.nowMicros());
     speaker = new Speaker(user == null ? "" : user.name(), clientId);
   }
 
@@ -58,12 +58,9 @@ final class PacketRules {
     }
     if (verdict.rule() != null && bytes > verdict.rule().longestPayload()) {
       return Optional.of(
-          "its payload of "
-              + bytes
-              + " bytes is longer than the "
-              + verdict.rule().longestPayload()
-              + " of "
-              + verdict.rule().type().name());
+          String.format(
+              "its payload of %s bytes is longer than the %s of %s",
+              bytes, verdict.rule().longestPayload(), verdict.rule().type().name()));
     }
     if (verdict.is(AccessRule.Kind.ORDER) && !mayOrder(bytes)) {
       return Optional.of("too many orders of one client");
@@ -91,16 +88,15 @@ final class PacketRules {
   }
 
   private boolean mayName(TopicPermissions.Verdict verdict, ByteBuf payload) {
-    return broker
-        .sources()
-        .mayPublish(verdict.topic(), verdict.rule(), payload, speaker, broker.nowMicros());
+    return broker.sources.mayPublish(
+        verdict.topic(), verdict.rule(), payload, speaker, broker.nowMicros());
   }
 
   /** The source in whose name a message is; empty if none. */
   String sourceOf(MqttPublishMessage publish) {
     TopicPermissions.Verdict verdict = judge.judge(publish.variableHeader().topicName());
     return broker
-        .sources()
+        .sources
         .nameOf(verdict.topic(), verdict.rule(), publish.content())
         .map(SourceName::name)
         .orElse("");
@@ -108,7 +104,7 @@ final class PacketRules {
 
   /** Frees the names under which the client has published. */
   void leave() {
-    broker.sources().leave(speaker);
+    broker.sources.leave(speaker);
   }
 
   /** Cost of an order; a long one counts as several. */
@@ -198,9 +194,8 @@ final class PacketRules {
   }
 
   private Optional<String> retain(TopicPermissions.Verdict verdict, byte[] payload) {
-    return broker
-        .retained()
-        .enter(verdict.topic().toString(), owner, payload, verdict.is(AccessRule.Kind.URGENT));
+    return broker.retained.enter(
+        verdict.topic().toString(), owner, payload, verdict.is(AccessRule.Kind.URGENT));
   }
 
   /** Retention is allowed only on retaining channels, with each source under its own topic. */
@@ -224,7 +219,7 @@ final class PacketRules {
 
   private Optional<U2SAData> read(Topic topic, byte[] payload) {
     try {
-      return Optional.of(broker.codec().decode(topic.typeChain(), payload));
+      return Optional.of(broker.codec.decode(topic.typeChain(), payload));
     } catch (MalformedMessageException e) {
       return Optional.empty();
     }

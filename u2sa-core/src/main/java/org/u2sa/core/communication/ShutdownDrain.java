@@ -12,20 +12,12 @@ import org.u2sa.interfaces.time.Clock;
  * commands. QoS 1 messages are acknowledged; for others it waits some time, because clients discard
  * unprocessed messages when the connection closes.
  */
-final class ShutdownDrain {
+record ShutdownDrain(Collection<Client> clients, Clock clock) {
   private static final long QUIET_MICROS = 500_000;
   private static final long LOOK_EVERY_MICROS = 10_000;
   private static final long GIVE_UP_AFTER_MICROS = 1_500_000; // without progress
   private static final long AT_MOST_MICROS = 10_000_000;
   private static final long ANSWER_WITHIN_MS = 1_000;
-
-  private final Collection<Client> clients;
-  private final Clock clock;
-
-  ShutdownDrain(Collection<Client> clients, Clock clock) {
-    this.clients = clients;
-    this.clock = clock;
-  }
 
   /**
    * Waits while there is progress. No new messages may arrive meanwhile.

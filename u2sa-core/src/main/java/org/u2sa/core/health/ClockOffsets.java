@@ -1,11 +1,11 @@
 package org.u2sa.core.health;
 
 import java.util.ArrayDeque;
-import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.core.communication.limit.RecentlyUsed;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
@@ -17,29 +17,15 @@ final class ClockOffsets {
   private static final int REPORTS = 8; // 2 s at the usual interval
   private static final int MAX_SOURCES = 1_000; // more than an inbox hears at a time
 
-  /** State of one service's clock. */
   private static final class Source {
     private final ArrayDeque<Long> offsetsMicros = new ArrayDeque<>();
     private String instance = "";
     private OptionalDouble saidS = OptionalDouble.empty(); // as reported; empty if it agrees
   }
 
-  private final Map<String, Source> sources =
-      new LinkedHashMap<>(16, 0.75f, true) {
-        private static final long serialVersionUID = 1L;
+  private final Map<String, Source> sources = new RecentlyUsed<>(MAX_SOURCES); // by service
 
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Source> longestSilent) {
-          return size() > MAX_SOURCES;
-        }
-      };
-
-  /**
-   * Handles a report that a service sent about itself.
-   *
-   * @param toleranceS offset beyond which a clock is reported [s]
-   * @return new remark on its clock, or empty
-   */
+  /** Handles a service's report about itself; returns a new remark on its clock, or empty. */
   Optional<String> hear(HealthReport report, long nowMicros, double toleranceS) {
     if (report.timestamp().isEmpty()) {
       return Optional.empty();

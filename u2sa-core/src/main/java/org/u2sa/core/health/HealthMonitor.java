@@ -68,7 +68,7 @@ public final class HealthMonitor extends PeriodicService {
 
   @Override
   protected void begin() {
-    settings.watched().forEach(this::service);
+    settings.watched.forEach(this::service);
   }
 
   @Override
@@ -76,7 +76,7 @@ public final class HealthMonitor extends PeriodicService {
     settings = new MonitorVariables(limits.get(), this);
     services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
     services.keySet().removeIf(name -> !settings.watches(name));
-    settings.watched().forEach(this::service);
+    settings.watched.forEach(this::service);
   }
 
   private WatchedService service(String name) {
@@ -184,22 +184,17 @@ public final class HealthMonitor extends PeriodicService {
   }
 
   private boolean hears(double nowS) {
-    switch (reception.look(nowS)) {
-      case LOST:
-        log(
-            LogLevelEnum.WARN,
-            "does not hear even its own reports: judging no service until it does");
-        return false;
-      case STILL_LOST:
-        return false;
-      case RESTORED:
-        log(LogLevelEnum.WARN, "hears reports again");
-        services.values().forEach(service -> service.excuse(ReceptionCheck.excusedUntilS(nowS)));
-        safetyManager.excuse(ReceptionCheck.excusedUntilS(nowS));
-        return true;
-      default:
-        return true;
+    ReceptionCheck.Change change = reception.look(nowS);
+    if (change == ReceptionCheck.Change.LOST) {
+      log(
+          LogLevelEnum.WARN,
+          "does not hear even its own reports: judging no service until it does");
+    } else if (change == ReceptionCheck.Change.RESTORED) {
+      log(LogLevelEnum.WARN, "hears reports again");
+      services.values().forEach(service -> service.excuse(ReceptionCheck.excusedUntilS(nowS)));
+      safetyManager.excuse(ReceptionCheck.excusedUntilS(nowS));
     }
+    return change == ReceptionCheck.Change.NONE || change == ReceptionCheck.Change.RESTORED;
   }
 
   private void look(WatchedService service) {

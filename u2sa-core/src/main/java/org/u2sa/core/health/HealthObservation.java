@@ -143,7 +143,6 @@ final class HealthObservation {
     return last != null && last.status() == ServiceStatus.STOPPED;
   }
 
-  /** Current condition of the service. */
   Finding judge(MonitorVariables.Limits limits, double dataTimeoutS, double nowS) {
     if (last == null && !processEnd.isEmpty()) {
       return finding(Condition.LOST, processEnd);

@@ -105,8 +105,8 @@ final class MonitorVariables {
   private static final String POLICY = " POLICY";
   private static final String DATA_TIMEOUT = " DATA TIMEOUT";
 
-  private final Limits limits;
-  private final Set<String> watched = new LinkedHashSet<>();
+  final Limits limits;
+  final Set<String> watched = new LinkedHashSet<>();
   private final Map<String, Policy> policies = new HashMap<>();
   private final Map<String, Double> dataTimeoutsS = new HashMap<>();
 
@@ -149,16 +149,6 @@ final class MonitorVariables {
         .ifAbsent(limits.dataTimeout())
         .describedAs(
             "Time without data after which service " + service + " counts as stalled; 0: never.");
-  }
-
-  /** Settings that apply to all services. */
-  Limits limits() {
-    return limits;
-  }
-
-  /** Required services; if empty, every service heard is watched. */
-  Set<String> watched() {
-    return watched;
   }
 
   boolean watches(String service) {

@@ -39,7 +39,6 @@ final class ReceptionCheck {
     RESTORED
   }
 
-  /** Checks reception. */
   Change look(double nowS) {
     boolean lost = nowS - heardS > lostAfterS;
     boolean before = wasLost;

@@ -116,7 +116,6 @@ final class WatchedService {
     resume();
   }
 
-  /** Handles the result of the ordered restart. */
   void answered(boolean accepted, String reason, double nowS) {
     if (accepted) {
       shortSinceS = Double.NaN;
@@ -145,14 +144,10 @@ final class WatchedService {
     observation.excuse(untilS);
   }
 
-  /**
-   * Checks the service.
-   *
-   * @return whether to restart it now
-   */
+  /** Checks the service; returns whether to restart it now. */
   boolean look(MonitorVariables settings, double nowS) {
     HealthObservation.Finding found =
-        observation.judge(settings.limits(), settings.dataTimeoutS(name), nowS);
+        observation.judge(settings.limits, settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
       found = new HealthObservation.Finding(Condition.STOPPED, "it was told to", false);
     }
@@ -165,7 +160,7 @@ final class WatchedService {
     }
     if (isPending()) {
       boolean shown = found.condition() == Condition.ALIVE;
-      if (!shown && nowS - orderedS <= settings.limits().startWithin()) {
+      if (!shown && nowS - orderedS <= settings.limits.startWithin()) {
         return false; // keep the condition until the new instance reports or is overdue
       }
       orderedS = Double.NaN;
@@ -180,7 +175,7 @@ final class WatchedService {
 
   private boolean isDue(MonitorVariables settings, double nowS) {
     Policy policy = settings.policyOf(name);
-    int before = restarts.within(settings.limits().restartWindow(), nowS);
+    int before = restarts.within(settings.limits.restartWindow(), nowS);
     if (policy != Policy.RESTART) {
       action = words(policy);
       return false;
@@ -199,12 +194,12 @@ final class WatchedService {
       delayS = Math.max(delayS, Math.min(settings.delayS(shortages), MAX_RETRY_S));
     }
     if (finding.mayPass()) {
-      delayS = Math.max(delayS, settings.limits().reconnectWithin());
+      delayS = Math.max(delayS, settings.limits.reconnectWithin());
     }
     if (nowS - Math.max(sinceS, restarts.lastS()) < delayS) {
       return false;
     }
-    action = "restart " + (before + 1) + " of " + settings.limits().restartLimit();
+    action = "restart " + (before + 1) + " of " + settings.limits.restartLimit();
     restarts.add(nowS);
     orderedS = nowS;
     orderedInstance = observation.instance();
@@ -215,10 +210,10 @@ final class WatchedService {
     if (hopeless) {
       return Optional.of(": its process rejects its input");
     }
-    if (before >= settings.limits().restartLimit()) {
+    if (before >= settings.limits.restartLimit()) {
       return Optional.of(" after " + before + " restarts");
     }
-    boolean isShortForLong = nowS - shortSinceS > settings.limits().startWithin();
+    boolean isShortForLong = nowS - shortSinceS > settings.limits.startWithin();
     return isShortForLong ? Optional.of(": no process can be started") : Optional.empty();
   }
 
@@ -252,7 +247,6 @@ final class WatchedService {
     return name;
   }
 
-  /** Counts a service's recent restarts. */
   private static final class RestartCount {
     private final ArrayDeque<Double> timesS = new ArrayDeque<>();
     private double lastS = Double.NEGATIVE_INFINITY;
@@ -288,7 +282,6 @@ final class WatchedService {
       return lastS;
     }
 
-    /** Total number of restarts. */
     long total() {
       return total;
     }

@@ -1,9 +1,10 @@
 package org.u2sa.core.launch;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 
@@ -108,14 +109,10 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
       }
       names.add(level.number() + " " + level.words());
     }
-    List<String> words = new ArrayList<>();
-    Arrays.asList(levels).forEach(level -> words.add(level.words()));
+    List<String> words = Stream.of(levels).map(Level::words).collect(Collectors.toList());
     throw element.error(
-        attribute
-            + ": \""
-            + text
-            + "\" is not a level; expected one of "
-            + String.join(", ", names)
-            + NearestNames.didYouMean(plain, words));
+        String.format(
+            "%s: \"%s\" is not a level; expected one of %s%s",
+            attribute, text, String.join(", ", names), NearestNames.didYouMean(plain, words)));
   }
 }

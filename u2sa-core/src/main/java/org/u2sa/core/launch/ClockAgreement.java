@@ -26,12 +26,10 @@ final class ClockAgreement {
     askedMicros = nowMicros;
   }
 
-  /** Records when the request was sent. */
   synchronized void asked(long nowMicros) {
     askedMicros = nowMicros;
   }
 
-  /** Records an answer. */
   synchronized void hear(DiscoveryResponse answer, long nowMicros) {
     long saidMicros = answer.timestamp().orElse(0L);
     long error = (nowMicros - askedMicros) / 2;

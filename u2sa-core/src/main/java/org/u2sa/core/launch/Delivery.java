@@ -1,6 +1,7 @@
 package org.u2sa.core.launch;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.XmlElement;
@@ -19,19 +20,13 @@ public enum Delivery {
 
   static Delivery of(XmlElement communication) {
     String text = communication.optionalAttribute(ATTRIBUTE).orElse(DIRECT.text());
-    return Arrays.stream(values())
-        .filter(delivery -> delivery.text().equals(text))
-        .findFirst()
-        .orElseThrow(
-            () ->
-                communication.error(
-                    ATTRIBUTE
-                        + " \""
-                        + text
-                        + "\": expected one of "
-                        + Arrays.stream(values())
-                            .map(Delivery::text)
-                            .collect(Collectors.joining(", "))));
+    List<String> known = Arrays.stream(values()).map(Delivery::text).collect(Collectors.toList());
+    if (!known.contains(text)) {
+      throw communication.error(
+          String.format(
+              "%s \"%s\": expected one of %s", ATTRIBUTE, text, String.join(", ", known)));
+    }
+    return values()[known.indexOf(text)];
   }
 
   private String text() {

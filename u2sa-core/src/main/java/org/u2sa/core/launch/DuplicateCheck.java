@@ -97,13 +97,10 @@ final class DuplicateCheck implements Transport, Receiver {
     String host = hosts.get(serviceName);
     if (host != null) {
       throw new CommunicationException(
-          "service name \""
-              + serviceName
-              + "\" is taken in system \""
-              + systemId()
-              + "\" by a service on host \""
-              + host
-              + "\": names must differ");
+          String.format(
+              "service name \"%s\" is taken in system \"%s\" by a service on host \"%s\":"
+                  + " names must differ",
+              serviceName, systemId(), host));
     }
     return transport.connect(serviceName, receiver);
   }
@@ -115,8 +112,7 @@ final class DuplicateCheck implements Transport, Receiver {
 
   @Override
   public void receive(Channel<?> channel, U2SAData message) {
-    if (message instanceof DiscoveryResponse) {
-      DiscoveryResponse response = (DiscoveryResponse) message;
+    if (message instanceof DiscoveryResponse response) {
       agreement.hear(response, clock.micros());
       hosts.put(response.serviceName(), response.host());
     }

@@ -91,13 +91,8 @@ final class HealthWatch implements AutoCloseable {
     } catch (RuntimeException | OutOfMemoryError e) {
       if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: checks run four times a second
         launcher.trouble(
-            "watching "
-                + service.getServiceName()
-                + " failed: "
-                + e
-                + " ("
-                + failures
-                + " so far)");
+            String.format(
+                "watching %s failed: %s (%s so far)", service.getServiceName(), e, failures));
       }
     }
   }

@@ -149,7 +149,7 @@ final class HostedServices implements ServiceHost {
       old.configuration().declared().forEach(configuration::getVariable);
       configuration.refuseUndeclared();
       if (old.service().isRunning()) {
-        maker.trial().require(old.className(), configurationInPlaceOf(old));
+        maker.tryOut(old.className(), configurationInPlaceOf(old));
       }
       end(old.service());
       Hosted successor =

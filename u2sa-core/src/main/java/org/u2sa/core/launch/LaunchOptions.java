@@ -20,21 +20,21 @@ import org.u2sa.service.U2SAService;
 
 /** Run options of a system beyond its files. */
 public final class LaunchOptions {
-  private Clock clock = new SystemClock();
-  private Path logDirectory = Paths.get("out", "logs");
-  private long seed = 1;
-  private Consumer<String> console = line -> {};
+  Clock clock = new SystemClock();
+  Path logDirectory = Paths.get("out", "logs");
+  long seed = 1;
+  Consumer<String> console = line -> {};
   private Optional<Path> changes = Optional.empty();
-  private boolean oneOfSeveral;
-  private boolean supervised;
-  private boolean restart;
-  private boolean besideManager;
-  private boolean throughBroker;
-  private DeviceSource devices = DeviceSource.NONE;
+  boolean oneOfSeveral;
+  boolean supervised;
+  boolean restart;
+  boolean besideManager;
+  boolean throughBroker;
+  DeviceSource devices = DeviceSource.NONE;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
   private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
       new HashMap<>();
-  private final List<Companion> companions = new ArrayList<>();
+  final List<Companion> companions = new ArrayList<>();
 
   /** Sets the time of the run; without it, real time. */
   public LaunchOptions clock(Clock value) {
@@ -123,10 +123,6 @@ public final class LaunchOptions {
     return this;
   }
 
-  DeviceSource devices() {
-    return devices;
-  }
-
   /**
    * Adds a service to those of the system file, such as a recorder: created and started before
    * them, so that it misses nothing, and ended after them.
@@ -137,10 +133,6 @@ public final class LaunchOptions {
       XmlConfiguration configuration, Function<ServiceContext, ? extends U2SAService> maker) {
     companions.add(new Companion(configuration, maker));
     return this;
-  }
-
-  List<Companion> companions() {
-    return companions;
   }
 
   /** A service in addition to those of the system file. */
@@ -162,22 +154,6 @@ public final class LaunchOptions {
     return Optional.ofNullable(makers.get(className));
   }
 
-  Clock clock() {
-    return clock;
-  }
-
-  Path logDirectory() {
-    return logDirectory;
-  }
-
-  long seed() {
-    return seed;
-  }
-
-  Consumer<String> console() {
-    return console;
-  }
-
   /** Sets whether the services of this process already ran in this run, in another process. */
   public LaunchOptions restart(boolean value) {
     restart = value;
@@ -194,14 +170,6 @@ public final class LaunchOptions {
     return this;
   }
 
-  boolean isBesideManager() {
-    return besideManager;
-  }
-
-  boolean restart() {
-    return restart;
-  }
-
   /**
    * Makes the services of this process communicate through its broker, whatever the system file
    * says.
@@ -209,18 +177,6 @@ public final class LaunchOptions {
   public LaunchOptions throughBroker() {
     throughBroker = true;
     return this;
-  }
-
-  boolean isThroughBroker() {
-    return throughBroker;
-  }
-
-  boolean oneOfSeveral() {
-    return oneOfSeveral;
-  }
-
-  boolean supervised() {
-    return supervised;
   }
 
   /** The configuration of a service of the system, with this run's overrides. */

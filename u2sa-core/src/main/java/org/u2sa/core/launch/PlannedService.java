@@ -1,8 +1,6 @@
 package org.u2sa.core.launch;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -38,10 +36,10 @@ public record PlannedService(
     List<ActuatorAnnouncement> actuators,
     Optional<String> refusal) {
   public PlannedService {
-    variables = Collections.unmodifiableList(new ArrayList<>(variables));
-    actuators = Collections.unmodifiableList(new ArrayList<>(actuators));
-    publishes = Collections.unmodifiableList(new ArrayList<>(publishes));
-    subscribes = Collections.unmodifiableList(new ArrayList<>(subscribes));
+    variables = List.copyOf(variables);
+    actuators = List.copyOf(actuators);
+    publishes = List.copyOf(publishes);
+    subscribes = List.copyOf(subscribes);
   }
 
   /**
@@ -76,9 +74,7 @@ public record PlannedService(
               service.publishedChannels(),
               service.subscribedChannels(),
               configuration.describe(),
-              service instanceof ActuatorOwner
-                  ? ((ActuatorOwner) service).actuators()
-                  : Collections.emptyList(),
+              service instanceof ActuatorOwner owner ? owner.actuators() : List.of(),
               Optional.empty());
       service.shutDown();
       return planned;
@@ -87,10 +83,10 @@ public record PlannedService(
           entry,
           entry.simpleName(),
           "",
-          Collections.emptyList(),
-          Collections.emptyList(),
-          Collections.emptyList(),
-          Collections.emptyList(),
+          List.of(),
+          List.of(),
+          List.of(),
+          List.of(),
           Optional.of(String.valueOf(e.getMessage())));
     }
   }

@@ -67,16 +67,16 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private void prepare() {
-    requireFolder(options.logDirectory());
+    requireFolder(options.logDirectory);
     file.services().stream()
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);
     XmlConfiguration communication = options.configuration(MANAGER, file.communication());
-    manager = CommunicationManager.start(file.systemId(), communication, types, options.console());
+    manager = CommunicationManager.start(file.systemId(), communication, types, options.console);
     communication.refuseUndeclared();
     maker = new ServiceMaker(file.systemId(), options, types, transport());
-    options.companions().forEach(companion -> companions.add(maker.make(companion)));
-    hosted = new HostedServices(maker, options.supervised(), options.console());
+    options.companions.forEach(companion -> companions.add(maker.make(companion)));
+    hosted = new HostedServices(maker, options.supervised, options.console);
     hosted.makeAll(file.services());
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
@@ -99,16 +99,16 @@ public final class RunningSystem implements AutoCloseable {
     if (!manager.isExternal() || file.services().isEmpty()) {
       return transport; // no other process can run yet
     }
-    if (options.isBesideManager()) {
+    if (options.besideManager) {
       return transport; // answers to discovery could be anyone's
     }
-    Clock clock = options.clock();
+    Clock clock = options.clock;
     boolean real = clock instanceof SystemClock;
     Clock stopwatch = real ? clock : new SystemClock();
     DuplicateCheck duplicates =
-        options.restart()
-            ? DuplicateCheck.forTime(transport, stopwatch, options.console())
-            : DuplicateCheck.before(transport, stopwatch, options.console());
+        options.restart
+            ? DuplicateCheck.forTime(transport, stopwatch, options.console)
+            : DuplicateCheck.before(transport, stopwatch, options.console);
     if (real) {
       options.clock(((SystemClock) clock).ahead(duplicates.systemAheadMicros()));
     }
@@ -116,11 +116,11 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private boolean throughBroker() {
-    return options.isThroughBroker() || file.delivery() == Delivery.BROKER;
+    return options.throughBroker || file.delivery() == Delivery.BROKER;
   }
 
   private Transport brokerTransport() {
-    if (options.clock() instanceof LockstepClock) { // which cannot wait for messages in transit
+    if (options.clock instanceof LockstepClock) { // which cannot wait for messages in transit
       throw new BadInputException(
           file.file() + ": messages through the broker take real time; expected --realtime");
     }
@@ -136,13 +136,13 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   private void startWatch() {
-    watch = new HealthWatch(options.clock(), this::services, launcher);
+    watch = new HealthWatch(options.clock, this::services, launcher);
     watch.start();
   }
 
   private Launcher makeLauncher() {
     String name =
-        options.oneOfSeveral()
+        options.oneOfSeveral
             ? Launcher.NAME + "-" + services().get(0).getServiceName()
             : Launcher.NAME;
     ServiceContext context = contextFor(XmlConfiguration.inMemory(name, Map.of()));
@@ -186,7 +186,7 @@ public final class RunningSystem implements AutoCloseable {
    */
   public Optional<String> refusalToRestart(SystemFile.Entry entry) {
     try {
-      maker.trial().require(entry.className(), maker.configuration(entry));
+      maker.tryOut(entry.className(), maker.configuration(entry));
       return Optional.empty();
     } catch (RuntimeException | LinkageError e) {
       return Optional.of(String.valueOf(e.getMessage()));

@@ -3,7 +3,6 @@ package org.u2sa.core.launch;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.InvocationTargetException;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 
@@ -18,15 +17,10 @@ public final class ServiceFactory {
    *     class
    */
   static Constructor<? extends U2SAService> constructor(SystemFile.Entry entry) {
-    return constructor(entry.className(), entry.element());
-  }
-
-  private static Constructor<? extends U2SAService> constructor(
-      String className, XmlElement element) {
     try {
-      return constructor(className);
+      return constructor(entry.className());
     } catch (BadInputException e) {
-      throw element.error(e.getMessage());
+      throw entry.element().error(e.getMessage());
     }
   }
 

@@ -1,12 +1,15 @@
 package org.u2sa.core.launch;
 
+import java.io.IOException;
 import java.util.function.Function;
+import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.ExecutionKeeper;
 import org.u2sa.service.RememberedStates;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.TrialEndedException;
 import org.u2sa.service.U2SAService;
 
 /** Creates the services of one system, each with its configuration, clock, transport and seed. */
@@ -35,13 +38,13 @@ final class ServiceMaker {
 
   private ServiceContext.Builder builder(XmlConfiguration configuration) {
     return ServiceContext.of(systemId, configuration)
-        .clock(options.clock())
+        .clock(options.clock)
         .transport(transport)
-        .logDirectory(options.logDirectory())
+        .logDirectory(options.logDirectory)
         .messageTypes(types)
-        .seed(options.seed())
-        .restart(options.restart())
-        .devices(options.devices())
+        .seed(options.seed)
+        .restart(options.restart)
+        .devices(options.devices)
         .remembered(remembered);
   }
 
@@ -55,11 +58,7 @@ final class ServiceMaker {
     return make(kept(entry.className(), context(configuration)), made(entry));
   }
 
-  /**
-   * Creates a service that is not in the system file.
-   *
-   * @throws RuntimeException if its constructor throws
-   */
+  /** Creates a service that is not in the system file; throws what its constructor throws. */
   U2SAService make(LaunchOptions.Companion companion) {
     return make(context(companion.configuration()), companion.maker());
   }
@@ -75,9 +74,42 @@ final class ServiceMaker {
     return make(kept(className, context), made(className));
   }
 
-  /** Trials of services of this system. */
-  ServiceTrial trial() {
-    return new ServiceTrial(systemId, options, types);
+  /**
+   * Constructs a service once, and discards it, before the running one is ended for it: whatever
+   * its constructor refuses, such as a file that a variable names, must leave the running one
+   * alone. It is connected to nobody, is never started, and ends where it would open a device. Does
+   * nothing for a class with a maker of its own, which may hold devices of the host.
+   *
+   * @param configuration read for this trial
+   * @throws RuntimeException what its constructor threw
+   */
+  void tryOut(String className, XmlConfiguration configuration) {
+    if (options.makerOf(className).isPresent()) {
+      return;
+    }
+    try (TemporaryFolder logs = TemporaryFolder.create("u2sa-trial")) {
+      ServiceContext context =
+          builder(configuration)
+              .transport(new LocalBus(systemId))
+              .logDirectory(logs.path())
+              .restart(true)
+              .trial(true)
+              .build();
+      tryOut(className, context);
+    } catch (IOException e) { // a full disk must not prevent a restart
+      options.console.accept("Restart without a trial: " + e);
+    }
+  }
+
+  private static void tryOut(String className, ServiceContext context) {
+    try {
+      ServiceFactory.create(className, context).shutDown();
+      context.configuration().refuseUndeclared();
+    } catch (TrialEndedException e) {
+      return; // what comes before its device was accepted
+    } finally {
+      context.abandon();
+    }
   }
 
   /**

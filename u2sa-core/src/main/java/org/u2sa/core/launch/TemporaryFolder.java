@@ -14,11 +14,6 @@ import java.util.stream.Stream;
  * closed.
  */
 record TemporaryFolder(Path path) implements AutoCloseable {
-  /**
-   * Creates the folder.
-   *
-   * @throws IOException if that fails
-   */
   static TemporaryFolder create(String prefix) throws IOException {
     return new TemporaryFolder(Files.createTempDirectory(prefix));
   }

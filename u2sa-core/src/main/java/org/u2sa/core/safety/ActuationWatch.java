@@ -139,11 +139,11 @@ final class ActuationWatch implements Watch {
           && refusesStill
           && nowMicros - service.sinceMicros >= timeMicros) {
         return Optional.of(
-            each.getKey()
-                + " refuses all commands, "
-                + (service.refused - service.refusedBefore)
-                + " in "
-                + CauseText.seconds(Clock.seconds(nowMicros - service.sinceMicros)));
+            String.format(
+                "%s refuses all commands, %s in %s",
+                each.getKey(),
+                service.refused - service.refusedBefore,
+                CauseText.seconds(Clock.seconds(nowMicros - service.sinceMicros))));
       }
     }
     return Optional.empty();

@@ -22,9 +22,6 @@ final class Arming {
   private boolean saidArmed;
   private int saidReasons = -1;
 
-  /**
-   * @param atStart whether to arm automatically, once, as soon as the checks pass
-   */
   Arming(SafetyManager manager, ArmingChecks checks, boolean atStart) {
     this.manager = manager;
     this.checks = checks;
@@ -54,7 +51,6 @@ final class Arming {
     }
   }
 
-  /** Writes whether it still waits for the checks. */
   void handOver(HandOver state) {
     state.flag(WAITS, waits);
   }

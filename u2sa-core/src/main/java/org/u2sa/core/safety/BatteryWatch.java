@@ -117,7 +117,6 @@ final class BatteryWatch implements Watch {
     return CauseText.names(settings.get().batteries());
   }
 
-  /** Whether the battery is among those that count. */
   private boolean counts(String name) {
     List<String> chosen = chosen();
     return chosen.isEmpty() || chosen.contains(name);

@@ -3,6 +3,8 @@ package org.u2sa.core.safety;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Formats quantities for the causes of failsafes and the reasons of refusals. */
 final class CauseText {
@@ -18,12 +20,9 @@ final class CauseText {
 
   /** Parses a comma-separated list; empty text gives no names. */
   static List<String> names(String list) {
-    List<String> names = new ArrayList<>();
-    for (String name : list.split(",")) {
-      if (!name.trim().isEmpty()) {
-        names.add(name.trim());
-      }
-    }
-    return names;
+    return Stream.of(list.split(","))
+        .map(String::trim)
+        .filter(name -> !name.isEmpty())
+        .collect(Collectors.toCollection(ArrayList::new));
   }
 }

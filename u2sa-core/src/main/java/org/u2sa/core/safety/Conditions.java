@@ -32,7 +32,6 @@ final class Conditions {
     }
   }
 
-  /** Writes which services have failed. */
   void handOver(HandOver state) {
     state.messages(FAILED, failed());
   }
@@ -75,7 +74,6 @@ final class Conditions {
         .map(Conditions::words);
   }
 
-  /** All services that are not alive. */
   List<String> notAlive() {
     List<String> all = new ArrayList<>();
     for (ServiceCondition condition : newest.values()) {
@@ -88,10 +86,8 @@ final class Conditions {
 
   private static String words(ServiceCondition condition) {
     String reason = condition.reason();
-    return "service "
-        + condition.serviceName()
-        + " is "
-        + condition.condition()
-        + (reason.isEmpty() ? "" : ": " + reason);
+    return String.format(
+        "service %s is %s%s",
+        condition.serviceName(), condition.condition(), reason.isEmpty() ? "" : ": " + reason);
   }
 }

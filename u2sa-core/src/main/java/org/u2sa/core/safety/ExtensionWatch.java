@@ -27,11 +27,9 @@ final class ExtensionWatch implements Watch {
     String name = check.name();
     if (!NAME.matcher(name).matches()) {
       throw new BadInputException(
-          "safety check "
-              + check.getClass().getName()
-              + ": name \""
-              + name
-              + "\"; expected lower-case letters, digits and spaces");
+          String.format(
+              "safety check %s: name \"%s\"; expected lower-case letters, digits and spaces",
+              check.getClass().getName(), name));
     }
     hazard = new Hazard(name, "ON " + name.toUpperCase(Locale.ROOT), check.defaultAction());
   }

@@ -45,7 +45,6 @@ final class FailsafeDecision {
     }
   }
 
-  /** Adds a hazard that is currently present. */
   void present(Hazard hazard, String words, long nowMicros) {
     Cause cause = new Cause(hazard, hazard.action(matrix), words, nowMicros);
     causes.put(hazard, cause);
@@ -71,7 +70,6 @@ final class FailsafeDecision {
                 cause.seenMicros() < nowMicros && nowMicros - cause.seenMicros() >= clearMicros);
   }
 
-  /** Writes all causes for a successor. */
   void handOver(HandOver state) {
     List<String> values = new ArrayList<>();
     causes.values().forEach(cause -> values.addAll(texts(cause)));

@@ -24,17 +24,12 @@ final class Fence {
   private final Optional<Geodetic> origin; // empty on a local plane
   private final Polygon keepIn;
   private final List<Polygon> keepOuts;
-  private final OptionalDouble floorM;
-  private final OptionalDouble ceilingM;
+  final OptionalDouble floorM;
+  final OptionalDouble ceilingM;
   private final Geometry border; // of the keep-in area
   private final PreparedGeometry inside;
   private final List<PreparedGeometry> outside;
 
-  /**
-   * @param origin tangent point of the plane; empty for a local frame (LOCAL_ENU)
-   * @param keepIn the vehicle must stay inside
-   * @param keepOuts the vehicle must stay out of each
-   */
   Fence(
       Optional<Geodetic> origin,
       Polygon keepIn,
@@ -55,11 +50,7 @@ final class Fence {
                 .toArray(PreparedGeometry[]::new));
   }
 
-  /**
-   * Copy shrunk on all sides.
-   *
-   * @throws IllegalArgumentException if nothing remains of it
-   */
+  /** Copy shrunk on all sides; throws if nothing remains of it. */
   Fence drawnInBy(double marginM) {
     if (marginM == 0.0) {
       return this;
@@ -153,15 +144,5 @@ final class Fence {
 
   private static Geometry geometry(Point place) {
     return new GeometryFactory().createPoint(new Coordinate(place.x(), place.y()));
-  }
-
-  /** Minimum altitude [m]. */
-  OptionalDouble floorM() {
-    return floorM;
-  }
-
-  /** Maximum altitude [m]. */
-  OptionalDouble ceilingM() {
-    return ceilingM;
   }
 }

@@ -29,12 +29,7 @@ final class FenceReader {
     this.onEarth = onEarth;
   }
 
-  /**
-   * Reads a fence.
-   *
-   * @throws org.u2sa.interfaces.BadInputException naming file, line, element, value and what was
-   *     expected
-   */
+  /** Reads a fence; errors name file, line, element, value and what was expected. */
   static Fence read(Path file) {
     XmlElement root = XmlReader.read(file, "fence");
     root.refuseUnknownAttributes();

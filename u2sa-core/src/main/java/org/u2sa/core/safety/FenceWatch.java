@@ -30,11 +30,7 @@ final class FenceWatch implements Watch {
       Point.of(0.0, 0.0, 0.0); // where the distance to the fence was last computed
   private double clearM; // free radius around it; 0 if unknown
 
-  /**
-   * Loads the configured fence.
-   *
-   * @throws org.u2sa.interfaces.BadInputException if its file is invalid
-   */
+  /** Loads the configured fence; throws if its file is invalid. */
   FenceWatch(
       Configurator matrix,
       Supplier<SafetyVariables> settings,
@@ -47,12 +43,7 @@ final class FenceWatch implements Watch {
     load();
   }
 
-  /**
-   * Reloads the configured fence.
-   *
-   * @throws org.u2sa.interfaces.BadInputException if its file is invalid; the current fence is then
-   *     kept
-   */
+  /** Reloads the configured fence; if its file is invalid, throws and keeps the current one. */
   void load() {
     fence = file.load(settings.get()).orElse(null);
     clearM = 0.0;
@@ -121,7 +112,7 @@ final class FenceWatch implements Watch {
 
   /** Whether the fence limits an altitude that the state does not have. */
   private boolean lacksAltitude(StateInformation state) {
-    return state.z().isEmpty() && (fence.floorM().isPresent() || fence.ceilingM().isPresent());
+    return state.z().isEmpty() && (fence.floorM.isPresent() || fence.ceilingM.isPresent());
   }
 
   /** Runs the full check only if the fence may be within reach. */
@@ -149,18 +140,18 @@ final class FenceWatch implements Watch {
 
   private Optional<String> vertical(double altitudeM, double overshootM) {
     double expectedM = altitudeM + overshootM;
-    if (fence.ceilingM().isPresent()
-        && Math.max(altitudeM, expectedM) > fence.ceilingM().getAsDouble()) {
+    if (fence.ceilingM.isPresent()
+        && Math.max(altitudeM, expectedM) > fence.ceilingM.getAsDouble()) {
       return Optional.of(
           "ceiling "
-              + CauseText.metres(fence.ceilingM().getAsDouble())
+              + CauseText.metres(fence.ceilingM.getAsDouble())
               + " at "
               + CauseText.metres(altitudeM));
     }
-    if (fence.floorM().isEmpty()) {
+    if (fence.floorM.isEmpty()) {
       return Optional.empty();
     }
-    double floorM = fence.floorM().getAsDouble();
+    double floorM = fence.floorM.getAsDouble();
     boolean clear = Math.min(altitudeM, expectedM) >= floorM;
     aboveFloor |= clear;
     return aboveFloor && !clear

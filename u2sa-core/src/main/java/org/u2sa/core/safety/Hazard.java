@@ -47,10 +47,6 @@ final class Hazard {
   private final String words;
   private final VariableDeclaration<String> action;
 
-  /**
-   * @param words name in causes
-   * @param variable name of its variable
-   */
   Hazard(String words, String variable, FailsafeAction ifAbsent) {
     this.words = words;
     action =
@@ -73,7 +69,6 @@ final class Hazard {
     return FailsafeAction.valueOf(matrix.getVariable(action));
   }
 
-  /** Name of its variable. */
   String variable() {
     return action.name();
   }

@@ -31,9 +31,6 @@ final class Predecessor {
   private boolean saysArmed; // its last message
   private boolean armed; // its saved state
 
-  /**
-   * @param isRestart whether a Safety Manager of this run is restarted
-   */
   Predecessor(long nowMicros, boolean isRestart) {
     spokeWithinS = isRestart ? SPOKE_BEFORE_RESTART_WITHIN_S : SPOKE_WITHIN_S;
     listensUntilMicros = nowMicros + Clock.micros(LISTEN_S);
@@ -49,11 +46,7 @@ final class Predecessor {
     handOver(state, armed);
   }
 
-  /**
-   * Takes over the state saved by {@link #handOver}.
-   *
-   * @throws IllegalArgumentException if it is none
-   */
+  /** Takes over the state saved by {@link #handOver}. */
   void takeOver(HandOver state) {
     armed = state.flag(ARMED);
   }

@@ -41,7 +41,6 @@ final class Silence {
     return heardMicros;
   }
 
-  /** A time as it is written. */
   static String seconds(long micros) {
     return Double.toString(Clock.seconds(micros));
   }

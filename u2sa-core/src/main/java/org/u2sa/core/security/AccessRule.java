@@ -51,16 +51,12 @@ public record AccessRule(
    * those for others, between states and commands, which long ones would delay.
    */
   public int longestPayload() {
-    switch (kind) {
-      case QUESTION:
-        return LONGEST_QUESTION;
-      case URGENT:
-        return LONGEST_URGENT;
-      case ORDER:
-        return channel.equals(Channels.CONFIGURATION) ? LONGEST_CHANGE : Integer.MAX_VALUE;
-      default:
-        return Integer.MAX_VALUE;
-    }
+    return switch (kind) {
+      case QUESTION -> LONGEST_QUESTION;
+      case URGENT -> LONGEST_URGENT;
+      case ORDER -> channel.equals(Channels.CONFIGURATION) ? LONGEST_CHANGE : Integer.MAX_VALUE;
+      case REPORT -> Integer.MAX_VALUE;
+    };
   }
 
   /** MQTT quality of service: 1 where no message may be lost. */

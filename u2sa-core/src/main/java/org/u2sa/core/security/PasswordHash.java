@@ -79,11 +79,7 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
     }
   }
 
-  /**
-   * Parses the format of {@link #toString}.
-   *
-   * @throws IllegalArgumentException if it is not of that form
-   */
+  /** Parses the format of {@link #toString}; throws IllegalArgumentException for any other. */
   static PasswordHash parse(String text) {
     String[] parts = text.split("\\$", -1);
     if (parts.length != PARTS || !parts[0].equals(NAME)) {
@@ -102,12 +98,8 @@ public record PasswordHash(int iterations, byte[] salt, byte[] hash) {
   /** Format of Mosquitto's password file: {@code $7$iterations$salt$hash}. */
   public String forMosquitto() {
     Base64.Encoder base64 = Base64.getEncoder();
-    return "$7$"
-        + iterations
-        + "$"
-        + base64.encodeToString(salt)
-        + "$"
-        + base64.encodeToString(hash);
+    return String.format(
+        "$7$%s$%s$%s", iterations, base64.encodeToString(salt), base64.encodeToString(hash));
   }
 
   /** Compares contents, so that parsing a line twice gives equal users. */

@@ -42,11 +42,7 @@ public final class SecretFile {
     }
   }
 
-  /**
-   * Preserves the owner when root writes another user's file.
-   *
-   * @throws IOException if this user may not change the owner
-   */
+  /** Preserves the owner when root writes another user's file; throws if this user may not. */
   private static void giveToOwnerOf(Path file, Path own) throws IOException {
     if (!isPosix(file)) {
       return;

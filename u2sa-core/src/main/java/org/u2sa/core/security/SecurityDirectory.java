@@ -45,11 +45,9 @@ public record SecurityDirectory(Path path) {
     for (Path needed : new Path[] {certificate(), key(), users()}) {
       if (!Files.isRegularFile(needed)) {
         throw new BadInputException(
-            "SECURITY DIRECTORY \""
-                + path
-                + "\": there is no "
-                + needed.getFileName()
-                + "; ./u2sa security init makes it");
+            String.format(
+                "SECURITY DIRECTORY \"%s\": there is no %s; ./u2sa security init makes it",
+                path, needed.getFileName()));
       }
     }
     requireClosed();

@@ -1,11 +1,11 @@
 package org.u2sa.core.security;
 
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.communication.Topic;
 
 /**
@@ -67,11 +67,7 @@ public record User(
     return name + ":" + rolesText() + ":" + String.join(",", systems) + ":" + password;
   }
 
-  /**
-   * Parses the format of {@link #line}.
-   *
-   * @throws IllegalArgumentException if it is not of that form
-   */
+  /** Parses the format of {@link #line}; throws IllegalArgumentException for any other. */
   static User parse(String line) {
     String[] parts = line.split(":", -1);
     if (parts.length != PARTS) {
@@ -105,12 +101,9 @@ public record User(
   }
 
   private static List<String> listOf(String text) {
-    List<String> list = new ArrayList<>();
-    for (String part : text.split(",")) {
-      if (!part.trim().isEmpty()) {
-        list.add(part.trim());
-      }
-    }
-    return list;
+    return Stream.of(text.split(","))
+        .map(String::trim)
+        .filter(part -> !part.isEmpty())
+        .collect(Collectors.toList());
   }
 }

@@ -56,19 +56,19 @@ class ClientSubscriptionsTest {
     int most = BrokerLimits.FILTERS_PER_CLIENT;
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, different("a", most))))
         .isEmpty();
-    assertThat(broker.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isEqualTo(most);
+    assertThat(broker.subscriptions.ofUser(LocalAccount.ANONYMOUS)).isEqualTo(most);
 
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("b"))))
         .contains("it has too many filters");
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, List.of("a0")))).isEmpty();
-    assertThat(broker.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isEqualTo(most);
+    assertThat(broker.subscriptions.ofUser(LocalAccount.ANONYMOUS)).isEqualTo(most);
   }
 
   @Test
   void refusalOf_oneTooManyInAPacket_entersNone() {
     List<String> tooMany = different("a", BrokerLimits.FILTERS_PER_CLIENT + 1);
     assertThat(subscriptions.refusalOf(subscribe(MqttQoS.AT_MOST_ONCE, tooMany))).isPresent();
-    assertThat(broker.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isZero();
+    assertThat(broker.subscriptions.ofUser(LocalAccount.ANONYMOUS)).isZero();
   }
 
   @Test
@@ -100,32 +100,32 @@ class ClientSubscriptionsTest {
   /** Each change of quality would compare the filter with every topic again. */
   @Test
   void refusalOf_oneFilterAgainAndAgain_isEnteredOnceWithTheLastQuality() {
-    broker.subscriptions().wants(TOPIC);
+    broker.subscriptions.wants(TOPIC);
     MqttMessageBuilders.SubscribeBuilder packet = MqttMessageBuilders.subscribe().messageId(7);
     for (int i = 0; i < 1_000; i++) {
       packet.addSubscription(i % 2 == 0 ? MqttQoS.AT_MOST_ONCE : MqttQoS.AT_LEAST_ONCE, "u2sa/#");
     }
-    int version = broker.subscriptions().version();
+    int version = broker.subscriptions.version();
 
     assertThat(subscriptions.refusalOf(packet.build())).isEmpty();
 
-    assertThat(broker.subscriptions().version()).isEqualTo(version + 1);
-    assertThat(broker.subscriptions().route(TOPIC).listeners())
+    assertThat(broker.subscriptions.version()).isEqualTo(version + 1);
+    assertThat(broker.subscriptions.route(TOPIC).listeners())
         .containsExactly(new TopicRoute.Listener("connection", true));
   }
 
   @Test
   void unsubscribe_knownAndUnknownFilters_endsTheKnownOnesOnly() {
-    broker.subscriptions().wants(TOPIC);
+    broker.subscriptions.wants(TOPIC);
     subscriptions.refusalOf(subscribe(MqttQoS.AT_LEAST_ONCE, List.of("u2sa/#", "u2sa/+/state/#")));
 
     subscriptions.unsubscribe(unsubscribe("x", "u2sa/#", "u2sa/cessna/#", "u2sa/#"));
-    assertThat(broker.subscriptions().wants(TOPIC)).isTrue();
-    assertThat(broker.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isEqualTo(1);
+    assertThat(broker.subscriptions.wants(TOPIC)).isTrue();
+    assertThat(broker.subscriptions.ofUser(LocalAccount.ANONYMOUS)).isEqualTo(1);
 
     subscriptions.unsubscribe(unsubscribe("u2sa/+/state/#"));
-    assertThat(broker.subscriptions().wants(TOPIC)).isFalse();
-    assertThat(broker.subscriptions().ofUser(LocalAccount.ANONYMOUS)).isZero();
+    assertThat(broker.subscriptions.wants(TOPIC)).isFalse();
+    assertThat(broker.subscriptions.ofUser(LocalAccount.ANONYMOUS)).isZero();
   }
 
   @Test
@@ -149,7 +149,7 @@ class ClientSubscriptionsTest {
     List<String> filters = Collections.nCopies(101, "a");
     assertThat(subscriptions.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(1.0);
     for (int i = 0; i < 2_048; i++) {
-      broker.subscriptions().wants("u2sa/cessna/state/Type" + i);
+      broker.subscriptions.wants("u2sa/cessna/state/Type" + i);
     }
     assertThat(subscriptions.questions(subscribe(MqttQoS.AT_MOST_ONCE, filters))).isEqualTo(51.0);
     assertThat(subscriptions.questions(unsubscribe("a", "b", "c"))).isEqualTo(2.0);
@@ -178,7 +178,7 @@ class ClientSubscriptionsTest {
   @Test
   void sendRetained_manyMessages_countAsQuestions() {
     for (int i = 0; i < 640; i++) {
-      broker.retained().enterLocal("u2sa/cessna/own/Tide" + i, new byte[] {1});
+      broker.retained.enterLocal("u2sa/cessna/own/Tide" + i, new byte[] {1});
     }
     pipeline.introduced();
     MqttSubscribeMessage all = subscribe(MqttQoS.AT_MOST_ONCE, List.of("u2sa/#"));
@@ -215,7 +215,7 @@ class ClientSubscriptionsTest {
     assertThat(newTopicsInTurn(of("another"), 10_000)).as("of its own").isEqualTo(50_000 / 250);
     pipeline.pass(100);
     assertThat(newTopicsInTurn(subscriptions, 10_000)).isEqualTo(25_000 / 250 / 10);
-    broker.subscriptions().route(TOPIC);
+    broker.subscriptions.route(TOPIC);
     assertThat(subscriptions.isInTurn(message(TOPIC))).as("a known topic").isTrue();
   }
 

@@ -46,6 +46,7 @@ class FilterInstallerTest {
             CODEC,
             new SystemClock(),
             null,
+            null,
             line -> {});
     Properties properties = new Properties();
     properties.setProperty(IConfig.HOST_PROPERTY_NAME, "127.0.0.1");

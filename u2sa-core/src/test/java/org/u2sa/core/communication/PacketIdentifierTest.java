@@ -32,7 +32,7 @@ class PacketIdentifierTest {
   private void publishLocally(int messages) {
     for (int i = 0; i < messages; i++) {
       byte[] payload = String.valueOf(i).getBytes(StandardCharsets.US_ASCII);
-      pipeline.broker.router().send(TOPIC, true, false, payload, () -> {});
+      pipeline.broker.router.send(TOPIC, true, false, payload, () -> {});
     }
     pipeline.pass(1);
   }

@@ -69,15 +69,16 @@ final class PacketPipeline implements AutoCloseable {
             new MessageCodec(StandardTypes.registry()),
             new TestClock(),
             users,
+            null,
             log::add);
-    broker = filter.broker();
+    broker = filter.broker;
     session = build();
   }
 
   /** Another client of the same broker. */
   PacketPipeline(PacketPipeline first) {
     filter = first.filter;
-    broker = filter.broker();
+    broker = filter.broker;
     log = first.log;
     session = build();
   }
@@ -87,7 +88,7 @@ final class PacketPipeline implements AutoCloseable {
     ClientSession built = new ClientSession(broker, outflow);
     inflow = new Inflow(broker, built);
     built.inflow(inflow);
-    broker.router().runOn(channel.eventLoop());
+    broker.router.runOn(channel.eventLoop());
     channel.freezeTime();
     channel
         .config()
@@ -99,7 +100,7 @@ final class PacketPipeline implements AutoCloseable {
         .addLast(
             new Network(),
             new ReceivedBytes(built, inflow),
-            new PacketFramer(built, inflow, broker.unfinished()),
+            new PacketFramer(built, inflow, broker.unfinished),
             new Counter(),
             new MqttDecoder(BrokerLimits.LONGEST_PACKET),
             MqttEncoder.INSTANCE,
@@ -207,7 +208,7 @@ final class PacketPipeline implements AutoCloseable {
   /** The same under another client ID: a client with the same one would be replaced. */
   PacketPipeline introduced(String clientId) {
     send(MqttPacketBytes.connect(clientId, 0));
-    broker.clients().connected(session.connection());
+    broker.clients.connected(session.connection());
     pass(2);
     taken();
     decoded.clear();

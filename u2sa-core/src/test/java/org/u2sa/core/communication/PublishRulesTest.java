@@ -127,7 +127,7 @@ class PublishRulesTest {
         .contains("it is not a readable emergency stop");
     assertThat(refusalRetained(everybodys(), STOP, new byte[0]))
         .contains("it is not a readable emergency stop");
-    assertThat(pipeline.broker.retained().topics()).as("none of these was retained").isEmpty();
+    assertThat(pipeline.broker.retained.topics()).as("none of these was retained").isEmpty();
   }
 
   @Test
@@ -135,17 +135,17 @@ class PublishRulesTest {
     PacketRules rules = everybodys();
     assertThat(refusalRetained(rules, OWN, MAP)).isEmpty();
     assertThat(refusalRetained(rules, STOP, stop(true))).isEmpty();
-    assertThat(pipeline.broker.retained().topics()).containsExactlyInAnyOrder(OWN, STOP);
+    assertThat(pipeline.broker.retained.topics()).containsExactlyInAnyOrder(OWN, STOP);
 
     assertThat(refusalRetained(rules, OWN, new byte[0])).as("deletes").isEmpty();
-    assertThat(pipeline.broker.retained().topics()).containsExactly(STOP);
+    assertThat(pipeline.broker.retained.topics()).containsExactly(STOP);
   }
 
   @Test
   void refusalOf_retainedWithoutAcknowledgement_isRefused() {
     assertThat(everybodys().refusalOf(message(OWN, MAP, MqttQoS.AT_MOST_ONCE, true)))
         .contains("it is to be retained and has QoS 0");
-    assertThat(pipeline.broker.retained().topics()).isEmpty();
+    assertThat(pipeline.broker.retained.topics()).isEmpty();
   }
 
   @Test

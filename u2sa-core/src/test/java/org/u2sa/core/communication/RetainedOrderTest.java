@@ -25,7 +25,7 @@ class RetainedOrderTest {
   /** A message of this process, which the network's thread has not seen yet. */
   private void publishLocally(String payload) {
     byte[] bytes = payload.getBytes(StandardCharsets.ISO_8859_1);
-    pipeline.broker.router().send(TOPIC, true, true, bytes, () -> {});
+    pipeline.broker.router.send(TOPIC, true, true, bytes, () -> {});
   }
 
   @Test

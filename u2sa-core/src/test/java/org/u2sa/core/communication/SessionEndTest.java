@@ -40,7 +40,7 @@ class SessionEndTest {
   private PacketPipeline withWill(int flags, byte[] will) {
     PacketPipeline client = another();
     client.send(MqttPacketBytes.connect("testator", WILL | flags, OWN, will));
-    client.broker.clients().connected(client.session.connection());
+    client.broker.clients.connected(client.session.connection());
     client.pass(2);
     client.taken();
     return client;
@@ -198,9 +198,9 @@ class SessionEndTest {
     first.introduced();
     PacketPipeline client = another().introduced("other");
     client.send(MqttPacketBytes.subscribe("u2sa/#"));
-    assertThat(first.broker.subscriptions().route(OWN).isWanted()).isTrue();
+    assertThat(first.broker.subscriptions.route(OWN).isWanted()).isTrue();
     client.close();
-    assertThat(first.broker.subscriptions().route(OWN).isWanted()).isFalse();
+    assertThat(first.broker.subscriptions.route(OWN).isWanted()).isFalse();
   }
 
   @Test

@@ -76,7 +76,7 @@ class SessionLoginTest {
   private void logIn() {
     client.send(MqttPacketBytes.connectAs("ann", PASSWORD, "hers"));
     until(client, () -> !client.session.isPending() && client.taken().contains("CONNECT"));
-    client.broker.clients().connected(client.session.connection());
+    client.broker.clients.connected(client.session.connection());
     client.pass(2);
   }
 
@@ -101,7 +101,7 @@ class SessionLoginTest {
     client.pass(10);
     assertThat(client.sent()).as("Moquette has not answered yet").isEmpty();
 
-    client.broker.clients().connected(client.session.connection());
+    client.broker.clients.connected(client.session.connection());
     client.pass(10);
     assertThat(client.sent()).containsExactly("90");
   }
@@ -204,7 +204,7 @@ class SessionLoginTest {
   @Test
   void publish_longEmergencyStopOfAnOperator_waitsForNobodysLongMessages() {
     logIn();
-    client.broker.costlyTime().take(this, 10.0, 0); // [s], of others
+    client.broker.costlyTime.take(this, 10.0, 0); // [s], of others
 
     client.send(MqttPacketBytes.publish("u2sa/cessna/emergency-stop/EmergencyStop", 4_000, 7));
 
@@ -217,7 +217,7 @@ class SessionLoginTest {
     client.close();
     client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
     logIn();
-    client.broker.costlyTime().take(this, 1.0, 0); // [s]
+    client.broker.costlyTime.take(this, 1.0, 0); // [s]
 
     client.send(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 4_000, 7));
     passWhileAnotherAsks(1_900);
@@ -232,7 +232,7 @@ class SessionLoginTest {
     client.close();
     client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
     logIn();
-    client.broker.costlyTime().take(this, 1.0, 0); // [s]
+    client.broker.costlyTime.take(this, 1.0, 0); // [s]
 
     client.send(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 4_000, 7));
     client.pass(110);
@@ -246,7 +246,7 @@ class SessionLoginTest {
     client.close();
     client = new PacketPipeline(Map.of(), new Users(file, line -> {}));
     logIn();
-    client.broker.costlyTime().take(this, 0.1, 0); // [s]
+    client.broker.costlyTime.take(this, 0.1, 0); // [s]
 
     client.send(
         Arrays.copyOf(MqttPacketBytes.publish("u2sa/cessna/goals/GoalList", 9_000, 7), 5_000));
@@ -261,7 +261,7 @@ class SessionLoginTest {
   /** Another client waits with long messages meanwhile. */
   private void passWhileAnotherAsks(int millis) {
     for (int i = 0; i < millis; i += 10) {
-      client.broker.costlyTime().isOpen(this, client.broker.nowMicros());
+      client.broker.costlyTime.isOpen(this, client.broker.nowMicros());
       client.pass(10);
     }
   }

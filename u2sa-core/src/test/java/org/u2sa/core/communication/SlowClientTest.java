@@ -35,7 +35,7 @@ class SlowClientTest {
   }
 
   private void publish(boolean eachMatters, int bytes) {
-    client.broker.router().send(TOPIC, eachMatters, false, new byte[bytes], () -> {});
+    client.broker.router.send(TOPIC, eachMatters, false, new byte[bytes], () -> {});
     client.channel.runPendingTasks();
   }
 
@@ -82,7 +82,7 @@ class SlowClientTest {
   @Test
   void deliver_retainedOnes_mayFillMoreThanTheBacklogButNotAnyAmount() {
     for (int i = 0; i < 8; i++) {
-      client.broker.router().send(TOPIC + i, true, true, new byte[200_000], () -> {});
+      client.broker.router.send(TOPIC + i, true, true, new byte[200_000], () -> {});
     }
     client.channel.runPendingTasks();
     client.block();
@@ -260,7 +260,7 @@ class SlowClientTest {
     PacketPipeline other = new PacketPipeline(client).introduced("other");
     subscribe();
     client.block();
-    client.broker.unsent().set(other.session, limit - 70_000);
+    client.broker.unsent.set(other.session, limit - 70_000);
     publish(false, 60_000);
     other.pass(1);
     assertThat(other.channel.isOpen()).as("a small backlog does not count").isTrue();
@@ -284,7 +284,7 @@ class SlowClientTest {
     client.passSeconds(1);
 
     PacketPipeline other = new PacketPipeline(client).introduced("other");
-    client.broker.unsent().set(other.session, limit);
+    client.broker.unsent.set(other.session, limit);
     other.pass(1);
     assertThat(other.channel.isOpen()).isTrue();
     other.close();

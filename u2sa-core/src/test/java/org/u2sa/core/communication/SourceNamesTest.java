@@ -208,10 +208,10 @@ class SourceNamesTest {
   @ParameterizedTest
   @ValueSource(booleans = {true, false})
   void refusalOf_armedStateWhileTheVehiclesSafetyManagerRestarts_isRefused(boolean isLocal) {
-    pipeline.broker.sources().join(bus);
+    pipeline.broker.sources.join(bus);
     ArmingState armed = frozen(new ArmingState().armed(true));
     if (isLocal) {
-      pipeline.broker.sources().hearLocal(Channels.ARMING_STATE, armed);
+      pipeline.broker.sources.hearLocal(Channels.ARMING_STATE, armed);
     } else {
       assertThat(publishes(ofVehicle, Channels.ARMING_STATE, armed)).isTrue();
       ofVehicle.leave();
@@ -231,30 +231,23 @@ class SourceNamesTest {
 
   @Test
   void refusalOf_nameOfAServiceOfTheBrokersProcess_isRefusedFromItsFirstReportToItsLast() {
-    pipeline.broker.sources().join(bus);
+    pipeline.broker.sources.join(bus);
     reports(first, "PathPlanner");
 
-    pipeline
-        .broker
-        .sources()
-        .hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.RUNNING));
+    pipeline.broker.sources.hearLocal(
+        Channels.HEALTH, health("PathPlanner", ServiceStatus.RUNNING));
     assertThat(reports(first, "PathPlanner")).isFalse();
-    pipeline
-        .broker
-        .sources()
-        .hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.FAILED));
+    pipeline.broker.sources.hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.FAILED));
     assertThat(reports(first, "PathPlanner")).isFalse();
-    pipeline
-        .broker
-        .sources()
-        .hearLocal(Channels.HEALTH, health("PathPlanner", ServiceStatus.STOPPED));
+    pipeline.broker.sources.hearLocal(
+        Channels.HEALTH, health("PathPlanner", ServiceStatus.STOPPED));
 
     assertThat(reports(first, "PathPlanner")).isTrue();
   }
 
   @Test
   void refusalOf_sourceOfTheBrokersProcess_isRefusedWhileItsServiceIsConnected() {
-    pipeline.broker.sources().join(bus);
+    pipeline.broker.sources.join(bus);
     StateInformation gps = frozen(new StateInformation().sensorName("gps").x(1.0));
     var local = bus.connect("Gps", new RecordingReceiver());
     local.publish(Channels.SENSED_STATE, gps);
@@ -299,13 +292,13 @@ class SourceNamesTest {
 
   @Test
   void refusalOf_failsafeOfAManagerInAnotherRunThanTheVehiclesMonitor_isAccepted() {
-    pipeline.broker.sources().join(bus);
+    pipeline.broker.sources.join(bus);
     PacketRules manager = first;
     publishes(manager, Channels.ARMING_STATE, armed());
     var monitor = bus.connect("HealthMonitor", new RecordingReceiver());
     monitor.publish(Channels.FAILSAFE, failsafe());
-    pipeline.broker.sources().hearLocal(Channels.CONDITIONS, condition());
-    pipeline.broker.sources().hearLocal(Channels.FAILSAFE, failsafe());
+    pipeline.broker.sources.hearLocal(Channels.CONDITIONS, condition());
+    pipeline.broker.sources.hearLocal(Channels.FAILSAFE, failsafe());
 
     assertThat(publishes(manager, Channels.FAILSAFE, failsafe())).isTrue();
     publishes(second, Channels.CONDITIONS, condition());
@@ -314,9 +307,9 @@ class SourceNamesTest {
 
   @Test
   void refusalOf_failsafeOfAMonitorInAnotherRunThanTheVehiclesManager_isAccepted() {
-    pipeline.broker.sources().join(bus);
-    pipeline.broker.sources().hearLocal(Channels.ARMING_STATE, armed());
-    pipeline.broker.sources().hearLocal(Channels.FAILSAFE, failsafe());
+    pipeline.broker.sources.join(bus);
+    pipeline.broker.sources.hearLocal(Channels.ARMING_STATE, armed());
+    pipeline.broker.sources.hearLocal(Channels.FAILSAFE, failsafe());
     PacketRules monitor = first;
     publishes(monitor, Channels.CONDITIONS, condition());
     assertThat(publishes(monitor, Channels.FAILSAFE, failsafe())).isTrue();

@@ -54,7 +54,7 @@ class TlsRecordsTest {
     exchange();
     assertThat(clients.handshakeFuture().isSuccess()).isTrue();
     say(MqttPacketBytes.connect("client", 0));
-    broker.broker.clients().connected(broker.session.connection());
+    broker.broker.clients.connected(broker.session.connection());
     broker.pass(2);
     exchange();
     decrypted = 0;

@@ -37,7 +37,7 @@ class WillTest {
     assertThat(refusal(STOP, stop(true), false, false)).isEmpty();
     assertThat(refusal(HEALTH, new byte[BrokerLimits.LONGEST_WILL], false, false)).isEmpty();
     assertThat(refusal("u2sa/cessna/own/Tide", new byte[] {(byte) 0xa0}, true, true)).isEmpty();
-    assertThat(listener.broker.retained().topics()).as("not yet").isEmpty();
+    assertThat(listener.broker.retained.topics()).as("not yet").isEmpty();
   }
 
   @Test
@@ -89,7 +89,7 @@ class WillTest {
     PacketPipeline client = new PacketPipeline(listener);
     int flags = 0x02 | 0x04 | 0x08 | (isRetained ? 0x20 : 0);
     client.send(MqttPacketBytes.connect("x", flags, STOP, stop(true)));
-    client.broker.clients().connected(client.session.connection());
+    client.broker.clients.connected(client.session.connection());
     client.pass(2);
     return client;
   }
@@ -109,7 +109,7 @@ class WillTest {
     listener.pass(1);
 
     assertThat(listener.sent()).hasSize(1).allMatch(packet -> packet.startsWith("32 "));
-    assertThat(listener.broker.retained().topics()).isEmpty();
+    assertThat(listener.broker.retained.topics()).isEmpty();
   }
 
   @Test
@@ -129,6 +129,6 @@ class WillTest {
     listener.pass(1);
 
     assertThat(listener.sent()).isEmpty();
-    assertThat(listener.broker.retained().topics()).isEmpty();
+    assertThat(listener.broker.retained.topics()).isEmpty();
   }
 }

@@ -52,12 +52,12 @@ class FenceReaderTest {
     assertThat(fence.allows(Point.of(101.0, 1.0, 0.0))).isFalse();
     assertThat(fence.allows(Point.of(50.0, 41.0, 0.0))).isFalse();
     assertThat(fence.allows(Point.of(50.0, 39.9, 0.0))).isTrue();
-    assertThat(fence.floorM().getAsDouble()).isEqualTo(30.48);
-    assertThat(fence.ceilingM()).hasValue(200.0);
+    assertThat(fence.floorM.getAsDouble()).isEqualTo(30.48);
+    assertThat(fence.ceilingM).hasValue(200.0);
     Fence smaller = fence.drawnInBy(5.0);
     assertThat(smaller.allows(Point.of(1.0, 1.0, 0.0))).isFalse();
     assertThat(smaller.allows(Point.of(50.0, 36.0, 0.0))).isFalse();
-    assertThat(smaller.ceilingM()).hasValue(195.0);
+    assertThat(smaller.ceilingM).hasValue(195.0);
   }
 
   @Test
@@ -174,6 +174,6 @@ class FenceReaderTest {
 
   @Test
   void read_exampleOfTheCessna_isRead() {
-    assertThat(FenceReader.read(Path.of("../config/cessna/fence.xml")).ceilingM()).isPresent();
+    assertThat(FenceReader.read(Path.of("../config/cessna/fence.xml")).ceilingM).isPresent();
   }
 }

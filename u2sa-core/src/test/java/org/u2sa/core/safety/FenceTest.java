@@ -56,8 +56,8 @@ class FenceTest {
     assertThat(allows(fence, 80.001, 0.0)).isFalse();
     assertThat(allows(fence, 30.0, 0.0)).isFalse();
     assertThat(allows(fence, 30.001, 0.0)).isTrue();
-    assertThat(fence.floorM()).hasValue(30.0);
-    assertThat(fence.ceilingM()).hasValue(70.0);
+    assertThat(fence.floorM).hasValue(30.0);
+    assertThat(fence.ceilingM).hasValue(70.0);
   }
 
   @Test
@@ -80,7 +80,7 @@ class FenceTest {
         new Fence(
             Optional.empty(), waisted, List.of(), OptionalDouble.empty(), OptionalDouble.empty());
 
-    assertThat(fence.drawnInBy(4.0).floorM()).isEmpty();
+    assertThat(fence.drawnInBy(4.0).floorM).isEmpty();
     assertThatThrownBy(() -> fence.drawnInBy(6.0))
         .hasMessage("a margin of 6 m leaves no keep-in area in one piece");
   }

@@ -9,7 +9,7 @@ import org.u2sa.drivers.link.ByteParser;
  * Extracts JPEG files from a byte stream by parsing segment lengths, so that thumbnails in a header
  * do not end the image (ITU-T T.81, B.1 and B.2). Other bytes are skipped.
  */
-final class JpegFramer implements ByteParser<CameraFrame> {
+final class JpegFramer extends ByteParser<CameraFrame> {
   private static final int LARGEST_BYTES = 1 << 24;
   private static final int FIRST_ROOM_BYTES = 1 << 16;
   private static final int MARKER = 0xFF;
@@ -31,9 +31,6 @@ final class JpegFramer implements ByteParser<CameraFrame> {
   private boolean isScan;
   private int frameHeader; // start of the last frame header; 0 if none yet
   private long beganMicros;
-  private Optional<CameraFrame> latest = Optional.empty();
-  private long refused;
-  private String lastRefusal = "";
 
   @Override
   public void accept(byte[] from, int count, long nowMicros) {
@@ -60,7 +57,7 @@ final class JpegFramer implements ByteParser<CameraFrame> {
       segmentLength();
     }
     if (length >= LARGEST_BYTES) {
-      refuse("a picture of more than " + LARGEST_BYTES + " bytes");
+      drop("a picture of more than " + LARGEST_BYTES + " bytes");
     }
   }
 
@@ -84,11 +81,11 @@ final class JpegFramer implements ByteParser<CameraFrame> {
   private void mark() {
     int marker = unsigned(segment + 1);
     if (unsigned(segment) != MARKER || marker < FIRST_START_OF_FRAME) {
-      refuse("no marker where a segment ends");
+      drop("no marker where a segment ends");
     } else if (marker == MARKER) {
       length--; // fill bytes may precede a marker
     } else if (marker >= FIRST_RESTART && marker <= END_OF_IMAGE) {
-      refuse("a picture without data");
+      drop("a picture without data");
     }
   }
 
@@ -101,7 +98,7 @@ final class JpegFramer implements ByteParser<CameraFrame> {
             && marker != ARITHMETIC_TABLE;
     int segmentBytes = unsigned16(segment + 2);
     if (segmentBytes < (isFrame ? SIZE_END - 2 : 2)) {
-      refuse("a segment of " + segmentBytes + " bytes");
+      drop("a segment of " + segmentBytes + " bytes");
       return;
     }
     isScan = marker == START_OF_SCAN;
@@ -129,24 +126,22 @@ final class JpegFramer implements ByteParser<CameraFrame> {
     int height = frameHeader == 0 ? 0 : unsigned16(frameHeader + 5);
     int width = frameHeader == 0 ? 0 : unsigned16(frameHeader + 7);
     if (width == 0 || height == 0) {
-      refuse("a picture without a size");
+      drop("a picture without a size");
       return;
     }
-    latest =
-        Optional.of(
-            new CameraFrame(
-                beganMicros,
-                width,
-                height,
-                CameraFrame.PixelFormat.JPEG,
-                Arrays.copyOf(bytes, length),
-                Optional.empty()));
+    found(
+        new CameraFrame(
+            beganMicros,
+            width,
+            height,
+            CameraFrame.PixelFormat.JPEG,
+            Arrays.copyOf(bytes, length),
+            Optional.empty()));
     reset();
   }
 
-  private void refuse(String why) {
-    refused++;
-    lastRefusal = why;
+  private void drop(String why) {
+    refuse(why);
     reset();
   }
 
@@ -155,20 +150,5 @@ final class JpegFramer implements ByteParser<CameraFrame> {
     length = 0;
     isScan = false;
     frameHeader = 0;
-  }
-
-  @Override
-  public Optional<CameraFrame> latest() {
-    return latest;
-  }
-
-  @Override
-  public long refused() {
-    return refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal;
   }
 }

@@ -2,16 +2,13 @@ package org.u2sa.drivers.camera;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 
-import java.util.List;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A camera that streams JPEG images over HTTP ({@code multipart/x-mixed-replace}), like most
@@ -51,28 +48,19 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
   }
 
   /** Provider of CAMERA = MJPEG. */
-  public static final class Provider extends DeviceProvider<Camera> {
+  public static final class Provider extends LinkProvider<Camera> {
     private record Variables(
         @Variable(
                 ifAbsentText = "/?action=stream",
                 text = "MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
             String streamPath) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(Camera.class, "MJPEG");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Variables.class);
-    }
-
-    @Override
-    protected Camera open(String name, ServiceContext context) {
-      return new MjpegCamera(
-          ByteLinks.of(context),
-          context.configuration().settings(Variables.class).get().streamPath());
+      super(
+          Camera.class,
+          Variables.class,
+          (name, link, own) -> new MjpegCamera(link, own.streamPath()),
+          "MJPEG");
     }
   }
 }

@@ -1,15 +1,13 @@
 package org.u2sa.drivers.compass;
 
 import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Compass;
 import org.u2sa.device.port.Heading;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceContext;
 
 /** A compass on a link. */
 public final class LinkedCompass extends ParsedDevice<Heading> implements Compass {
@@ -47,26 +45,23 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
   /** One request at a time; an unanswered one is repeated. */
   @Override
   protected void act(long nowMicros) {
-    boolean isAnswered = latest() != answered;
+    boolean isAnswered = latest != answered;
     boolean isOverdue = nowMicros - askedMicros > ANSWERS_WITHIN_MICROS;
     if (request.length > 0 && (!isAsked || isAnswered || isOverdue) && link.write(request)) {
       isAsked = true;
       askedMicros = nowMicros;
-      answered = latest();
+      answered = latest;
     }
   }
 
   /** Provider of COMPASS = NMEA and SPARTON. */
-  public static final class Provider extends DeviceProvider<Compass> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<Compass> {
     public Provider() {
-      super(Compass.class, "NMEA", "SPARTON");
-    }
-
-    @Override
-    protected Compass open(String name, ServiceContext context) {
-      ByteLink link = ByteLinks.of(context);
-      return name.equals("NMEA") ? nmea(link) : sparton(link);
+      super(
+          Compass.class,
+          (name, link) -> name.equals("NMEA") ? nmea(link) : sparton(link),
+          "NMEA",
+          "SPARTON");
     }
   }
 }

@@ -23,7 +23,12 @@ public final class NmeaCompass {
 
   /** Converts bytes to headings. */
   public static NmeaParser<Heading> parser() {
-    return new NmeaParser<>(new NmeaCompass()::heading);
+    return new NmeaParser<>(meaning());
+  }
+
+  /** Converts sentences to headings. */
+  static NmeaParser.Meaning<Heading> meaning() {
+    return new NmeaCompass()::heading;
   }
 
   private Optional<Heading> heading(NmeaSentence sentence, long nowMicros) {
@@ -42,8 +47,6 @@ public final class NmeaCompass {
       return Optional.of(Heading.ofDegrees(nowMicros, headingDeg, said.isTrue()));
     } catch (DataNotAvailableException e) { // sent by some compasses during calibration
       throw new IllegalArgumentException("no heading", e);
-    } catch (RuntimeException e) { // marineapi throws various exceptions on malformed sentences
-      throw new IllegalArgumentException(e.getMessage(), e);
     }
   }
 

@@ -1,8 +1,6 @@
 package org.u2sa.drivers.compass;
 
-import java.util.Optional;
 import org.u2sa.device.port.Heading;
-import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.nmea.NmeaParser;
 
 /**
@@ -16,7 +14,7 @@ import org.u2sa.drivers.nmea.NmeaParser;
  * <p>It also parses the NMEA 0183 sentences this compass can send; no byte of a sentence can start
  * a binary answer.
  */
-public final class SpartonCompass implements ByteParser<Heading> {
+public final class SpartonCompass extends NmeaParser<Heading> {
   private static final int BEGIN = 0xA4;
   private static final int END = 0xA0;
   private static final int TRUE_HEADING = 0x02;
@@ -25,14 +23,14 @@ public final class SpartonCompass implements ByteParser<Heading> {
   private static final double DEG_PER_UNIT = 360.0 / UNITS_A_TURN;
   private static final int ANSWER = 5; // bytes
 
-  private final NmeaParser<Heading> nmea = NmeaCompass.parser();
   private final byte[] one = new byte[1];
   private final int[] answer = new int[ANSWER];
   private int count;
-  private Optional<Heading> binary = Optional.empty();
-  private boolean isBinaryNewest;
-  private long refused;
-  private String lastRefusal = "";
+
+  /** Waits for the first answer or sentence. */
+  public SpartonCompass() {
+    super(NmeaCompass.meaning());
+  }
 
   /** Request for the magnetic heading. */
   public static byte[] request() {
@@ -49,7 +47,8 @@ public final class SpartonCompass implements ByteParser<Heading> {
   private void accept(byte next, long now) {
     int octet = next & 0xFF;
     if (count == 0 && octet != BEGIN) {
-      acceptText(next, now);
+      one[0] = next;
+      super.accept(one, 1, now); // text
       return;
     }
     answer[count++] = octet;
@@ -61,15 +60,6 @@ public final class SpartonCompass implements ByteParser<Heading> {
     }
   }
 
-  private void acceptText(byte next, long now) {
-    one[0] = next;
-    Optional<Heading> before = nmea.latest();
-    nmea.accept(one, 1, now);
-    if (nmea.latest() != before) {
-      isBinaryNewest = false;
-    }
-  }
-
   private void end(long now) {
     int units = answer[2] << 8 | answer[3];
     if (answer[ANSWER - 1] != END) {
@@ -77,8 +67,7 @@ public final class SpartonCompass implements ByteParser<Heading> {
     } else if (units >= UNITS_A_TURN) {
       resync("a heading of " + units + " of 4096", now);
     } else {
-      binary = Optional.of(Heading.ofDegrees(now, units * DEG_PER_UNIT, answer[1] == TRUE_HEADING));
-      isBinaryNewest = true;
+      found(Heading.ofDegrees(now, units * DEG_PER_UNIT, answer[1] == TRUE_HEADING));
       count = 0;
     }
   }
@@ -93,8 +82,7 @@ public final class SpartonCompass implements ByteParser<Heading> {
         again[i - 1] = answer[i];
       }
     }
-    refused++;
-    lastRefusal = text.toString();
+    refuse(text.toString());
     count = 0;
     for (int octet : again) {
       accept((byte) octet, now);
@@ -102,23 +90,8 @@ public final class SpartonCompass implements ByteParser<Heading> {
   }
 
   @Override
-  public Optional<Heading> latest() {
-    return isBinaryNewest ? binary : nmea.latest();
-  }
-
-  @Override
   public void reset() {
     count = 0;
-    nmea.reset();
-  }
-
-  @Override
-  public long refused() {
-    return refused + nmea.refused();
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal.isEmpty() ? nmea.lastRefusal() : lastRefusal;
+    super.reset();
   }
 }

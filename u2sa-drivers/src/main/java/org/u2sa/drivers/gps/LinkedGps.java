@@ -1,16 +1,13 @@
 package org.u2sa.drivers.gps;
 
-import java.util.List;
 import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.ServiceContext;
 
 /** A GNSS receiver on a link. */
 public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver {
@@ -57,7 +54,7 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
   }
 
   /** Provider of RECEIVER = NMEA, UBLOX 6 and UBLOX 8. */
-  public static final class Provider extends DeviceProvider<GpsReceiver> {
+  public static final class Provider extends LinkProvider<GpsReceiver> {
     private record Variables(
         @Variable(
                 unit = "m",
@@ -76,23 +73,17 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
         @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5, text = "UBLOX: fixes per second.")
             double solutionRate) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(GpsReceiver.class, "NMEA", "UBLOX 6", "UBLOX 8");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Variables.class);
-    }
-
-    @Override
-    protected GpsReceiver open(String name, ServiceContext context) {
-      Variables tuning = context.configuration().settings(Variables.class).get();
-      ByteLink link = ByteLinks.of(context);
-      return name.equals("NMEA")
-          ? listening(link, new NmeaGps(tuning.rangeError()))
-          : ublox(link, UbloxModel.named(name), tuning.baud(), tuning.solutionRate());
+      super(
+          GpsReceiver.class,
+          Variables.class,
+          (name, link, own) ->
+              name.equals("NMEA")
+                  ? listening(link, new NmeaGps(own.rangeError()))
+                  : ublox(link, UbloxModel.named(name), own.baud(), own.solutionRate()),
+          "NMEA",
+          "UBLOX 6",
+          "UBLOX 8");
     }
   }
 }

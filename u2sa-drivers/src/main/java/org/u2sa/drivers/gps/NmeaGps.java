@@ -2,9 +2,7 @@ package org.u2sa.drivers.gps;
 
 import java.util.Optional;
 import org.u2sa.device.port.GpsFix;
-import org.u2sa.drivers.link.ByteParser;
-import org.u2sa.drivers.nmea.NmeaFramer;
-import org.u2sa.drivers.nmea.NmeaSentence;
+import org.u2sa.drivers.nmea.NmeaParser;
 
 /**
  * An NMEA 0183 receiver: position from RMC and GGA, velocity from RMC or VTG, standard deviations
@@ -13,15 +11,11 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  * <p>One fix per epoch, reported with the epoch's last position sentence. Which sentence is last is
  * learned from earlier epochs, so only the first fix waits for the next epoch.
  */
-public final class NmeaGps implements ByteParser<GpsFix> {
+public final class NmeaGps extends NmeaParser<GpsFix> {
   /** Typical range error of an uncorrected receiver under open sky [m], 1 σ. */
   public static final double USUAL_RANGE_ERROR_M = 3.0;
 
-  private final NmeaFramer framer = new NmeaFramer();
   private final NmeaEpochs epochs;
-  private final NmeaReader reader;
-  private final NmeaFramer.Sink sink = this::take;
-  private long nowMicros;
 
   /** Uses {@link #USUAL_RANGE_ERROR_M}. */
   public NmeaGps() {
@@ -33,18 +27,12 @@ public final class NmeaGps implements ByteParser<GpsFix> {
    *     without GST
    */
   public NmeaGps(double rangeErrorM) {
-    epochs = new NmeaEpochs(rangeErrorM);
-    reader = new NmeaReader(epochs);
+    this(new NmeaEpochs(rangeErrorM));
   }
 
-  @Override
-  public void accept(byte[] bytes, int length, long now) {
-    nowMicros = now;
-    framer.accept(bytes, length, sink);
-  }
-
-  private void take(NmeaSentence sentence) {
-    reader.read(sentence, nowMicros);
+  private NmeaGps(NmeaEpochs epochs) {
+    super(new NmeaReader(epochs));
+    this.epochs = epochs;
   }
 
   @Override
@@ -54,17 +42,7 @@ public final class NmeaGps implements ByteParser<GpsFix> {
 
   @Override
   public void reset() {
-    framer.reset();
+    super.reset();
     epochs.reset();
-  }
-
-  @Override
-  public long refused() {
-    return framer.refused() + reader.refused();
-  }
-
-  @Override
-  public String lastRefusal() {
-    return reader.lastRefusal().isEmpty() ? framer.lastRefusal() : reader.lastRefusal();
   }
 }

@@ -13,13 +13,15 @@ import net.sf.marineapi.nmea.sentence.VTGSentence;
 import net.sf.marineapi.nmea.util.DataStatus;
 import net.sf.marineapi.nmea.util.Position;
 import net.sf.marineapi.nmea.util.Time;
+import org.u2sa.device.port.GpsFix;
+import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
  * Parses a receiver's sentences into SI units; the only class that uses marineapi. Malformed and
  * out-of-range values are rejected and counted.
  */
-final class NmeaReader {
+final class NmeaReader implements NmeaParser.Meaning<GpsFix> {
   /** Absent time. */
   static final long NO_TIME = -1;
 
@@ -33,31 +35,24 @@ final class NmeaReader {
 
   private final SentenceFactory factory = SentenceFactory.getInstance();
   private final NmeaEpochs epochs;
-  private long refused;
-  private String lastRefusal = "";
 
   NmeaReader(NmeaEpochs epochs) {
     this.epochs = epochs;
   }
 
-  /** Processes a sentence; other types are ignored. */
-  void read(NmeaSentence sentence, long nowMicros) {
+  /** Passes the sentence on to the epochs, which hold the fix; other types are ignored. */
+  @Override
+  public Optional<GpsFix> of(NmeaSentence sentence, long nowMicros) {
     boolean known =
         sentence.is("RMC")
             || sentence.is("GGA")
             || sentence.is("GST")
             || sentence.is("GSA")
             || sentence.is("VTG");
-    if (!known) {
-      return;
+    if (known) {
+      take(factory.createParser(sentence.text()), nowMicros);
     }
-    String text = sentence.text();
-    try {
-      take(factory.createParser(text), nowMicros);
-    } catch (RuntimeException e) { // marineapi throws various exceptions on malformed sentences
-      refused++;
-      lastRefusal = e.getMessage() + ": " + text;
-    }
+    return Optional.empty();
   }
 
   private void take(Object sentence, long nowMicros) {
@@ -188,13 +183,5 @@ final class NmeaReader {
 
   private static double square(double value) {
     return value * value;
-  }
-
-  long refused() {
-    return refused;
-  }
-
-  String lastRefusal() {
-    return lastRefusal;
   }
 }

@@ -9,6 +9,10 @@ import org.u2sa.device.port.GpsFix;
  */
 final class UbxEpoch {
   private static final long NONE = -1;
+  private static final int FIX_2D = 2;
+  private static final int FIX_3D = 3;
+  private static final int FIX_WITH_DEAD_RECKONING = 4;
+  private static final int FIX_OK = 1; // flag
 
   private long timeOfWeekMs = NONE;
   private long heardMicros;
@@ -72,23 +76,29 @@ final class UbxEpoch {
   /** Returns the fix once. */
   GpsFix take() {
     hasPosition = false; // a duplicate message must not produce a second fix
-    return UbxGps.isValid(fixType, flags) ? fix() : GpsFix.none(heardMicros, satellites);
+    boolean isValid =
+        (flags & FIX_OK) != 0 && fixType >= FIX_2D && fixType <= FIX_WITH_DEAD_RECKONING;
+    return isValid ? fix() : GpsFix.none(heardMicros, satellites);
   }
 
   private GpsFix fix() {
-    boolean is3d = UbxGps.is3d(fixType);
     return new GpsFix(
         heardMicros,
         Plausible.latitudeDeg(latitudeDeg),
         Plausible.longitudeDeg(longitudeDeg),
-        UbxGps.present(is3d, Plausible.altitudeM(altitudeM)),
+        vertical(Plausible.altitudeM(altitudeM)),
         OptionalDouble.of(Plausible.velocityMps(eastMps)),
         OptionalDouble.of(Plausible.velocityMps(northMps)),
-        UbxGps.present(is3d, Plausible.velocityMps(upMps)),
+        vertical(Plausible.velocityMps(upMps)),
         OptionalDouble.of(horizontalSigmaM),
-        UbxGps.present(is3d, verticalSigmaM),
+        vertical(verticalSigmaM),
         satellites,
         true);
+  }
+
+  /** A value of the height, which is valid only in a 3-D fix. */
+  private OptionalDouble vertical(double value) {
+    return fixType >= FIX_3D ? OptionalDouble.of(value) : OptionalDouble.empty();
   }
 
   void clear() {

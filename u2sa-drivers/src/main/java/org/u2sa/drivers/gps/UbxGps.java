@@ -1,7 +1,5 @@
 package org.u2sa.drivers.gps;
 
-import java.util.Optional;
-import java.util.OptionalDouble;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.drivers.link.ByteParser;
 
@@ -10,7 +8,7 @@ import org.u2sa.drivers.link.ByteParser;
  * and NAV-SOL or NAV-STATUS of one time of week (LEA-6 and older). Formats: u-blox 6 Receiver
  * Description GPS.G6-SW-10018, u-blox 8 / M8 Receiver Description UBX-13003221.
  */
-public final class UbxGps implements ByteParser<GpsFix> {
+public final class UbxGps extends ByteParser<GpsFix> {
   static final int NAV_POSLLH = 0x0102;
   static final int NAV_STATUS = 0x0103;
   static final int NAV_SOL = 0x0106;
@@ -26,22 +24,14 @@ public final class UbxGps implements ByteParser<GpsFix> {
   private static final int VELNED_LENGTH = 36;
   private static final int ACK_LENGTH = 2;
 
-  private static final int FIX_2D = 2;
-  private static final int FIX_3D = 3;
-  private static final int FIX_WITH_DEAD_RECKONING = 4;
-  private static final int FIX_OK = 1;
   private static final double DEG_PER_UNIT = 1e-7;
   private static final double M_PER_MM = 1e-3;
   private static final double MPS_PER_CMPS = 1e-2;
 
-  private final UbxFramer framer = new UbxFramer();
-  private final UbxFramer.Sink sink = this::take;
+  private final UbxFramer framer = new UbxFramer(this::take, this::refuse);
   private final UbxEpoch epoch = new UbxEpoch();
   private Acknowledgements acknowledgements = (kind, isAccepted) -> {};
   private long nowMicros;
-  private Optional<GpsFix> latest = Optional.empty();
-  private long refused;
-  private String lastRefusal = "";
 
   /** Receives acknowledgements. */
   @FunctionalInterface
@@ -60,7 +50,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
   @Override
   public void accept(byte[] bytes, int length, long now) {
     nowMicros = now;
-    framer.accept(bytes, length, sink);
+    framer.accept(bytes, length);
   }
 
   private void take(UbxPayload message) {
@@ -86,8 +76,7 @@ public final class UbxGps implements ByteParser<GpsFix> {
         default -> {} // not requested
       }
     } catch (IllegalArgumentException e) {
-      refused++;
-      lastRefusal = String.format("UBX message %04X: %s", message.kind(), e.getMessage());
+      refuse(String.format("UBX message %04X: %s", message.kind(), e.getMessage()));
     }
   }
 
@@ -100,27 +89,19 @@ public final class UbxGps implements ByteParser<GpsFix> {
 
   private void takePvt(UbxPayload message) {
     require(message, PVT_LENGTH);
-    int fixType = message.u1(20);
-    int satellites = message.u1(23);
-    if (!isValid(fixType, message.u1(21))) {
-      latest = Optional.of(GpsFix.none(nowMicros, satellites));
-      return;
-    }
-    boolean is3d = is3d(fixType);
-    latest =
-        Optional.of(
-            new GpsFix(
-                nowMicros,
-                Plausible.latitudeDeg(DEG_PER_UNIT * message.i4(28)),
-                Plausible.longitudeDeg(DEG_PER_UNIT * message.i4(24)),
-                present(is3d, Plausible.altitudeM(M_PER_MM * message.i4(36))),
-                OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(52))),
-                OptionalDouble.of(Plausible.velocityMps(M_PER_MM * message.i4(48))),
-                present(is3d, Plausible.velocityMps(-M_PER_MM * message.i4(56))),
-                OptionalDouble.of(HorizontalError.perAxisM(M_PER_MM * message.u4(40))),
-                present(is3d, M_PER_MM * message.u4(44)),
-                satellites,
-                true));
+    epoch.clear(); // each message is an epoch
+    epoch
+        .at(message.u4(0), nowMicros)
+        .position(
+            DEG_PER_UNIT * message.i4(28),
+            DEG_PER_UNIT * message.i4(24),
+            M_PER_MM * message.i4(36),
+            HorizontalError.perAxisM(M_PER_MM * message.u4(40)),
+            M_PER_MM * message.u4(44));
+    epoch.velocity(
+        M_PER_MM * message.i4(52), M_PER_MM * message.i4(48), -M_PER_MM * message.i4(56));
+    epoch.status(message.u1(20), message.u1(21), message.u1(23));
+    tellIfWhole();
   }
 
   private void takePosition(UbxPayload message) {
@@ -149,41 +130,13 @@ public final class UbxGps implements ByteParser<GpsFix> {
 
   private void tellIfWhole() {
     if (epoch.isWhole()) {
-      latest = Optional.of(epoch.take());
+      found(epoch.take());
     }
-  }
-
-  static boolean isValid(int fixType, int flags) {
-    return (flags & FIX_OK) != 0 && fixType >= FIX_2D && fixType <= FIX_WITH_DEAD_RECKONING;
-  }
-
-  static boolean is3d(int fixType) {
-    return fixType >= FIX_3D;
-  }
-
-  /** Height is valid only in a 3-D fix. */
-  static OptionalDouble present(boolean is3d, double value) {
-    return is3d ? OptionalDouble.of(value) : OptionalDouble.empty();
-  }
-
-  @Override
-  public Optional<GpsFix> latest() {
-    return latest;
   }
 
   @Override
   public void reset() {
     framer.reset();
     epoch.clear();
-  }
-
-  @Override
-  public long refused() {
-    return framer.refused() + refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal.isEmpty() ? framer.lastRefusal() : lastRefusal;
   }
 }

@@ -1,33 +1,13 @@
 package org.u2sa.drivers.gps;
 
-/** A UBX message as delivered by {@link UbxFramer}. */
-final class UbxPayload {
-  private final byte[] bytes;
-  private int messageClass;
-  private int id;
-  private int begin;
-  private int length;
-
-  UbxPayload(byte[] bytes) {
-    this.bytes = bytes;
-  }
-
-  void set(int newClass, int newId, int newBegin, int newLength) {
-    messageClass = newClass;
-    id = newId;
-    begin = newBegin;
-    length = newLength;
-  }
-
-  /** Class and id, such as 0x0107 for NAV-PVT. */
-  int kind() {
-    return messageClass << 8 | id;
-  }
-
-  int length() {
-    return length;
-  }
-
+/**
+ * A UBX message as delivered by {@link UbxFramer}.
+ *
+ * @param kind class and id, such as 0x0107 for NAV-PVT
+ * @param begin index of the payload
+ * @param length of the payload
+ */
+record UbxPayload(byte[] bytes, int kind, int begin, int length) {
   int u1(int offset) {
     return bytes[begin + offset] & 0xFF;
   }

@@ -1,17 +1,15 @@
 package org.u2sa.drivers.imu;
 
 import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Heading;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.ServiceContext;
 
 /**
  * VectorNav VN-100 and relatives with factory settings: {@code $VNYMR} at 40 Hz and 115200 baud,
@@ -34,7 +32,6 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   private static final double STRONGEST_MPS2 = 200.0; // sensor range: 16 g
   private static final double FASTEST_RAD_PER_S = 40.0; // sensor range: 2000 deg/s
 
-  /** Uses the link; closing the device closes it. */
   public VectorNav(ByteLink link) {
     super(link, parser());
   }
@@ -74,15 +71,9 @@ public final class VectorNav extends ParsedDevice<Orientation> implements Imu {
   }
 
   /** Provider of IMU = VECTORNAV. */
-  public static final class Provider extends DeviceProvider<Imu> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<Imu> {
     public Provider() {
-      super(Imu.class, "VECTORNAV");
-    }
-
-    @Override
-    protected Imu open(String name, ServiceContext context) {
-      return new VectorNav(ByteLinks.of(context));
+      super(Imu.class, VectorNav::new, "VECTORNAV");
     }
   }
 }

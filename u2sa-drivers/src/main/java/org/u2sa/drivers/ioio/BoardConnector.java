@@ -104,7 +104,7 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** The same, whatever goes wrong: a fault in a library must not end reconnecting. */
+  /** Like {@link #tryOnce}, but a fault in a library must not end reconnecting. */
   private BoardSession triedOnce() {
     try {
       return tryOnce();

@@ -21,7 +21,7 @@ final class UartLine {
   private final InputStream in;
   private final OutputStream out;
   private final double bytesPerS;
-  private final SendingLoop loop = new SendingLoop();
+  private Thread sender; // the library's ended thread, in lockstep; null before first use
   private byte[] waiting = new byte[0];
   private double credit;
   private long atMicros = Long.MIN_VALUE;
@@ -66,10 +66,50 @@ final class UartLine {
     }
     credit -= count;
     if (lockstep.isPresent()) {
-      loop.send(out, waiting, count, lockstep.get());
+      sendInLockstep(count, lockstep.get());
     } else {
       out.write(waiting, 0, count);
     }
     waiting = Arrays.copyOfRange(waiting, count, waiting.length);
+  }
+
+  /**
+   * In lockstep, lets the IOIO library send the data on this thread. The library uses one
+   * asynchronous sender thread per UART, and waking and awaiting it costs far more than the
+   * sending.
+   *
+   * <p>That thread sends once and is then ended by an interrupt. Afterwards this thread runs the
+   * library's loop ({@code FlowControlledOutputStream.FlushThread.run}) and exits it by an error
+   * once all is sent ({@link FlushCounter#run}). Its interrupt flag is set meanwhile, so a wait for
+   * the board returns immediately.
+   *
+   * @param sent counter of the library's output
+   */
+  private void sendInLockstep(int count, FlushCounter sent) throws IOException {
+    sent.expect(count);
+    out.write(waiting, 0, count);
+    boolean wasInterrupted = Thread.interrupted();
+    try {
+      if (sender == null) {
+        sender = end(sent.awaitSender());
+      } else {
+        Thread.currentThread().interrupt();
+        sent.run(sender);
+      }
+      sent.requireAll();
+    } catch (InterruptedException e) {
+      wasInterrupted = true;
+    } finally {
+      Thread.interrupted();
+      if (wasInterrupted) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  private static Thread end(Thread library) throws InterruptedException {
+    library.interrupt(); // it has nothing left to send and is about to wait
+    library.join();
+    return library;
   }
 }

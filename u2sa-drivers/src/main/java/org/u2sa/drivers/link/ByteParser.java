@@ -10,26 +10,47 @@ import java.util.Optional;
  *
  * @param <R> reading type
  */
-public interface ByteParser<R> {
+public abstract class ByteParser<R> {
+  private Optional<R> latest = Optional.empty();
+  private long refused;
+  private String lastRefusal = "";
+
   /**
    * Consumes bytes.
    *
    * @param length number of valid {@code bytes}
    * @param nowMicros arrival time [µs, run's clock], used as the time of the readings
    */
-  void accept(byte[] bytes, int length, long nowMicros);
+  public abstract void accept(byte[] bytes, int length, long nowMicros);
 
   /**
    * Discards a partial message, for example after a loss of the device; the latest reading is kept.
    */
-  void reset();
+  public abstract void reset();
+
+  /** Replaces the latest reading. */
+  protected final void found(R reading) {
+    latest = Optional.of(reading);
+  }
+
+  /** Counts a rejected message. */
+  protected final void refuse(String why) {
+    refused++;
+    lastRefusal = why;
+  }
 
   /** Latest reading; empty before the first. The same object until the next reading. */
-  Optional<R> latest();
+  public Optional<R> latest() {
+    return latest;
+  }
 
   /** Number of messages rejected: wrong checksum, truncated, out of range. */
-  long refused();
+  public final long refused() {
+    return refused;
+  }
 
   /** Reason of the last rejection, for the log; empty if none. */
-  String lastRefusal();
+  public final String lastRefusal() {
+    return lastRefusal;
+  }
 }

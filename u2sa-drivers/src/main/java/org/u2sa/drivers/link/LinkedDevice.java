@@ -9,8 +9,14 @@ import org.u2sa.device.port.Device;
  */
 public abstract class LinkedDevice<R extends Device.Reading> implements Device<R> {
   protected final ByteLink link;
+
+  /** Latest reading, as returned by {@link #read}; empty before the first. */
+  protected Optional<R> latest = Optional.empty();
+
   private final PendingBytes pending = new PendingBytes();
   private int connections;
+  private long refused;
+  private String lastRefusal = "";
 
   /** Uses the link; closing the device closes it. */
   protected LinkedDevice(ByteLink link) {
@@ -25,7 +31,7 @@ public abstract class LinkedDevice<R extends Device.Reading> implements Device<R
     }
     pending.read(link, (bytes, length) -> hear(bytes, length, nowMicros));
     act(nowMicros);
-    return latest();
+    return latest;
   }
 
   /** Called on every (re)connection; discards any partial message. */
@@ -37,8 +43,21 @@ public abstract class LinkedDevice<R extends Device.Reading> implements Device<R
   /** Sends pending requests; called at the end of each read. */
   protected void act(long nowMicros) {}
 
-  /** Latest reading, as returned by {@link #read}. */
-  protected abstract Optional<R> latest();
+  /** Counts a rejected message or a missing reply. */
+  protected final void refuse(String why) {
+    refused++;
+    lastRefusal = why;
+  }
+
+  @Override
+  public long malformed() {
+    return refused;
+  }
+
+  @Override
+  public String lastRefusal() {
+    return lastRefusal;
+  }
 
   /** Device fault while the link is up; empty if none. */
   protected String ownTrouble() {

@@ -1,6 +1,5 @@
 package org.u2sa.drivers.link;
 
-import java.util.Optional;
 import org.u2sa.device.port.Device;
 
 /** A device on a link with a parser. */
@@ -21,11 +20,7 @@ public abstract class ParsedDevice<R extends Device.Reading> extends LinkedDevic
   @Override
   protected final void hear(byte[] bytes, int length, long nowMicros) {
     parser.accept(bytes, length, nowMicros);
-  }
-
-  @Override
-  protected final Optional<R> latest() {
-    return parser.latest();
+    latest = parser.latest();
   }
 
   @Override

@@ -38,7 +38,7 @@ final class AutopilotState {
   }
 
   /** Resets, for another autopilot or after a loss. */
-  void beginAnew() {
+  void reset() {
     gps = null;
   }
 

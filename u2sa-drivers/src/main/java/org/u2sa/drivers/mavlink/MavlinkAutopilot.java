@@ -125,7 +125,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     long now = clock().micros();
     if (watch.look(now)) {
       stream.reset();
-      state.beginAnew();
+      state.reset();
     }
     pending.read(
         link, (bytes, length) -> stream.accept(bytes, length, message -> take(message, now)));

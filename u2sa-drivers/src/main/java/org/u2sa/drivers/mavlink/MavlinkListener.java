@@ -14,8 +14,6 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
   private static final int OWN_COMPONENT = 191;
 
   private final MavlinkStream stream = new MavlinkStream(OWN_SYSTEM, OWN_COMPONENT);
-  private long refused;
-  private String refusal = "";
 
   MavlinkListener(ByteLink link) {
     super(link);
@@ -23,12 +21,6 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
 
   /** Handles a message of any type. */
   abstract void take(Object payload, long nowMicros);
-
-  /** Counts a message with invalid values. */
-  final void refuse(String what) {
-    refused++;
-    refusal = what;
-  }
 
   @Override
   protected final void found(long nowMicros) {
@@ -43,11 +35,12 @@ abstract class MavlinkListener<R extends Device.Reading> extends LinkedDevice<R>
   /** Number of damaged and rejected messages. */
   @Override
   public final long malformed() {
-    return stream.malformed() + refused;
+    return stream.malformed() + super.malformed();
   }
 
   @Override
   public final String lastRefusal() {
-    return refusal.isEmpty() ? stream.lastRefusal() : refusal;
+    String own = super.lastRefusal();
+    return own.isEmpty() ? stream.lastRefusal() : own;
   }
 }

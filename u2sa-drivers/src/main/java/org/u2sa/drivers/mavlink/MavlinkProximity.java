@@ -6,12 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.messages.RangeScan;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A radar, lidar or camera that sends MAVLink OBSTACLE_DISTANCE (330), or an autopilot that
@@ -27,9 +25,6 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
   private static final int NOT_MEASURED = 65_535;
   private static final int BODY_FRD = 12; // MAV_FRAME_BODY_FRD
 
-  private Optional<Scan> latest = Optional.empty();
-
-  /** Uses the link; closing the device closes it. */
   public MavlinkProximity(ByteLink link) {
     super(link);
   }
@@ -92,21 +87,10 @@ public final class MavlinkProximity extends MavlinkListener<LaserScanner.Scan>
     return beams;
   }
 
-  @Override
-  protected Optional<Scan> latest() {
-    return latest;
-  }
-
   /** Provider of LIDAR = mavlink. */
-  public static final class Provider extends DeviceProvider<LaserScanner> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<LaserScanner> {
     public Provider() {
-      super(LaserScanner.class, "mavlink");
-    }
-
-    @Override
-    protected LaserScanner open(String name, ServiceContext context) {
-      return new MavlinkProximity(ByteLinks.of(context));
+      super(LaserScanner.class, MavlinkProximity::new, "mavlink");
     }
   }
 }

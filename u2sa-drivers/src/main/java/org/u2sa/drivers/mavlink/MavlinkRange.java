@@ -2,15 +2,12 @@ package org.u2sa.drivers.mavlink;
 
 import io.dronefleet.mavlink.common.DistanceSensor;
 import io.dronefleet.mavlink.common.MavDistanceSensor;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A radar, laser or ultrasonic range finder or altimeter that sends MAVLink DISTANCE_SENSOR (132),
@@ -36,7 +33,6 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
 
   private final Kind kind;
   private final int id;
-  private Optional<Distance> latest = Optional.empty();
 
   /**
    * Uses the link; closing the device closes it.
@@ -80,34 +76,21 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
     return isOfKind && (id == ANY_ID || id == sensor.id());
   }
 
-  @Override
-  protected Optional<Distance> latest() {
-    return latest;
-  }
-
   /** Provider of MODEL = MAVLINK. */
-  public static final class Provider extends DeviceProvider<RangeFinder> {
+  public static final class Provider extends LinkProvider<RangeFinder> {
     private record Choice(
         @Variable(ifAbsentText = "ANY", text = "MAVLINK: type of the sensor.")
             Kind distanceSensorKind,
         @Variable(min = -1, max = 255, ifAbsent = -1, text = "MAVLINK: ID of the sensor; -1: any.")
             int distanceSensorId) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(RangeFinder.class, "MAVLINK");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Choice.class);
-    }
-
-    @Override
-    protected RangeFinder open(String name, ServiceContext context) {
-      Choice choice = context.configuration().settings(Choice.class).get();
-      return new MavlinkRange(
-          ByteLinks.of(context), choice.distanceSensorKind(), choice.distanceSensorId());
+      super(
+          RangeFinder.class,
+          Choice.class,
+          (name, link, choice) ->
+              new MavlinkRange(link, choice.distanceSensorKind(), choice.distanceSensorId()),
+          "MAVLINK");
     }
   }
 }

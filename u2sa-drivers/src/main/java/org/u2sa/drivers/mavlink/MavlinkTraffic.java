@@ -5,15 +5,13 @@ import io.dronefleet.mavlink.common.AdsbVehicle;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.TrafficPicture;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A transponder or receiver that sends MAVLink ADSB_VEHICLE (246), such as uAvionix ping, or an
@@ -30,7 +28,6 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
 
   private final TrafficPicture picture = new TrafficPicture();
 
-  /** Uses the link; closing the device closes it. */
   public MavlinkTraffic(ByteLink link) {
     super(link);
   }
@@ -42,6 +39,7 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
     } else {
       picture.alive(nowMicros);
     }
+    latest = picture.latest();
   }
 
   private void vehicle(AdsbVehicle vehicle, long nowMicros) {
@@ -94,21 +92,10 @@ public final class MavlinkTraffic extends MavlinkListener<TrafficReceiver.Traffi
     return vehicle.flags().flagsEnabled(flag);
   }
 
-  @Override
-  protected Optional<Traffic> latest() {
-    return picture.latest();
-  }
-
   /** Provider of RECEIVER = MAVLINK. */
-  public static final class Provider extends DeviceProvider<TrafficReceiver> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<TrafficReceiver> {
     public Provider() {
-      super(TrafficReceiver.class, "MAVLINK");
-    }
-
-    @Override
-    protected TrafficReceiver open(String name, ServiceContext context) {
-      return new MavlinkTraffic(ByteLinks.of(context));
+      super(TrafficReceiver.class, MavlinkTraffic::new, "MAVLINK");
     }
   }
 }

@@ -43,8 +43,6 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   private double second;
   private boolean isBySpeed; // first and second are counts per second
   private OptionalDouble batteryV = OptionalDouble.empty();
-  private Optional<Counts> latest = Optional.empty();
-  private long malformed;
 
   /**
    * @param address 0x80…0x87, as set at the controller
@@ -79,7 +77,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     }
     understand(nowMicros);
     if (asked != null && nowMicros - askedMicros > ANSWER_WITHIN_MICROS) {
-      malformed++;
+      refuse("no answer");
       giveUp(nowMicros, QUIET_MICROS);
     }
     if (nowMicros - heardMicros > LOST_AFTER_MICROS) {
@@ -90,11 +88,6 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     }
   }
 
-  @Override
-  protected Optional<Counts> latest() {
-    return latest;
-  }
-
   private void understand(long nowMicros) {
     if (asked == null) {
       replyLength = 0; // replies to abandoned requests, or noise
@@ -102,7 +95,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
       if (asked.isAnsweredBy(address, reply, replyLength)) {
         answered(nowMicros);
       } else {
-        malformed++;
+        refuse("an answer with a wrong checksum");
         giveUp(nowMicros, QUIET_MICROS);
       }
     }
@@ -183,11 +176,6 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   }
 
   @Override
-  public long malformed() {
-    return malformed;
-  }
-
-  @Override
   public void leave() {
     link.close();
   }
@@ -211,7 +199,6 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
                 text = "ROBOCLAW: address set at the controller; 128 is 0x80.")
             int address) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(MotorController.class, "ROBOCLAW");
     }

@@ -1,16 +1,13 @@
 package org.u2sa.drivers.motor;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Thruster;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A VESC motor controller driving a propeller, on USB or a UART: duty cycles out, values in
@@ -30,13 +27,12 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   private static final double CURRENT_STEP_A = 0.01;
   private static final double VOLTAGE_STEP_V = 0.1;
 
-  private final VescPacket packet = new VescPacket();
+  private final VescPacket packet = new VescPacket(this::take, this::refuse);
   private final double polePairs;
   private double percent;
+  private long heardMicros; // arrival of the bytes that are being parsed
   private long askDueMicros = Long.MIN_VALUE;
   private int fault;
-  private long refused;
-  private Optional<Turning> latest = Optional.empty();
 
   /**
    * Uses the link; closing the device closes it.
@@ -57,27 +53,26 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
 
   @Override
   protected void hear(byte[] bytes, int length, long nowMicros) {
-    for (int i = 0; i < length; i++) {
-      byte[] payload = packet.accept(bytes[i]);
-      if (payload.length >= VALUES_BYTES && payload[0] == GET_VALUES) {
-        take(payload, nowMicros);
-      }
-    }
+    heardMicros = nowMicros;
+    packet.accept(bytes, length);
   }
 
-  private void take(byte[] values, long nowMicros) {
+  private void take(byte[] values) {
+    if (values.length < VALUES_BYTES || values[0] != GET_VALUES) {
+      return;
+    }
     double rpm = RoboClawRequest.signed32(values, ELECTRICAL_RPM) / polePairs;
     double currentA = RoboClawRequest.signed32(values, INPUT_CURRENT) * CURRENT_STEP_A;
     double batteryV = (short) RoboClawRequest.unsigned16(values, INPUT_VOLTAGE) * VOLTAGE_STEP_V;
     if (batteryV < 0.0) {
-      refused++;
+      refuse("a supply voltage below 0 V");
       return;
     }
     fault = values[FAULT];
     latest =
         Optional.of(
             new Turning(
-                nowMicros,
+                heardMicros,
                 OptionalDouble.of(rpm),
                 OptionalDouble.empty(),
                 OptionalDouble.of(currentA),
@@ -103,25 +98,8 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   }
 
   @Override
-  protected Optional<Turning> latest() {
-    return latest;
-  }
-
-  @Override
   protected String ownTrouble() {
     return fault == 0 ? "" : "the VESC reports fault " + fault;
-  }
-
-  @Override
-  public long malformed() {
-    return packet.refused() + refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    String voltage = refused == 0 ? "" : "a supply voltage below 0 V";
-    String checksum = packet.refused() == 0 ? "" : "a packet with a wrong checksum";
-    return voltage + (voltage.isEmpty() || checksum.isEmpty() ? "" : " or ") + checksum;
   }
 
   @Override
@@ -150,7 +128,7 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   }
 
   /** Provider of THRUSTER = VESC. */
-  public static final class Provider extends DeviceProvider<Thruster> {
+  public static final class Provider extends LinkProvider<Thruster> {
     private record Variables(
         @Variable(
                 min = 1,
@@ -160,21 +138,12 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
                     "VESC: pairs of magnetic poles of the motor; half the number of its magnets.")
             int polePairs) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(Thruster.class, "VESC");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Variables.class);
-    }
-
-    @Override
-    protected Thruster open(String name, ServiceContext context) {
-      return new Vesc(
-          ByteLinks.of(context),
-          context.configuration().settings(Variables.class).get().polePairs());
+      super(
+          Thruster.class,
+          Variables.class,
+          (name, link, own) -> new Vesc(link, own.polePairs()),
+          "VESC");
     }
   }
 }

@@ -1,21 +1,30 @@
 package org.u2sa.drivers.motor;
 
 import java.util.Arrays;
+import java.util.function.Consumer;
+import org.u2sa.drivers.link.BinaryFramer;
 
 /**
- * Framing of VESC's serial protocol: 2, length, payload, CRC-16 of the payload, 3 (vedderb/bldc,
+ * Packets of VESC's serial protocol: 2, length, payload, CRC-16 of the payload, 3 (vedderb/bldc,
  * {@code comm/packet.c}).
  */
-final class VescPacket {
+final class VescPacket extends BinaryFramer {
   private static final int SHORT = 2;
   private static final int END = 3;
   private static final int HEAD_BYTES = 2;
   private static final int TAIL_BYTES = 3;
   private static final int LONGEST = 255;
 
-  private final byte[] bytes = new byte[HEAD_BYTES + LONGEST + TAIL_BYTES];
-  private int length;
-  private long refused;
+  private final Consumer<byte[]> sink;
+
+  /**
+   * @param sink receives the payload of each packet
+   * @param refusals receives the reason of each rejection
+   */
+  VescPacket(Consumer<byte[]> sink, Consumer<String> refusals) {
+    super(HEAD_BYTES + LONGEST + TAIL_BYTES, refusals);
+    this.sink = sink;
+  }
 
   /** Encodes a payload of up to 255 bytes. */
   static byte[] of(byte... payload) {
@@ -30,60 +39,28 @@ final class VescPacket {
     return packet;
   }
 
-  /**
-   * Consumes a byte.
-   *
-   * @return the payload if this byte completes a packet
-   */
-  byte[] accept(byte each) {
-    bytes[length++] = each;
-    while (length > 0) {
-      if (bytes[0] != SHORT) {
-        drop();
-      } else if (length < HEAD_BYTES || length < whole()) {
-        return new byte[0];
-      } else if (isRight()) {
-        int whole = whole();
-        byte[] payload = Arrays.copyOfRange(bytes, HEAD_BYTES, whole - TAIL_BYTES);
-        System.arraycopy(bytes, whole, bytes, 0, length - whole);
-        length -= whole;
-        return payload;
-      } else {
-        refused++;
-        drop();
-      }
+  @Override
+  protected int lengthAt(int at, int available) {
+    if (unsigned8(at) != SHORT) {
+      return NONE;
     }
-    return new byte[0];
+    return available < HEAD_BYTES ? HEAD_BYTES : HEAD_BYTES + unsigned8(at + 1) + TAIL_BYTES;
   }
 
-  /** Resynchronises on the next start byte. */
-  private void drop() {
-    int next = 1;
-    while (next < length && bytes[next] != SHORT) {
-      next++;
-    }
-    System.arraycopy(bytes, next, bytes, 0, length - next);
-    length -= next;
+  @Override
+  protected String fault(int at, int length) {
+    int begin = at + HEAD_BYTES;
+    int end = at + length - TAIL_BYTES;
+    boolean isIntact =
+        end > begin
+            && unsigned8(end + 2) == END
+            && RoboClawRequest.crc(0, bytes(), begin, end)
+                == RoboClawRequest.unsigned16(bytes(), end);
+    return isIntact ? "" : "a packet with a wrong checksum";
   }
 
-  private int whole() {
-    return HEAD_BYTES + (bytes[1] & 0xFF) + TAIL_BYTES;
-  }
-
-  private boolean isRight() {
-    int end = whole() - TAIL_BYTES;
-    return end > HEAD_BYTES
-        && bytes[end + 2] == END
-        && RoboClawRequest.crc(0, bytes, HEAD_BYTES, end) == RoboClawRequest.unsigned16(bytes, end);
-  }
-
-  /** Discards a partial packet. */
-  void reset() {
-    length = 0;
-  }
-
-  /** Number of packets rejected. */
-  long refused() {
-    return refused;
+  @Override
+  protected void take(int at, int length) {
+    sink.accept(Arrays.copyOfRange(bytes(), at + HEAD_BYTES, at + length - TAIL_BYTES));
   }
 }

@@ -1,12 +1,14 @@
 package org.u2sa.drivers.nmea;
 
+import java.util.function.Consumer;
+
 /**
  * Extracts NMEA 0183 sentences from a byte stream with arbitrary boundaries and garbage. Sentences
  * with a wrong or missing checksum, truncated or too long, are rejected and counted.
  *
  * <p>Not thread-safe.
  */
-public final class NmeaFramer {
+final class NmeaFramer {
   /** Longer than the standard's 82 because receivers send more decimals; bounds the buffer. */
   private static final int LONGEST = 255;
 
@@ -18,14 +20,16 @@ public final class NmeaFramer {
   private final byte[] bytes = new byte[LONGEST];
   private final NmeaSentence sentence = new NmeaSentence(bytes);
   private int count; // 0 while waiting for a dollar sign
-  private long refused;
-  private String lastRefusal = "";
+  private final Consumer<NmeaSentence> sink;
+  private final Consumer<String> refusals;
 
-  /** Receives sentences. */
-  @FunctionalInterface
-  public interface Sink {
-    /** Handles a sentence; its bytes are valid only during this call. */
-    void sentence(NmeaSentence sentence);
+  /**
+   * @param sink receives complete sentences, each valid only during the call
+   * @param refusals receives the reason and the text of each rejected sentence
+   */
+  NmeaFramer(Consumer<NmeaSentence> sink, Consumer<String> refusals) {
+    this.sink = sink;
+    this.refusals = refusals;
   }
 
   /**
@@ -33,13 +37,13 @@ public final class NmeaFramer {
    *
    * @param length number of valid bytes in {@code from}
    */
-  public void accept(byte[] from, int length, Sink sink) {
+  void accept(byte[] from, int length) {
     for (int i = 0; i < length; i++) {
-      accept(from[i], sink);
+      accept(from[i]);
     }
   }
 
-  private void accept(byte next, Sink sink) {
+  private void accept(byte next) {
     if (next == '$') {
       if (count > 0) {
         refuse("cut off: ");
@@ -48,7 +52,7 @@ public final class NmeaFramer {
       count = 1;
     } else if (count > 0) {
       if (next == '\r' || next == '\n') {
-        end(sink);
+        end();
       } else if (next < FIRST_PRINTABLE || next > LAST_PRINTABLE) {
         refuse("not text: ");
       } else if (count == LONGEST) {
@@ -59,7 +63,7 @@ public final class NmeaFramer {
     }
   }
 
-  private void end(Sink sink) {
+  private void end() {
     int star = count - CHECKSUM_CHARACTERS;
     if (star < 1 || bytes[star] != '*') {
       refuse("no checksum: ");
@@ -76,28 +80,17 @@ public final class NmeaFramer {
     }
     sentence.set(star, count);
     count = 0;
-    sink.sentence(sentence);
+    sink.accept(sentence);
   }
 
   private void refuse(String why) {
     sentence.set(count, count);
     count = 0;
-    refused++;
-    lastRefusal = why + sentence.text();
+    refusals.accept(why + sentence.text());
   }
 
   /** Discards a partial sentence. */
-  public void reset() {
+  void reset() {
     count = 0;
-  }
-
-  /** Number of sentences rejected. */
-  public long refused() {
-    return refused;
-  }
-
-  /** Reason and text of the last rejection; empty if none. */
-  public String lastRefusal() {
-    return lastRefusal;
   }
 }

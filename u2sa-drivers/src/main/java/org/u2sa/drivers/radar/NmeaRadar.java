@@ -5,15 +5,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A marine radar that sends its tracked targets by NMEA 0183 (TTM). Targets being acquired are
@@ -26,7 +24,6 @@ public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implemen
   private static final Map<String, Double> METRES_PER_UNIT =
       Map.of("N", 1852.0, "K", 1000.0, "S", 1609.344);
 
-  /** Uses the link; closing the device closes it. */
   public NmeaRadar(ByteLink link) {
     super(link, new NmeaParser<>(new Targets()::read));
   }
@@ -95,15 +92,9 @@ public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implemen
   }
 
   /** Provider of RADAR = NMEA. */
-  public static final class Provider extends DeviceProvider<TrackingRadar> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<TrackingRadar> {
     public Provider() {
-      super(TrackingRadar.class, "NMEA");
-    }
-
-    @Override
-    protected TrackingRadar open(String name, ServiceContext context) {
-      return new NmeaRadar(ByteLinks.of(context));
+      super(TrackingRadar.class, NmeaRadar::new, "NMEA");
     }
   }
 }

@@ -101,7 +101,6 @@ public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
                 text = "LV ANALOG: supply voltage of the sonar.")
             double sonarSupply) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(RangeFinder.class, "LV ANALOG", "SHARP");
     }

@@ -6,14 +6,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.RangeScan;
-import org.u2sa.service.ServiceContext;
 
 /**
  * Operates a Hokuyo or another SCIP 2 sensor: selects SCIP 2, stops any measurement, queries its
@@ -49,18 +47,15 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   private String asked = "";
   private ScipSensor sensor;
   private long untilMicros = Long.MIN_VALUE;
-  private Optional<Scan> latest = Optional.empty();
   private String trouble = "";
-  private long malformed;
 
-  /** Uses the link; closing the device closes it. */
   public Hokuyo(ByteLink link) {
     super(link);
   }
 
   @Override
   protected void found(long nowMicros) {
-    reader.beginAnew();
+    reader.reset();
     begin(nowMicros);
   }
 
@@ -80,11 +75,6 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
     }
   }
 
-  @Override
-  protected Optional<Scan> latest() {
-    return latest;
-  }
-
   private void begin(long nowMicros) {
     ask(State.SWITCHING, State.SWITCHING.command, nowMicros);
   }
@@ -93,7 +83,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
     if (state == State.SWITCHING) {
       ask(State.QUITTING, "QT", nowMicros);
     } else {
-      malformed++;
+      refuse("no answer to " + asked);
       begin(nowMicros);
     }
   }
@@ -107,7 +97,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
       return;
     }
     if (lines.size() < 2 || lines.get(1).length() != 3 || !ScipSensor.isChecked(lines.get(1))) {
-      malformed++;
+      refuse("a status with a wrong checksum");
       return;
     }
     String status = lines.get(1).substring(0, 2);
@@ -141,7 +131,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   private void parameters(List<String> data, long nowMicros) {
     Optional<ScipSensor> said = ScipSensor.of(data);
     if (said.isEmpty()) {
-      malformed++;
+      refuse("invalid parameters");
       return;
     }
     sensor = said.get();
@@ -158,7 +148,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   private void scanned(List<String> data, long nowMicros) {
     Optional<List<OptionalDouble>> ranges = sensor.ranges(data);
     if (ranges.isEmpty()) {
-      malformed++;
+      refuse("a damaged scan");
       return;
     }
     RangeScan scan =
@@ -183,7 +173,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
 
   @Override
   public long malformed() {
-    return malformed + reader.malformed();
+    return super.malformed() + reader.malformed();
   }
 
   @Override
@@ -201,15 +191,9 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   }
 
   /** Provider of LIDAR = hokuyo. */
-  public static final class Provider extends DeviceProvider<LaserScanner> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<LaserScanner> {
     public Provider() {
-      super(LaserScanner.class, "hokuyo");
-    }
-
-    @Override
-    protected LaserScanner open(String name, ServiceContext context) {
-      return new Hokuyo(ByteLinks.of(context));
+      super(LaserScanner.class, Hokuyo::new, "hokuyo");
     }
   }
 }

@@ -4,14 +4,12 @@ import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.RangeScan;
-import org.u2sa.service.ServiceContext;
 
 /**
  * Operates an RPLIDAR: stops it, queries its health, resets it after a protection stop, starts the
@@ -63,11 +61,8 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   private State state = State.STOPPING;
   private long untilMicros = Long.MIN_VALUE;
   private boolean runsMotor;
-  private Optional<Scan> latest = Optional.empty();
   private String trouble = "";
-  private long unanswered;
 
-  /** Uses the link; closing the device closes it. */
   public Rplidar(ByteLink link) {
     super(link);
   }
@@ -108,11 +103,6 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
     if (state != State.STOPPING && state != State.RESETTING) {
       parser.accept(bytes, length, nowMicros);
     }
-  }
-
-  @Override
-  protected Optional<Scan> latest() {
-    return latest;
   }
 
   @Override
@@ -180,7 +170,9 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
     } else if (MAY_BE_UNANSWERED.contains(state)) {
       scan(nowMicros); // older models may not support the query
     } else {
-      unanswered += state == State.RESETTING ? 0 : 1;
+      if (state != State.RESETTING) {
+        refuse("no answer");
+      }
       stop(nowMicros);
     }
   }
@@ -190,7 +182,7 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   }
 
   private void ask(byte[] request, State next, long until) {
-    parser.beginAnew();
+    parser.reset();
     link.write(request); // an unsent request times out later
     enter(next, until);
   }
@@ -202,7 +194,7 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
 
   @Override
   public long malformed() {
-    return parser.malformed() + unanswered;
+    return super.malformed() + parser.malformed();
   }
 
   @Override
@@ -223,15 +215,9 @@ public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements La
   }
 
   /** Provider of LIDAR = rplidar. */
-  public static final class Provider extends DeviceProvider<LaserScanner> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<LaserScanner> {
     public Provider() {
-      super(LaserScanner.class, "rplidar");
-    }
-
-    @Override
-    protected LaserScanner open(String name, ServiceContext context) {
-      return new Rplidar(ByteLinks.of(context));
+      super(LaserScanner.class, Rplidar::new, "rplidar");
     }
   }
 }

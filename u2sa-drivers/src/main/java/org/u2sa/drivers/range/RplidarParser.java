@@ -79,7 +79,7 @@ final class RplidarParser {
   private long malformed;
 
   /** Resets all but the counter before a request, and expects its descriptor. */
-  void beginAnew() {
+  void reset() {
     pendingBytes = 0;
     expecting = Expecting.DESCRIPTOR;
     trusted = true; // data after a descriptor is aligned
@@ -220,17 +220,17 @@ final class RplidarParser {
     return expecting == Expecting.NODES;
   }
 
-  /** Health received since the last {@link #beginAnew}. */
+  /** Health received since the last {@link #reset}. */
   Optional<Health> health() {
     return Optional.ofNullable(health);
   }
 
-  /** Model received since the last {@link #beginAnew}; A2 is 0x28. */
+  /** Model received since the last {@link #reset}; A2 is 0x28. */
   OptionalInt model() {
     return model;
   }
 
-  /** Motor-board support received since the last {@link #beginAnew}. */
+  /** Motor-board support received since the last {@link #reset}. */
   Optional<Boolean> hasMotorBoard() {
     return board;
   }

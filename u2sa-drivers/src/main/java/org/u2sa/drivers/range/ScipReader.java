@@ -19,7 +19,7 @@ final class ScipReader {
   private long malformed;
 
   /** Resets all but the counter after an interruption. */
-  void beginAnew() {
+  void reset() {
     line.setLength(0);
     lines = new ArrayList<>();
     answers.clear();

@@ -2,14 +2,12 @@ package org.u2sa.drivers.sonar;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
-import org.u2sa.service.ServiceContext;
 
 /**
  * An NMEA 0183 echo sounder: depth below the transducer from DPT, or from DBT in metres. Devices
@@ -18,7 +16,6 @@ import org.u2sa.service.ServiceContext;
 public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
   private static final double DEEPEST_M = 12_000.0;
 
-  /** Uses the link; closing the device closes it. */
   public NmeaDepth(ByteLink link) {
     super(link, new NmeaParser<>(NmeaDepth::distance));
   }
@@ -40,15 +37,9 @@ public final class NmeaDepth extends ParsedDevice<RangeFinder.Distance> implemen
   }
 
   /** Provider of MODEL = NMEA DEPTH. */
-  public static final class Provider extends DeviceProvider<RangeFinder> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<RangeFinder> {
     public Provider() {
-      super(RangeFinder.class, "NMEA DEPTH");
-    }
-
-    @Override
-    protected RangeFinder open(String name, ServiceContext context) {
-      return new NmeaDepth(ByteLinks.of(context));
+      super(RangeFinder.class, NmeaDepth::new, "NMEA DEPTH");
     }
   }
 }

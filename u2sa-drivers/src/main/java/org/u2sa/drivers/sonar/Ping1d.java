@@ -1,17 +1,14 @@
 package org.u2sa.drivers.sonar;
 
 import java.nio.ByteBuffer;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceContext;
 
 /**
  * Blue Robotics Ping single-beam echo sounder, polled for its distance: message 1211 by request 6
@@ -25,10 +22,10 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
   private static final long ASK_EVERY_MICROS = Clock.micros(0.1);
   private static final byte[] AUTO_BAUD = {'U', 'U', 'U', 'U', 'U', 'U', 'U'};
 
-  private final PingFramer framer = new PingFramer();
+  private final PingFramer framer = new PingFramer(this::take, this::refuse);
   private final int minConfidence;
   private long askDueMicros = Long.MIN_VALUE;
-  private Optional<Distance> latest = Optional.empty();
+  private long heardMicros; // arrival of the bytes that are being parsed
 
   /**
    * Uses the link; closing the device closes it.
@@ -49,10 +46,11 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
 
   @Override
   protected void hear(byte[] bytes, int length, long nowMicros) {
-    framer.accept(bytes, length, (payload, id) -> take(payload, id, nowMicros));
+    heardMicros = nowMicros;
+    framer.accept(bytes, length);
   }
 
-  private void take(ByteBuffer distance, int id, long nowMicros) {
+  private void take(ByteBuffer distance, int id) {
     if (id != DISTANCE || distance.capacity() != DISTANCE_BYTES) {
       return;
     }
@@ -60,7 +58,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
     double rangeM = (distance.getInt(0) & 0xFFFFFFFFL) * MILLI;
     latest =
         Optional.of(
-            new Distance(nowMicros, isSure ? OptionalDouble.of(rangeM) : OptionalDouble.empty()));
+            new Distance(heardMicros, isSure ? OptionalDouble.of(rangeM) : OptionalDouble.empty()));
   }
 
   @Override
@@ -71,18 +69,8 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
     }
   }
 
-  @Override
-  protected Optional<Distance> latest() {
-    return latest;
-  }
-
-  @Override
-  public long malformed() {
-    return framer.refused();
-  }
-
   /** Provider of MODEL = PING1D. */
-  public static final class Provider extends DeviceProvider<RangeFinder> {
+  public static final class Provider extends LinkProvider<RangeFinder> {
     private record Variables(
         @Variable(
                 unit = "%",
@@ -92,21 +80,12 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
                 text = "PING1D: minimum confidence of an echo.")
             int minConfidence) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(RangeFinder.class, "PING1D");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Variables.class);
-    }
-
-    @Override
-    protected RangeFinder open(String name, ServiceContext context) {
-      return new Ping1d(
-          ByteLinks.of(context),
-          context.configuration().settings(Variables.class).get().minConfidence());
+      super(
+          RangeFinder.class,
+          Variables.class,
+          (name, link, own) -> new Ping1d(link, own.minConfidence()),
+          "PING1D");
     }
   }
 }

@@ -3,16 +3,13 @@ package org.u2sa.drivers.sonar;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceContext;
 
 /**
  * Blue Robotics Ping360 scanning sonar: commanded to turn and ping, it replies with echo
@@ -36,7 +33,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
       Clock.micros(4.0); // from the message description
   private static final byte[] AUTO_BAUD = {'U', 'U', 'U', 'U', 'U', 'U', 'U'};
 
-  private final PingFramer framer = new PingFramer();
+  private final PingFramer framer = new PingFramer(this::take, this::refuse);
   private final double soundMps;
   private final int stepGradians;
   private final int gain;
@@ -44,8 +41,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   private int angle;
   private boolean isAsked;
   private long askedMicros;
-  private Optional<Ping> latest = Optional.empty();
-  private long refused;
+  private long heardMicros; // arrival of the bytes that are being parsed
 
   /**
    * Uses the link; closing the device closes it.
@@ -74,10 +70,11 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
 
   @Override
   protected void hear(byte[] bytes, int length, long nowMicros) {
-    framer.accept(bytes, length, (payload, id) -> take(payload, id, nowMicros));
+    heardMicros = nowMicros;
+    framer.accept(bytes, length);
   }
 
-  private void take(ByteBuffer data, int id, long nowMicros) {
+  private void take(ByteBuffer data, int id) {
     if (id != DEVICE_DATA || data.capacity() < DATA_HEAD_BYTES) {
       return;
     }
@@ -85,7 +82,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     int saidPeriod = data.getShort(6) & 0xFFFF;
     int count = data.getShort(12) & 0xFFFF;
     if (said >= GRADIANS || count > data.capacity() - DATA_HEAD_BYTES || saidPeriod == 0) {
-      refused++;
+      refuse("device data with invalid numbers");
       return;
     }
     isAsked = false;
@@ -96,13 +93,15 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     byte[] strengths = Arrays.copyOfRange(data.array(), DATA_HEAD_BYTES, DATA_HEAD_BYTES + count);
     double bearing = -Math.IEEEremainder(said * RAD_PER_GRADIAN, 2.0 * Math.PI);
     double metres = 0.5 * soundMps * saidPeriod * PERIOD_STEP_S;
-    latest = Optional.of(new Ping(nowMicros, bearing, metres, strengths));
+    latest = Optional.of(new Ping(heardMicros, bearing, metres, strengths));
   }
 
   @Override
   protected void act(long nowMicros) {
     boolean isLate = isAsked && nowMicros - askedMicros > ANSWER_WITHIN_MICROS;
-    refused += isLate ? 1 : 0;
+    if (isLate) {
+      refuse("no answer");
+    }
     if (link.isConnected() && (!isAsked || isLate)) {
       isAsked = link.write(PingFramer.of(TRANSDUCER, settings()));
       askedMicros = nowMicros;
@@ -118,18 +117,8 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
     return settings.put((byte) 1).put((byte) 0).array();
   }
 
-  @Override
-  protected Optional<Ping> latest() {
-    return latest;
-  }
-
-  @Override
-  public long malformed() {
-    return framer.refused() + refused;
-  }
-
   /** Provider of SONAR = PING360. */
-  public static final class Provider extends DeviceProvider<Sonar> {
+  public static final class Provider extends LinkProvider<Sonar> {
     private record Variables(
         @Variable(unit = "m", min = 1, max = 75, ifAbsent = 20, text = "PING360: range.")
             double sonarReach,
@@ -154,25 +143,13 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
                 text = "PING360: analog gain: 0 low, 1 normal, 2 high.")
             int gain) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
-      super(Sonar.class, "PING360");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Variables.class);
-    }
-
-    @Override
-    protected Sonar open(String name, ServiceContext context) {
-      Variables tuning = context.configuration().settings(Variables.class).get();
-      return new Ping360(
-          ByteLinks.of(context),
-          tuning.sonarReach(),
-          tuning.soundSpeed(),
-          tuning.stepGradians(),
-          tuning.gain());
+      super(
+          Sonar.class,
+          Variables.class,
+          (name, link, own) ->
+              new Ping360(link, own.sonarReach(), own.soundSpeed(), own.stepGradians(), own.gain()),
+          "PING360");
     }
   }
 }

@@ -3,20 +3,29 @@ package org.u2sa.drivers.sonar;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
+import org.u2sa.drivers.link.BinaryFramer;
 
 /**
- * Framing of the ping protocol: {@code BR}, payload length, message ID, sender, receiver, payload,
+ * Messages of the ping protocol: {@code BR}, payload length, message ID, sender, receiver, payload,
  * sum of all preceding bytes; little-endian (bluerobotics/ping-protocol, README).
  */
-final class PingFramer {
+final class PingFramer extends BinaryFramer {
   private static final int HEAD_BYTES = 8;
   private static final int SUM_BYTES = 2;
   private static final int MAX_PAYLOAD = 4_096; // 1,200 samples of a Ping360 and its settings
 
-  private final byte[] bytes = new byte[HEAD_BYTES + MAX_PAYLOAD + SUM_BYTES];
-  private int length;
-  private long refused;
+  private final ObjIntConsumer<ByteBuffer> sink;
+
+  /**
+   * @param sink receives the little-endian payload and the ID of each message
+   * @param refusals receives the reason of each rejection
+   */
+  PingFramer(ObjIntConsumer<ByteBuffer> sink, Consumer<String> refusals) {
+    super(HEAD_BYTES + MAX_PAYLOAD + SUM_BYTES, refusals);
+    this.sink = sink;
+  }
 
   /** Encodes a message to any device. */
   static byte[] of(int id, byte... payload) {
@@ -24,70 +33,38 @@ final class PingFramer {
         ByteBuffer.allocate(HEAD_BYTES + payload.length + SUM_BYTES).order(ByteOrder.LITTLE_ENDIAN);
     message.put((byte) 'B').put((byte) 'R').putShort((short) payload.length).putShort((short) id);
     message.put((byte) 0).put((byte) 0).put(payload);
-    return message.putShort((short) sum(message.array(), HEAD_BYTES + payload.length)).array();
+    return message.putShort((short) sum(message.array(), 0, message.position())).array();
   }
 
-  /**
-   * Consumes bytes.
-   *
-   * @param to receives the little-endian payload and the ID of each complete message
-   */
-  void accept(byte[] from, int count, ObjIntConsumer<ByteBuffer> to) {
-    for (int i = 0; i < count; i++) {
-      bytes[length++] = from[i];
-      understand(to);
+  @Override
+  protected int lengthAt(int at, int available) {
+    boolean canBegin =
+        unsigned8(at) == 'B'
+            && (available < 2 || unsigned8(at + 1) == 'R')
+            && (available < HEAD_BYTES || unsigned16(at + 2) <= MAX_PAYLOAD);
+    if (!canBegin) {
+      return NONE;
     }
+    return available < HEAD_BYTES ? HEAD_BYTES : HEAD_BYTES + unsigned16(at + 2) + SUM_BYTES;
   }
 
-  private void understand(ObjIntConsumer<ByteBuffer> to) {
-    while (length > 0) {
-      boolean canBegin =
-          bytes[0] == 'B'
-              && (length < 2 || bytes[1] == 'R')
-              && (length < HEAD_BYTES || unsigned16(2) <= MAX_PAYLOAD);
-      if (!canBegin) {
-        drop(1);
-        continue;
-      }
-      int whole = length < HEAD_BYTES ? bytes.length : HEAD_BYTES + unsigned16(2) + SUM_BYTES;
-      if (length < whole) {
-        return;
-      }
-      if (unsigned16(whole - SUM_BYTES) == (sum(bytes, whole - SUM_BYTES) & 0xFFFF)) {
-        byte[] payload = Arrays.copyOfRange(bytes, HEAD_BYTES, whole - SUM_BYTES);
-        to.accept(ByteBuffer.wrap(payload).order(ByteOrder.LITTLE_ENDIAN), unsigned16(4));
-        drop(whole);
-      } else {
-        refused++;
-        drop(1);
-      }
-    }
+  @Override
+  protected String fault(int at, int length) {
+    int end = at + length - SUM_BYTES;
+    return unsigned16(end) == (sum(bytes(), at, end) & 0xFFFF) ? "" : "wrong checksum";
   }
 
-  private void drop(int count) {
-    System.arraycopy(bytes, count, bytes, 0, length - count);
-    length -= count;
+  @Override
+  protected void take(int at, int length) {
+    byte[] payload = Arrays.copyOfRange(bytes(), at + HEAD_BYTES, at + length - SUM_BYTES);
+    sink.accept(ByteBuffer.wrap(payload).order(ByteOrder.LITTLE_ENDIAN), unsigned16(at + 4));
   }
 
-  private int unsigned16(int at) {
-    return bytes[at] & 0xFF | (bytes[at + 1] & 0xFF) << 8;
-  }
-
-  private static int sum(byte[] message, int end) {
+  private static int sum(byte[] message, int from, int to) {
     int sum = 0;
-    for (int i = 0; i < end; i++) {
+    for (int i = from; i < to; i++) {
       sum += message[i] & 0xFF;
     }
     return sum;
-  }
-
-  /** Discards a partial message. */
-  void reset() {
-    length = 0;
-  }
-
-  /** Number of messages with a wrong checksum. */
-  long refused() {
-    return refused;
   }
 }

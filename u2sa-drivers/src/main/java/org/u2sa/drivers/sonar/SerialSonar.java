@@ -1,44 +1,37 @@
 package org.u2sa.drivers.sonar;
 
-import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
-import org.u2sa.service.ServiceContext;
 
 /** A free-running MaxBotix sonar on a link. */
 public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implements RangeFinder {
-  /** Uses the link; closing the device closes it. */
   public SerialSonar(ByteLink link, SonarModel model) {
     super(link, new SonarParser(model));
   }
 
   /** Provider of MODEL = LV, XL and HR. */
-  public static final class Provider extends DeviceProvider<RangeFinder> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<RangeFinder> {
     public Provider() {
-      super(RangeFinder.class, "LV", "XL", "HR");
-    }
-
-    @Override
-    protected RangeFinder open(String name, ServiceContext context) {
-      return new SerialSonar(ByteLinks.of(context), SonarModel.valueOf(name));
+      super(
+          RangeFinder.class,
+          (name, link) -> new SerialSonar(link, SonarModel.valueOf(name)),
+          "LV",
+          "XL",
+          "HR");
     }
   }
 
   /** Parses a MaxBotix sonar's serial output: "R", digits, carriage return. */
-  static final class SonarParser implements ByteParser<RangeFinder.Distance> {
+  static final class SonarParser extends ByteParser<RangeFinder.Distance> {
     private static final int CARRIAGE_RETURN = '\r';
     private static final int BEGIN = 'R';
 
     private final SonarModel model;
     private int digits = -1; // digits since the R; -1 before an R
     private int count;
-    private Optional<RangeFinder.Distance> latest = Optional.empty();
-    private long refused;
 
     /** Creates a parser for a sonar family. */
     SonarParser(SonarModel model) {
@@ -54,39 +47,30 @@ public final class SerialSonar extends ParsedDevice<RangeFinder.Distance> implem
 
     private void accept(int each, long nowMicros) {
       if (each == BEGIN) {
-        refused += digits >= 0 ? 1 : 0; // a partial message was interrupted
+        if (digits >= 0) {
+          refuse(); // a partial message was interrupted
+        }
         digits = 0;
         count = 0;
       } else if (each >= '0' && each <= '9' && digits >= 0 && digits < model.digits()) {
         digits++;
         count = 10 * count + each - '0';
       } else if (each == CARRIAGE_RETURN && digits == model.digits()) {
-        latest = Optional.of(new RangeFinder.Distance(nowMicros, model.rangeM(count)));
+        found(new RangeFinder.Distance(nowMicros, model.rangeM(count)));
         digits = -1;
       } else {
-        refused++;
+        refuse();
         digits = -1;
       }
     }
 
-    @Override
-    public Optional<RangeFinder.Distance> latest() {
-      return latest;
+    private void refuse() {
+      refuse("not R, " + model.digits() + " digits and a carriage return");
     }
 
     @Override
     public void reset() {
       digits = -1;
-    }
-
-    @Override
-    public long refused() {
-      return refused;
-    }
-
-    @Override
-    public String lastRefusal() {
-      return refused == 0 ? "" : "not R, " + model.digits() + " digits and a carriage return";
     }
   }
 }

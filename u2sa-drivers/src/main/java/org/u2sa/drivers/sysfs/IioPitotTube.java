@@ -33,7 +33,6 @@ public final class IioPitotTube extends FileDevice<PitotTube.Impact> implements 
 
   /** Provider of PITOT TUBE = IIO. */
   public static final class Provider extends DeviceProvider<PitotTube> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(PitotTube.class, "IIO");
     }

@@ -60,7 +60,6 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
 
   /** Provider of BAROMETER = IIO. */
   public static final class BarometerProvider extends DeviceProvider<Barometer> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public BarometerProvider() {
       super(Barometer.class, "IIO");
     }
@@ -78,7 +77,6 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
 
   /** Provider of DEPTH GAUGE = IIO. */
   public static final class DepthGaugeProvider extends DeviceProvider<DepthGauge> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public DepthGaugeProvider() {
       super(DepthGauge.class, "IIO");
     }

@@ -32,7 +32,6 @@ public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implement
                     "LINUX COUNTER: file of the right wheel's count; CONNECTION is the left one's.")
             String rightCounter) {}
 
-    /** Constructor for {@link java.util.ServiceLoader}. */
     public Provider() {
       super(WheelEncoder.class, "LINUX COUNTER");
     }

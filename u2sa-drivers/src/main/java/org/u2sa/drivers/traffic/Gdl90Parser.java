@@ -11,7 +11,7 @@ import org.u2sa.drivers.link.ByteParser;
  * Data Interface Specification, 560-1058-00 Rev A, chapter 2): between two flags 7E, 7D before an
  * escaped byte, and a CRC with its low byte first.
  */
-final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
+final class Gdl90Parser extends ByteParser<TrafficReceiver.Traffic> {
   private static final int FLAG = 0x7E;
   private static final int ESCAPE = 0x7D;
   private static final int ESCAPED = 0x20;
@@ -26,8 +26,6 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
   private int length;
   private boolean isEscaped;
   private boolean isInside; // after a flag byte
-  private long refused;
-  private String lastRefusal = "";
 
   @Override
   public void accept(byte[] bytes, int count, long nowMicros) {
@@ -56,8 +54,7 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
     int end = length - CRC_BYTES;
     int said = end < 1 ? -1 : (message[end + 1] & 0xFF) << 8 | message[end] & 0xFF;
     if (said != crc(message, end)) {
-      refused++;
-      lastRefusal = "a message of " + length + " bytes with a wrong checksum";
+      refuse("a message of " + length + " bytes with a wrong checksum");
       return;
     }
     if (message[0] == HEARTBEAT) {
@@ -71,8 +68,7 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
     try {
       Gdl90Report.target(report, nowMicros).ifPresent(target -> picture.heard(target, nowMicros));
     } catch (IllegalArgumentException e) {
-      refused++;
-      lastRefusal = e.getMessage();
+      refuse(e.getMessage());
     }
   }
 
@@ -99,15 +95,5 @@ final class Gdl90Parser implements ByteParser<TrafficReceiver.Traffic> {
   @Override
   public Optional<TrafficReceiver.Traffic> latest() {
     return picture.latest();
-  }
-
-  @Override
-  public long refused() {
-    return refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal;
   }
 }

@@ -1,11 +1,9 @@
 package org.u2sa.drivers.traffic;
 
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A GDL 90 ADS-B receiver such as Stratux, Sentry or SkyEcho, usually on UDP port 4000. Ownship
@@ -13,21 +11,14 @@ import org.u2sa.service.ServiceContext;
  */
 public final class Gdl90Receiver extends ParsedDevice<TrafficReceiver.Traffic>
     implements TrafficReceiver {
-  /** Uses the link; closing the device closes it. */
   public Gdl90Receiver(ByteLink link) {
     super(link, new Gdl90Parser());
   }
 
   /** Provider of RECEIVER = GDL90. */
-  public static final class Provider extends DeviceProvider<TrafficReceiver> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<TrafficReceiver> {
     public Provider() {
-      super(TrafficReceiver.class, "GDL90");
-    }
-
-    @Override
-    protected TrafficReceiver open(String name, ServiceContext context) {
-      return new Gdl90Receiver(ByteLinks.of(context));
+      super(TrafficReceiver.class, Gdl90Receiver::new, "GDL90");
     }
   }
 }

@@ -2,15 +2,13 @@ package org.u2sa.drivers.water;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.ByteParser;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
-import org.u2sa.service.ServiceContext;
 
 /**
  * A streaming velocity log: Water Linked DVLs, or NMEA 0183 with VBW (speeds over ground and
@@ -70,18 +68,13 @@ public final class SerialVelocityLog extends ParsedDevice<VelocityLog.Speeds>
   }
 
   /** Provider of LOG = WATER LINKED and NMEA. */
-  public static final class Provider extends DeviceProvider<VelocityLog> {
-    private static final String WATER_LINKED = "WATER LINKED";
-
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<VelocityLog> {
     public Provider() {
-      super(VelocityLog.class, WATER_LINKED, "NMEA");
-    }
-
-    @Override
-    protected VelocityLog open(String name, ServiceContext context) {
-      ByteLink link = ByteLinks.of(context);
-      return name.equals(WATER_LINKED) ? waterLinked(link) : nmea(link);
+      super(
+          VelocityLog.class,
+          (name, link) -> name.equals("NMEA") ? nmea(link) : waterLinked(link),
+          "WATER LINKED",
+          "NMEA");
     }
   }
 }

@@ -2,7 +2,6 @@ package org.u2sa.drivers.water;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 
-import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.drivers.link.ByteParser;
@@ -12,7 +11,7 @@ import org.u2sa.drivers.link.ByteParser;
  * of older ones, with a CRC-8 (docs.waterlinked.com, "DVL protocol"). Its axes are x forward, y
  * right, z down.
  */
-final class WaterLinkedParser implements ByteParser<VelocityLog.Speeds> {
+final class WaterLinkedParser extends ByteParser<VelocityLog.Speeds> {
   private static final int LONGEST = 512;
   private static final int POLYNOMIAL = 0x07;
   private static final double FASTEST_MPS = 30.0;
@@ -20,9 +19,6 @@ final class WaterLinkedParser implements ByteParser<VelocityLog.Speeds> {
 
   private final byte[] line = new byte[LONGEST];
   private int length;
-  private Optional<VelocityLog.Speeds> latest = Optional.empty();
-  private long refused;
-  private String lastRefusal = "";
 
   @Override
   public void accept(byte[] bytes, int count, long nowMicros) {
@@ -43,10 +39,9 @@ final class WaterLinkedParser implements ByteParser<VelocityLog.Speeds> {
       return; // transducer, position and reply lines
     }
     try {
-      latest = Optional.of(speeds(text, nowMicros));
+      found(speeds(text, nowMicros));
     } catch (IllegalArgumentException e) { // includes NumberFormatException
-      refused++;
-      lastRefusal = e.getMessage() + ": " + text;
+      refuse(e.getMessage() + ": " + text);
     }
   }
 
@@ -99,20 +94,5 @@ final class WaterLinkedParser implements ByteParser<VelocityLog.Speeds> {
   @Override
   public void reset() {
     length = 0;
-  }
-
-  @Override
-  public Optional<VelocityLog.Speeds> latest() {
-    return latest;
-  }
-
-  @Override
-  public long refused() {
-    return refused;
-  }
-
-  @Override
-  public String lastRefusal() {
-    return lastRefusal;
   }
 }

@@ -2,14 +2,12 @@ package org.u2sa.drivers.wind;
 
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
-import org.u2sa.service.ServiceContext;
 
 /**
  * An NMEA 0183 anemometer, such as Gill WindSonic or Airmar WeatherStation: the relative wind of
@@ -22,7 +20,6 @@ public final class NmeaAnemometer extends ParsedDevice<Anemometer.Wind> implemen
   private static final Map<String, Double> MPS_PER_UNIT =
       Map.of("M", 1.0, "N", 1852.0 / 3600.0, "K", 1.0 / 3.6, "S", 1609.344 / 3600.0);
 
-  /** Uses the link; closing the device closes it. */
   public NmeaAnemometer(ByteLink link) {
     super(link, new NmeaParser<>(NmeaAnemometer::wind));
   }
@@ -52,15 +49,9 @@ public final class NmeaAnemometer extends ParsedDevice<Anemometer.Wind> implemen
   }
 
   /** Provider of ANEMOMETER = NMEA. */
-  public static final class Provider extends DeviceProvider<Anemometer> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<Anemometer> {
     public Provider() {
-      super(Anemometer.class, "NMEA");
-    }
-
-    @Override
-    protected Anemometer open(String name, ServiceContext context) {
-      return new NmeaAnemometer(ByteLinks.of(context));
+      super(Anemometer.class, NmeaAnemometer::new, "NMEA");
     }
   }
 }

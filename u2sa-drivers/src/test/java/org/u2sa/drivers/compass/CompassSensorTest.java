@@ -120,23 +120,6 @@ class CompassSensorTest {
   }
 
   @Test
-  void step_unpluggedAndPlugged_isSaidAndGoesOn() {
-    start();
-    say("HCHDT,10.0,T");
-    link.unplug();
-    kit.advance(1.0);
-    assertThat(lastError()).hasValue("the compass is lost: unplugged");
-    assertThat(published()).hasSize(1);
-
-    link.plug();
-    kit.advance(0.1);
-    say("HCHDT,20.0,T");
-    assertThat(psiDeg()).isCloseTo(20.0, within(TINY));
-    kit.advance(3.0);
-    assertThat(lastError()).hasValue("the compass has sent no valid data for more than 1.5 s");
-  }
-
-  @Test
   void step_sparton_isAskedForEachHeading() {
     int[] asked = {0};
     link.with(

@@ -1,6 +1,5 @@
 package org.u2sa.drivers.gps;
 
-import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -120,36 +119,6 @@ class GpsSensorTest {
     assertThat(published()).hasSize(1);
     assertThat(kit.log("GpsSensor"))
         .anySatisfy(line -> assertThat(line).contains("the GPS receiver has a fix"));
-  }
-
-  @Test
-  void step_unpluggedAndPlugged_isSaidAndGoesOnAtOnce() {
-    startNmea();
-    say(rmc(0), gga(0), rmc(1), gga(1));
-    kit.advance(0.1);
-    kit.forget();
-    link.unplug();
-    kit.advance(1.0);
-    assertThat(published()).isEmpty();
-    assertThat(lastError()).hasValue("the GPS receiver is lost: unplugged");
-
-    link.plug();
-    kit.advance(0.1);
-    say(rmc(10), gga(10));
-    kit.advance(0.1);
-    assertThat(published()).hasSize(1);
-  }
-
-  @Test
-  void step_garbage_isSaidAndSurvived() {
-    startNmea();
-    link.fromDevice("$GPRMC,garbage*00\r\n$GPGGA\r\n\u0000\u0001$$$".getBytes(US_ASCII));
-    assertThat(lastError())
-        .hasValueSatisfying(
-            error -> assertThat(error).startsWith("the GPS receiver sent invalid data"));
-    say(rmc(0), gga(0), rmc(1), gga(1));
-    kit.advance(0.1);
-    assertThat(published()).isNotEmpty();
   }
 
   @Test

@@ -3,6 +3,9 @@ package org.u2sa.drivers.link;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
@@ -15,6 +18,7 @@ import org.u2sa.device.CompassSensor;
 import org.u2sa.device.GpsSensor;
 import org.u2sa.device.ImuSensor;
 import org.u2sa.device.LidarSensor;
+import org.u2sa.device.PointCloudSensor;
 import org.u2sa.device.RadarSensor;
 import org.u2sa.device.RangeSensor;
 import org.u2sa.device.SonarSensor;
@@ -36,9 +40,13 @@ import org.u2sa.drivers.motor.Vesc;
 import org.u2sa.drivers.radar.NmeaRadar;
 import org.u2sa.drivers.range.Hokuyo;
 import org.u2sa.drivers.range.Rplidar;
+import org.u2sa.drivers.range.Velodyne;
+import org.u2sa.drivers.range.VelodynePackets;
 import org.u2sa.drivers.sonar.NmeaDepth;
 import org.u2sa.drivers.sonar.Ping1d;
 import org.u2sa.drivers.sonar.Ping360;
+import org.u2sa.drivers.sonar.SerialSonar;
+import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.drivers.traffic.Gdl90Receiver;
 import org.u2sa.drivers.water.SerialVelocityLog;
 import org.u2sa.drivers.wind.NmeaAnemometer;
@@ -52,12 +60,29 @@ import org.u2sa.service.U2SAService;
 import org.u2sa.testkit.ServiceKit;
 
 /**
- * Frames under right checksums with whatever content, one protocol family at a time: no exception
- * leaves a service's step, so none fails.
+ * Garbage, and frames with any content under right checksums, one protocol family at a time: no
+ * exception leaves a service's step, so none fails.
  */
 @Timeout(240)
 class AbsurdFramesTest {
   private static final double SECONDS = 20.0;
+  private static final int CHUNKS = 1_500; // of garbage
+
+  /** How frames of the protocols begin, so that noise is taken for content. */
+  private static final List<byte[]> BEGINNINGS =
+      List.of(
+          new byte[] {(byte) 0xb5, 0x62, 0x01, 0x07}, // UBX NAV-PVT
+          new byte[] {(byte) 0xfa, 0x01}, // VectorNav, binary
+          new byte[] {(byte) 0xa5, 0x5a, 0x05, 0x00, 0x00, 0x40, (byte) 0x81}, // RPLIDAR, a scan
+          new byte[] {'B', 'R', 0x20, 0x00}, // Ping
+          new byte[] {0x7e, 0x14}, // GDL 90 traffic report
+          new byte[] {(byte) 0xff, (byte) 0xd8, (byte) 0xff}, // JPEG
+          new byte[] {(byte) 0xfd, 0x20}, // MAVLink 2
+          new byte[] {0x02, 0x10, 0x04}, // VESC
+          new byte[] {(byte) 0xff, (byte) 0xee, 0x10, 0x01}, // VLP-16
+          "R123\rR9".getBytes(StandardCharsets.US_ASCII), // MaxBotix
+          "MD0000000001000\n99b\n".getBytes(StandardCharsets.US_ASCII), // SCIP
+          "wrz,0.1,".getBytes(StandardCharsets.US_ASCII)); // Water Linked
 
   /** A device that says absurd things. */
   private interface Speaker {
@@ -174,6 +199,24 @@ class AbsurdFramesTest {
         Frames::waterLinked);
   }
 
+  private void addRangeFinders() {
+    byte[] revolutions = VelodynePackets.revolutions(3, (azimuth, elevation) -> 5.0);
+    int[] sent = {0};
+    add(
+        "VLP-16",
+        (context, link) -> new PointCloudSensor(context, new Velodyne(link)),
+        random -> {
+          byte[] packet = Arrays.copyOfRange(revolutions, sent[0], sent[0] + 1206);
+          sent[0] = (sent[0] + 1206) % revolutions.length;
+          random.ints(2, 0, 1200).forEach(at -> packet[at] = (byte) random.nextInt());
+          return packet;
+        });
+    add(
+        "MaxBotix",
+        (context, link) -> new RangeSensor(context, new SerialSonar(link, SonarModel.LV)),
+        random -> String.format("R%03d\r", random.nextInt(1_000)).getBytes(US_ASCII));
+  }
+
   private void addMotors() {
     add("VESC", (context, link) -> new ThrusterActuator(context, new Vesc(link, 7)), Frames::vesc);
     add(
@@ -231,14 +274,25 @@ class AbsurdFramesTest {
   }
 
   @TestFactory
-  Stream<DynamicTest> step_randomContentUnderARightChecksum_neverThrows() {
+  Stream<DynamicTest> step_garbageAndRandomContentUnderARightChecksum_neverThrows() {
     addMavlink();
     addNmea();
     addBinarySensors();
+    addRangeFinders();
     addMotors();
     addLasers();
     return families.entrySet().stream()
         .map(each -> DynamicTest.dynamicTest(each.getKey(), () -> survives(each.getValue())));
+  }
+
+  private static byte[] garbage(Random random) {
+    boolean isNoise = random.nextBoolean();
+    byte[] start = isNoise ? new byte[0] : BEGINNINGS.get(random.nextInt(BEGINNINGS.size()));
+    byte[] noise = new byte[random.nextInt(isNoise ? 300 : 100)];
+    random.nextBytes(noise);
+    byte[] chunk = Arrays.copyOf(start, start.length + noise.length);
+    System.arraycopy(noise, 0, chunk, start.length, noise.length);
+    return chunk;
   }
 
   private static void survives(Pair family) {
@@ -256,13 +310,22 @@ class AbsurdFramesTest {
         }
         kit.advance(0.05);
       }
-      HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
-      assertThat(health.exceptions()).as("exceptions; %s", health.lastError()).isZero();
-      assertThat(health.status()).isEqualTo(ServiceStatus.RUNNING);
       boolean isPublished =
           Stream.of(Channels.SENSED_STATE, Channels.SENSED_OBJECTS, Channels.SCANS, Channels.POWER)
               .anyMatch(channel -> !kit.published(channel).isEmpty());
       assertThat(isPublished).as("some readings get through").isTrue();
+      for (int i = 0; i < CHUNKS; i++) {
+        link.fromDevice(garbage(random));
+        if (i % 500 == 499) {
+          link.unplug();
+        }
+        kit.advance(0.02);
+        link.plug();
+      }
+      kit.advance(1.0);
+      HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
+      assertThat(health.exceptions()).as("exceptions; %s", health.lastError()).isZero();
+      assertThat(health.status()).isEqualTo(ServiceStatus.RUNNING);
     }
   }
 }

@@ -3,7 +3,6 @@ package org.u2sa.drivers.link;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.nio.file.Path;
 import org.u2sa.interfaces.time.SystemClock;
 
@@ -28,21 +27,43 @@ public final class FarEnds {
 
   /** Behind a TCP server. */
   public static FarEnd tcp() throws IOException {
-    SocketDevice server = new SocketDevice(InetAddress.getLoopbackAddress());
-    return new Socketed("tcp:127.0.0.1:" + server.port(), server);
+    MemoryLink device = new MemoryLink();
+    DeviceServer server = new DeviceServer(device);
+    return new Far(device, server.address()) {
+      @Override
+      public void unplug() throws Exception {
+        super.unplug();
+        server.unplug();
+      }
+
+      @Override
+      public void plug() throws Exception {
+        super.plug();
+        server.plug();
+      }
+
+      @Override
+      public void end() throws IOException {
+        server.close();
+      }
+    };
   }
 
   /** On a serial line, which is a pseudo terminal here. Skips the test where there is no socat. */
   public static FarEnd serial(Path path) throws IOException {
-    SerialCable cable = SerialCable.required(path);
-    return new Socketed("serial:" + cable.path() + "?baud=115200", cable.device()) {
+    MemoryLink device = new MemoryLink();
+    DeviceServer server = new DeviceServer(device);
+    SerialCable cable = SerialCable.required(path, server.address());
+    return new Far(device, "serial:" + cable.path() + "?baud=115200") {
       @Override
-      public void unplug() throws InterruptedException {
+      public void unplug() throws Exception {
+        super.unplug();
         cable.unplug();
       }
 
       @Override
-      public void plug() throws IOException {
+      public void plug() throws Exception {
+        super.plug();
         cable.plug();
       }
 
@@ -57,7 +78,8 @@ public final class FarEnds {
 
       @Override
       public void end() throws Exception {
-        cable.remove();
+        cable.unplug();
+        server.close();
       }
     };
   }
@@ -67,53 +89,15 @@ public final class FarEnds {
     return new DatagramDevice();
   }
 
-  private static class Memory implements FarEnd {
-    private final MemoryLink link = new MemoryLink();
-    private final StringBuilder told = new StringBuilder();
-
-    @Override
-    public String address() {
-      return " no thread";
-    }
-
-    @Override
-    public ByteLink open() {
-      return link.with(bytes -> told.append(new String(bytes, US_ASCII)));
-    }
-
-    @Override
-    public void says(String text) {
-      link.fromDevice(text.getBytes(US_ASCII));
-    }
-
-    @Override
-    public String wasTold() {
-      return told.toString();
-    }
-
-    @Override
-    public void unplug() {
-      link.unplug();
-    }
-
-    @Override
-    public void plug() {
-      link.plug();
-    }
-
-    @Override
-    public void end() {
-      link.close();
-    }
-  }
-
-  private static class Socketed implements FarEnd {
+  /** A device in this process, behind an address or none. */
+  private static class Far implements FarEnd {
+    private final MemoryLink link;
     private final String address;
-    private final SocketDevice server;
+    private final StringBuffer told = new StringBuffer();
 
-    Socketed(String address, SocketDevice server) {
+    Far(MemoryLink link, String address) {
+      this.link = link.with(bytes -> told.append(new String(bytes, US_ASCII)));
       this.address = address;
-      this.server = server;
     }
 
     @Override
@@ -128,27 +112,45 @@ public final class FarEnds {
 
     @Override
     public void says(String text) {
-      server.says(text);
+      link.fromDevice(text.getBytes(US_ASCII));
     }
 
     @Override
     public String wasTold() {
-      return server.wasTold();
+      return told.toString();
     }
 
     @Override
     public void unplug() throws Exception {
-      server.unplug();
+      link.unplug();
     }
 
     @Override
-    public void plug() throws IOException {
-      server.plug();
+    public void plug() throws Exception {
+      link.plug();
     }
 
     @Override
     public void end() throws Exception {
-      server.unplug();
+      link.close();
+    }
+  }
+
+  private static class Memory extends Far {
+    private final MemoryLink link;
+
+    Memory() {
+      this(new MemoryLink());
+    }
+
+    private Memory(MemoryLink link) {
+      super(link, " no thread");
+      this.link = link;
+    }
+
+    @Override
+    public ByteLink open() {
+      return link;
     }
   }
 }

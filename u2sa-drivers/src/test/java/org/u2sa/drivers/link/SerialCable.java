@@ -4,29 +4,33 @@ import static org.awaitility.Awaitility.await;
 
 import java.io.File;
 import java.io.IOException;
-import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.testkit.ForeignPrograms;
 
-/** A serial port that socat makes: a pseudo terminal, with the device at its other end. */
+/** A serial port that socat makes: a pseudo terminal, joined to a device behind TCP. */
 public final class SerialCable {
   private final String program;
   private final Path path;
-  private final SocketDevice device = new SocketDevice(InetAddress.getLoopbackAddress());
+  private final String address;
   private Process socat;
 
-  private SerialCable(String program, Path path) throws IOException {
+  private SerialCable(String program, Path path, String address) throws IOException {
     this.program = program;
     this.path = path;
+    this.address = address;
     plug();
   }
 
-  /** Skips the test where there is no socat, except under CI, where it fails. */
-  public static SerialCable required(Path path) throws IOException {
-    return new SerialCable(ForeignPrograms.ofThisMachine().required("socat"), path);
+  /**
+   * Skips the test where there is no socat, except under CI, where it fails.
+   *
+   * @param address of the device: tcp:HOST:PORT
+   */
+  public static SerialCable required(Path path, String address) throws IOException {
+    return new SerialCable(ForeignPrograms.ofThisMachine().required("socat"), path, address);
   }
 
   /** The port, as the link's address has it. */
@@ -34,31 +38,20 @@ public final class SerialCable {
     return path;
   }
 
-  SocketDevice device() {
-    return device;
-  }
-
-  void plug() throws IOException {
+  public void plug() throws IOException {
     socat =
-        new ProcessBuilder(program, "pty,raw,echo=0,link=" + path, "tcp:127.0.0.1:" + device.port())
+        new ProcessBuilder(program, "pty,raw,echo=0,link=" + path, address)
             .redirectErrorStream(true)
             .redirectOutput(new File(path + ".log"))
             .start();
     await().atMost(Duration.ofSeconds(30)).until(() -> Files.exists(path));
   }
 
-  void unplug() throws InterruptedException {
+  public void unplug() throws InterruptedException {
     socat.destroy();
     if (!socat.waitFor(30, TimeUnit.SECONDS)) {
       socat.destroyForcibly().waitFor();
     }
     await().atMost(Duration.ofSeconds(30)).until(() -> !Files.exists(path));
-  }
-
-  /** Takes it away for good. */
-  public void remove() throws IOException, InterruptedException {
-    socat.destroy();
-    socat.waitFor(30, TimeUnit.SECONDS);
-    device.unplug();
   }
 }

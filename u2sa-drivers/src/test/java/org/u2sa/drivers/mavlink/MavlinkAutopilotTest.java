@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.dronefleet.mavlink.common.Attitude;
-import io.dronefleet.mavlink.common.BatteryStatus;
 import io.dronefleet.mavlink.common.CommandLong;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.GpsFixType;
@@ -21,10 +20,8 @@ import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.math.BigInteger;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
 import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -36,7 +33,6 @@ import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.HealthReport;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.testkit.ServiceKit;
 
@@ -55,9 +51,13 @@ class MavlinkAutopilotTest {
   }
 
   private void start() {
-    link.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
+    link.with(this::hear);
     service = kit.start(context -> new MavlinkAutopilot(context, link));
     live(1.0);
+  }
+
+  private void hear(byte[] bytes) {
+    vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload()));
   }
 
   private void say(Object message) {
@@ -107,7 +107,27 @@ class MavlinkAutopilotTest {
   }
 
   private void command(String actuator, double percent) {
-    kit.publish(Channels.ACTUATION, PercentageCommand.of(actuator, percent));
+    command(actuator, percent, 0.5);
+  }
+
+  private void command(String actuator, double percent, double expiryS) {
+    kit.publish(Channels.ACTUATION, PercentageCommand.of(actuator, percent).expiry(expiryS));
+  }
+
+  /** Commands at 10 Hz. */
+  private void commanding(String actuator, double percent, double seconds) {
+    for (int i = 0; i < Math.round(10.0 * seconds); i++) {
+      command(actuator, percent);
+      live(0.1);
+    }
+  }
+
+  /** Repeats an attitude at 10 Hz. */
+  private void turned(double yaw, double seconds) {
+    for (int i = 0; i < Math.round(10.0 * seconds); i++) {
+      say(attitude(0.0, yaw));
+      live(0.1);
+    }
   }
 
   private <T> List<T> heard(Class<T> type) {
@@ -139,52 +159,10 @@ class MavlinkAutopilotTest {
   }
 
   @Test
-  void step_attitudeAndPosition_areStatesInGlobal() {
-    start();
-    say(
-        GpsRawInt.builder()
-            .fixType(GpsFixType.GPS_FIX_TYPE_3D_FIX)
-            .timeUsec(BigInteger.ZERO)
-            .hAcc(800)
-            .vAcc(1500)
-            .velAcc(300)
-            .build());
-    say(position(473977420));
-    say(attitude(-0.2, -1.5));
-    kit.advance(0.1);
-    StateInformation state = state(StateField.X);
-    assertThat(state.referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
-    assertThat(state.y().getAsDouble()).isCloseTo(47.397742, within(1.0e-9));
-    assertThat(state.x().getAsDouble()).isCloseTo(8.545594, within(1.0e-9));
-    assertThat(state.z()).hasValue(488.1);
-    assertThat(state.xDot()).as("east").hasValue(2.0);
-    assertThat(state.yDot()).as("north").hasValue(1.0);
-    assertThat(state.zDot()).as("up").hasValue(-0.5);
-    assertThat(state.xSigma().getAsDouble())
-        .as("h_acc is the distance's")
-        .isCloseTo(0.8 / Math.sqrt(2.0), within(1.0e-9));
-    assertThat(state.zSigma()).hasValue(1.5);
-    assertThat(state.zDotSigma()).hasValue(0.3);
-    assertThat(state.psi()).as("measured apart").isEmpty();
-    state = state(StateField.PHI);
-    assertThat(state.referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
-    assertThat(state.x()).as("measured apart").isEmpty();
-    assertThat(state.phi().getAsDouble()).isCloseTo(0.1, within(1.0e-6));
-    assertThat(state.theta().getAsDouble()).isCloseTo(-0.2, within(1.0e-6));
-    assertThat(state.psi().getAsDouble()).isCloseTo(2.0 * Math.PI - 1.5, within(1.0e-6));
-    // psiDot = (q sin phi + r cos phi) / cos theta
-    assertThat(state.psiDot().getAsDouble())
-        .isCloseTo((0.02 * Math.sin(0.1) + 0.03 * Math.cos(0.1)) / Math.cos(-0.2), within(1.0e-6));
-  }
-
-  @Test
   void step_onePositionManyAttitudes_thePositionIsPublishedOnce() {
     start();
     say(position(473977420));
-    for (int i = 0; i < 10; i++) {
-      say(attitude(0.0, 0.0));
-      live(0.1);
-    }
+    turned(0.0, 1.0);
     List<StateInformation> all = kit.published(Channels.SENSED_STATE);
     assertThat(all.stream().filter(each -> each.psi().isPresent())).hasSize(10);
     assertThat(all.stream().filter(each -> each.x().isPresent())).as("one measurement").hasSize(1);
@@ -225,47 +203,15 @@ class MavlinkAutopilotTest {
   }
 
   @Test
-  void step_batteries_arePublishedEach() {
-    start();
-    List<Integer> cells = new ArrayList<>(Collections.nCopies(10, 65535));
-    cells.set(0, 4100);
-    cells.set(1, 4000);
-    say(
-        BatteryStatus.builder()
-            .id(1)
-            .temperature(2000)
-            .voltages(cells)
-            .currentBattery(-1)
-            .currentConsumed(-1)
-            .energyConsumed(-1)
-            .batteryRemaining(55)
-            .voltagesExt(List.of(0, 0, 0, 0))
-            .build());
-    kit.advance(0.1);
-    assertThat(kit.latest(Channels.POWER).orElseThrow().sensorName())
-        .isEqualTo("MavlinkAutopilot 1");
-    assertThat(kit.latest(Channels.POWER).orElseThrow().voltage().getAsDouble())
-        .isCloseTo(8.1, within(1.0e-9));
-    assertThat(kit.latest(Channels.POWER).orElseThrow().current()).isEmpty();
-    assertThat(kit.latest(Channels.POWER).orElseThrow().remaining()).hasValue(55.0);
-  }
-
-  @Test
   void step_heartbeatsAndRequests_goOut() {
     start();
     heard.clear();
     live(5.0);
     assertThat(heard(Heartbeat.class)).hasSize(5);
     assertThat(heard(CommandLong.class)).as("asked again while nothing comes").isNotEmpty();
-    for (int i = 0; i < 50; i++) {
-      say(attitude(0.0, 0.0));
-      live(0.1);
-    }
+    turned(0.0, 5.0);
     heard.clear();
-    for (int i = 0; i < 20; i++) {
-      say(attitude(0.0, 0.0));
-      live(0.1);
-    }
+    turned(0.0, 2.0);
     assertThat(heard(CommandLong.class)).as("no longer when it comes").isEmpty();
   }
 
@@ -356,22 +302,11 @@ class MavlinkAutopilotTest {
   @Test
   void swap_commanded_theSuccessorRenewsTheSameCommandAndNobodySaysNeutral() {
     rc();
-    for (String actuator : List.of("STEERING", "THROTTLE")) {
-      PercentageCommand command = PercentageCommand.of(actuator, 25.0);
-      command.expiry(3.0);
-      kit.publish(Channels.ACTUATION, command);
-    }
+    command("STEERING", 25.0, 3.0);
+    command("THROTTLE", 25.0, 3.0);
     kit.advance(0.2);
     RcChannelsOverride before = last(RcChannelsOverride.class);
-    heard.clear();
-    MemoryLink again = new MemoryLink();
-    again.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
-
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
-    for (int i = 0; i < 4; i++) {
-      again.fromDevice(vehicle.encode(heartbeat(MavState.MAV_STATE_ACTIVE)));
-      kit.advance(0.5);
-    }
+    live(swap(), 2.0);
 
     assertThat(link.isClosed()).isTrue();
     assertThat(heard(RcChannelsOverride.class)).isNotEmpty().containsOnly(before);
@@ -380,8 +315,26 @@ class MavlinkAutopilotTest {
   /** The link of a service that takes this one's place; the vehicle hears it as before. */
   private MemoryLink successorsLink() {
     heard.clear();
-    MemoryLink again = new MemoryLink();
-    again.with(bytes -> vehicle.accept(bytes, bytes.length, each -> heard.add(each.payload())));
+    return new MemoryLink().with(this::hear);
+  }
+
+  private MemoryLink swap() {
+    MemoryLink again = successorsLink();
+    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    return again;
+  }
+
+  private MemoryLink restart() {
+    return restart(successorsLink());
+  }
+
+  private MemoryLink restart(MemoryLink again) {
+    kit.restart(
+        service,
+        context -> {
+          heard.clear(); // what the first one said at its end
+          return new MavlinkAutopilot(context, again);
+        });
     return again;
   }
 
@@ -419,9 +372,7 @@ class MavlinkAutopilotTest {
     rc();
     command("STEERING", 80.0);
     kit.advance(0.2);
-    MemoryLink again = successorsLink();
-
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = swap();
     stop();
     kit.advance(0.95); // more than what is left of the command and of the neutral time
     assertThat(heard(RcChannelsOverride.class)).as("the autopilot is not yet known").isEmpty();
@@ -439,9 +390,7 @@ class MavlinkAutopilotTest {
     rc();
     command("STEERING", 80.0);
     kit.advance(0.2);
-    MemoryLink again = successorsLink();
-
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = swap();
     kit.advance(2.5);
     live(again, 2.5);
 
@@ -451,9 +400,7 @@ class MavlinkAutopilotTest {
   @Test
   void swap_neverCommanded_isSilent() {
     rc();
-    MemoryLink again = successorsLink();
-
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = swap();
     stop();
     live(again, 2.5);
 
@@ -464,13 +411,9 @@ class MavlinkAutopilotTest {
   void swap_targetConfigured_saysNoNeutralBeforeTheHeartbeatButStopsAtOnce() {
     kit.with("AUTOPILOT SYSTEM", 7);
     rc();
-    PercentageCommand command = PercentageCommand.of("STEERING", 80.0);
-    command.expiry(5.0);
-    kit.publish(Channels.ACTUATION, command);
+    command("STEERING", 80.0, 5.0);
     kit.advance(0.2);
-    MemoryLink again = successorsLink();
-
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = swap();
     kit.advance(0.9);
     assertThat(heard(RcChannelsOverride.class)).as("the last command still holds").isEmpty();
     stop();
@@ -482,13 +425,9 @@ class MavlinkAutopilotTest {
   void swap_targetConfiguredAndNoHeartbeat_isNeutralAfterTheTimeout() {
     kit.with("AUTOPILOT SYSTEM", 7);
     rc();
-    PercentageCommand command = PercentageCommand.of("STEERING", 80.0);
-    command.expiry(20.0);
-    kit.publish(Channels.ACTUATION, command);
+    command("STEERING", 80.0, 20.0);
     kit.advance(0.2);
-    MemoryLink again = successorsLink();
-
-    kit.swap(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = swap();
     kit.advance(6.0);
 
     assertThat(steering()).containsExactly(1500, 0);
@@ -497,14 +436,7 @@ class MavlinkAutopilotTest {
   @Test
   void restart_stopped_isNeutralForItsTimeThenGivenBack() {
     rc();
-    MemoryLink again = successorsLink();
-
-    kit.restart(
-        service,
-        context -> {
-          heard.clear(); // what the first one said at its end
-          return new MavlinkAutopilot(context, again);
-        });
+    MemoryLink again = restart();
     stop();
     kit.advance(3.0);
     assertThat(heard(RcChannelsOverride.class)).as("the autopilot is not yet known").isEmpty();
@@ -519,14 +451,7 @@ class MavlinkAutopilotTest {
   @Test
   void restart_notStopped_isGivenBackWithoutNeutral() {
     rc();
-    MemoryLink again = successorsLink();
-
-    kit.restart(
-        service,
-        context -> {
-          heard.clear(); // what the first one said at its end
-          return new MavlinkAutopilot(context, again);
-        });
+    MemoryLink again = restart();
     live(again, 3.0);
 
     assertThat(steering()).containsExactly(0);
@@ -539,8 +464,7 @@ class MavlinkAutopilotTest {
     rc();
     MemoryLink again = successorsLink();
     again.unplug();
-
-    kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    restart(again);
     stop();
     kit.advance(5.0);
     again.plug();
@@ -553,9 +477,7 @@ class MavlinkAutopilotTest {
   @Test
   void restart_sensorOnly_commandsNothing() {
     start();
-    MemoryLink again = successorsLink();
-
-    kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = restart();
     live(again, 2.5);
 
     assertThat(heard(RcChannelsOverride.class)).isEmpty();
@@ -565,9 +487,7 @@ class MavlinkAutopilotTest {
   void restart_attitudeComesLate_neutralWaitsForIt() {
     kit.with("COMMANDS", "attitude");
     start();
-    MemoryLink again = successorsLink();
-
-    kit.restart(service, context -> new MavlinkAutopilot(context, again));
+    MemoryLink again = restart();
     stop();
     live(again, 2.0);
     assertThat(heard(SetAttitudeTarget.class)).isEmpty();
@@ -627,14 +547,9 @@ class MavlinkAutopilotTest {
     kit.advance(0.2);
     assertThat(last(SetPositionTargetLocalNed.class).vx()).isEqualTo(3.0f);
     heard.clear();
-    kit.publish(
-        Channels.EMERGENCY_STOP,
-        new EmergencyStop().operator("the test").reason("test").active(true));
+    stop();
     assertThat(last(SetPositionTargetLocalNed.class).vx()).isZero();
-    for (int i = 0; i < 20; i++) {
-      command("FORWARD SPEED", 60.0);
-      live(0.1);
-    }
+    commanding("FORWARD SPEED", 60.0, 2.0);
     assertThat(heard(SetPositionTargetLocalNed.class))
         .allSatisfy(each -> assertThat(each.vx()).isZero());
   }
@@ -675,17 +590,11 @@ class MavlinkAutopilotTest {
   void step_heartbeatsEnd_isSaidAndCommandsTooUntilTheyReturn() {
     rc();
     speaks = false;
-    for (int i = 0; i < 50; i++) {
-      command("STEERING", 80.0);
-      live(0.1);
-    }
+    commanding("STEERING", 80.0, 5.0);
     assertThat(lastError()).contains("the autopilot has sent no valid data for more than 3.0 s");
     assertThat(last(RcChannelsOverride.class).chan1Raw()).as("given back").isZero();
     speaks = true;
-    for (int i = 0; i < 10; i++) {
-      command("STEERING", 80.0);
-      live(0.1);
-    }
+    commanding("STEERING", 80.0, 1.0);
     assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
   }
 
@@ -697,10 +606,7 @@ class MavlinkAutopilotTest {
     assertThat(lastError()).isEqualTo("the autopilot is lost: unplugged");
     link.plug();
     heard.clear();
-    for (int i = 0; i < 20; i++) {
-      command("STEERING", 80.0);
-      live(0.1);
-    }
+    commanding("STEERING", 80.0, 2.0);
     assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
     assertThat(heard(CommandLong.class)).as("asked again").isNotEmpty();
   }
@@ -721,23 +627,6 @@ class MavlinkAutopilotTest {
   }
 
   @Test
-  void step_randomBytes_noException() {
-    rc();
-    Random random = new Random(7);
-    for (int i = 0; i < 300; i++) {
-      byte[] noise = new byte[random.nextInt(300)];
-      random.nextBytes(noise);
-      link.fromDevice(noise);
-      kit.advance(0.01);
-    }
-    live(2.0);
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().exceptions()).isZero();
-    command("STEERING", 80.0);
-    kit.advance(0.1);
-    assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1900);
-  }
-
-  @Test
   @Timeout(120)
   void step_floodThatNeverEnds_anEmergencyStopIsObeyed() {
     kit.with("COMMANDS", "rc").with("CHANNEL 1 ACTUATOR", "WHEEL");
@@ -747,7 +636,7 @@ class MavlinkAutopilotTest {
     byte[] frame = vehicle.encode(attitude(0.0, 1.0));
     link.producing(() -> link.fromDevice(frame)); // each reading finds another one
 
-    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("a"));
+    stop();
     kit.advance(0.1);
 
     assertThat(last(RcChannelsOverride.class).chan1Raw()).isEqualTo(1500);

@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.testkit.ServiceKit;
 
 /**
@@ -103,6 +104,8 @@ class MavlinkUnitsTest {
     assertNumber(state().xDot(), -2.20);
     assertNumber(state().zDot(), -0.57);
     assertThat(state().xSigma()).isEmpty();
+    assertThat(state().psi()).as("measured apart").isEmpty();
+    assertThat(state().referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
   }
 
   /** fix_type 28, h_acc 34, v_acc 38 [mm], vel_acc 42 [mm/s]. */
@@ -122,6 +125,8 @@ class MavlinkUnitsTest {
   @Test
   void attitude_radians_areRadians() {
     say(new MavlinkFrame(30, 39, 28).f32(4, 0.25).f32(12, -0.5).f32(16, 0.125).f32(20, 0.5));
+    assertThat(state().x()).as("measured apart").isEmpty();
+    assertThat(state().referenceFrame()).isEqualTo(ReferenceFrame.GLOBAL);
     assertNumber(state().phi(), 0.25);
     assertThat(state().theta()).hasValue(0.0);
     assertNumber(state().psi(), 2.0 * Math.PI - 0.5);

@@ -12,12 +12,14 @@ class NmeaFramerTest {
   private static final String RMC =
       "$GPRMC,083559.00,A,4717.11437,N,00833.91522,E,0.004,77.52,091202,,,A*57";
 
-  private final NmeaFramer framer = new NmeaFramer();
   private final List<String> sentences = new ArrayList<>();
+  private final List<String> refusals = new ArrayList<>();
+  private final NmeaFramer framer =
+      new NmeaFramer(sentence -> sentences.add(sentence.text()), refusals::add);
 
   private void accept(String text) {
     byte[] bytes = text.getBytes(ISO_8859_1);
-    framer.accept(bytes, bytes.length, sentence -> sentences.add(sentence.text()));
+    framer.accept(bytes, bytes.length);
   }
 
   @Test
@@ -25,7 +27,7 @@ class NmeaFramerTest {
     accept(RMC + "\r\n");
 
     assertThat(sentences).containsExactly(RMC);
-    assertThat(framer.refused()).isZero();
+    assertThat(refusals).isEmpty();
   }
 
   @Test
@@ -33,8 +35,11 @@ class NmeaFramerTest {
     accept(RMC.replace("*57", "*58") + "\r\n" + RMC + "\n");
 
     assertThat(sentences).containsExactly(RMC);
-    assertThat(framer.refused()).isEqualTo(1);
-    assertThat(framer.lastRefusal()).startsWith("wrong checksum: $GPRMC").endsWith("*58");
+    assertThat(refusals)
+        .singleElement()
+        .asString()
+        .startsWith("wrong checksum: $GPRMC")
+        .endsWith("*58");
   }
 
   @Test
@@ -49,7 +54,7 @@ class NmeaFramerTest {
     accept("$GPRMC,083559.00,A\r\n");
 
     assertThat(sentences).isEmpty();
-    assertThat(framer.lastRefusal()).isEqualTo("no checksum: $GPRMC,083559.00,A");
+    assertThat(refusals).containsExactly("no checksum: $GPRMC,083559.00,A");
   }
 
   @Test
@@ -57,7 +62,7 @@ class NmeaFramerTest {
     accept("$GPRMC,0835" + RMC + "\r\n");
 
     assertThat(sentences).containsExactly(RMC);
-    assertThat(framer.lastRefusal()).isEqualTo("cut off: $GPRMC,0835");
+    assertThat(refusals).containsExactly("cut off: $GPRMC,0835");
   }
 
   @Test
@@ -65,8 +70,7 @@ class NmeaFramerTest {
     accept("$" + "A".repeat(10_000) + "\r\n" + RMC + "\r\n");
 
     assertThat(sentences).containsExactly(RMC);
-    assertThat(framer.refused()).isEqualTo(1);
-    assertThat(framer.lastRefusal()).startsWith("longer than 255 characters: $AAA");
+    assertThat(refusals).singleElement().asString().startsWith("longer than 255 characters: $AAA");
   }
 
   @Test
@@ -74,24 +78,25 @@ class NmeaFramerTest {
     accept("\u00b5b\u0001\u0002$GP\u0000\u00ff" + RMC + "\r\n");
 
     assertThat(sentences).containsExactly(RMC);
-    assertThat(framer.lastRefusal()).isEqualTo("not text: $GP");
+    assertThat(refusals).containsExactly("not text: $GP");
   }
 
   @Test
   void field_emptyAndMissingOnes_areEmpty() {
     List<String> fields = new ArrayList<>();
     byte[] bytes = Nmea.bytes("HCHDG,101.1,,,7.1,W");
-    framer.accept(
-        bytes,
-        bytes.length,
-        sentence -> {
-          for (int i = 0; i <= 7; i++) {
-            fields.add(sentence.field(i));
-          }
-          assertThat(sentence.is("HDG")).isTrue();
-          assertThat(sentence.is("HD")).isFalse();
-          assertThat(sentence.isAddressed("HCHDG")).isTrue();
-        });
+    NmeaFramer reader =
+        new NmeaFramer(
+            sentence -> {
+              for (int i = 0; i <= 7; i++) {
+                fields.add(sentence.field(i));
+              }
+              assertThat(sentence.is("HDG")).isTrue();
+              assertThat(sentence.is("HD")).isFalse();
+              assertThat(sentence.isAddressed("HCHDG")).isTrue();
+            },
+            refusals::add);
+    reader.accept(bytes, bytes.length);
 
     assertThat(fields).containsExactly("$HCHDG", "101.1", "", "", "7.1", "W", "", "");
   }

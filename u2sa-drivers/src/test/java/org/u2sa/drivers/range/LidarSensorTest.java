@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
-import java.util.Random;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.device.LidarSensor;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
@@ -25,6 +27,7 @@ class LidarSensorTest {
   private final ServiceKit kit = new ServiceKit().with("MOUNTED X", 0.2).with("MOUNTED Z", -0.5);
   private final MemoryLink link = new MemoryLink();
   private LidarSensor service;
+  private Consumer<Boolean> mute;
 
   @AfterEach
   void end() {
@@ -271,54 +274,44 @@ class LidarSensorTest {
     assertWallAhead(1081, 481);
   }
 
-  private void unplugFor(double seconds) {
+  /** Starts either laser; returns what it looks like when it works. */
+  private Runnable laser(boolean isHokuyo) {
+    if (isHokuyo) {
+      SimulatedHokuyo device = hokuyo();
+      mute = device::mute;
+      return () -> assertWallAhead(1081, 481);
+    }
+    SimulatedRplidar device = rplidar();
+    mute = device::mute;
+    return () -> assertWallAhead(360, 121);
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void step_unplugged_isSetUpAgainWithinTwoSeconds(boolean isHokuyo) {
+    Runnable works = laser(isHokuyo);
     kit.advance(1.0);
     link.unplug();
-    kit.advance(seconds);
+    kit.advance(5.0);
     assertThat(lastError()).isEqualTo("the laser is lost: unplugged");
     kit.forget();
     link.plug();
     kit.advance(2.0);
+    works.run();
   }
 
-  @Test
-  void rplidar_unplugged_isSetUpAgainWithinTwoSeconds() {
-    rplidar();
-    unplugFor(5.0);
-    assertWallAhead(360, 121);
-  }
-
-  @Test
-  void hokuyo_unplugged_isSetUpAgainWithinTwoSeconds() {
-    hokuyo();
-    unplugFor(5.0);
-    assertWallAhead(1081, 481);
-  }
-
-  @Test
-  void rplidar_mute_isSaidAndGoesOnWithinTwoSeconds() {
-    SimulatedRplidar device = rplidar();
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void step_mute_isSaidAndGoesOnWithinTwoSeconds(boolean isHokuyo) {
+    Runnable works = laser(isHokuyo);
     kit.advance(1.0);
-    device.mute(true);
+    mute.accept(true);
     kit.advance(5.0);
     assertThat(lastError()).contains("the laser");
-    device.mute(false);
+    mute.accept(false);
     kit.forget();
     kit.advance(2.0);
-    assertWallAhead(360, 121);
-  }
-
-  @Test
-  void hokuyo_mute_isSaidAndGoesOnWithinTwoSeconds() {
-    SimulatedHokuyo device = hokuyo();
-    kit.advance(1.0);
-    device.mute(true);
-    kit.advance(5.0);
-    assertThat(lastError()).contains("the laser");
-    device.mute(false);
-    kit.forget();
-    kit.advance(2.0);
-    assertWallAhead(1081, 481);
+    works.run();
   }
 
   @Test
@@ -337,27 +330,5 @@ class LidarSensorTest {
     assertThat(device.isLit()).isTrue();
     service.kill();
     assertThat(device.isLit()).isFalse();
-  }
-
-  @Test
-  void step_randomBytes_noExceptionForEitherFamily() {
-    for (String family : List.of("rplidar", "hokuyo")) {
-      MemoryLink noisy = new MemoryLink();
-      boolean isHokuyo = family.equals("hokuyo");
-      kit.with("SERVICE NAME", family);
-      kit.start(
-          context -> new LidarSensor(context, isHokuyo ? new Hokuyo(noisy) : new Rplidar(noisy)));
-      Random random = new Random(6);
-      for (int i = 0; i < 200; i++) {
-        byte[] noise = new byte[random.nextInt(600)];
-        random.nextBytes(noise);
-        noisy.fromDevice(noise);
-        kit.advance(0.01);
-      }
-    }
-    kit.advance(0.3);
-    assertThat(kit.published(Channels.HEALTH))
-        .allSatisfy(health -> assertThat(health.exceptions()).isZero());
-    assertThat(scans()).isEmpty();
   }
 }

@@ -40,7 +40,7 @@ class RplidarParserTest {
 
   @Test
   void accept_health_isRead() {
-    parser.beginAnew();
+    parser.reset();
     say(HEALTH);
     say((byte) 2, (byte) 0x03, (byte) 0x80);
     assertThat(parser.health()).hasValue(new RplidarParser.Health(2, 0x8003));
@@ -49,7 +49,7 @@ class RplidarParserTest {
 
   @Test
   void accept_infoAndBoard_areRead() {
-    parser.beginAnew();
+    parser.reset();
     say((byte) 0xA5, (byte) 0x5A, (byte) 0x14, (byte) 0, (byte) 0, (byte) 0, (byte) 0x04);
     byte[] info = new byte[20];
     info[0] = 0x28; // A2M8
@@ -73,7 +73,7 @@ class RplidarParserTest {
 
   @Test
   void accept_measurement_byHand() {
-    parser.beginAnew();
+    parser.reset();
     say(SCAN);
     // quality 47, start; angle 90 degrees = 5760/64; distance 1000 mm = 4000/4
     byte[] node = {(byte) 0xBD, 0x01, 0x2D, (byte) 0xA0, 0x0F};
@@ -95,7 +95,7 @@ class RplidarParserTest {
 
   @Test
   void accept_restOfAScanBeforeTheDescriptor_isPassedOver() {
-    parser.beginAnew();
+    parser.reset();
     say(SimulatedRplidar.node(false, 3, 12.0, 0.7));
     say((byte) 0xA5);
     say(SCAN);
@@ -106,7 +106,7 @@ class RplidarParserTest {
   @Property(tries = 100)
   void accept_anyPieces_areTheSameScans(@ForAll @IntRange(min = 1, max = 5000) int piece) {
     RplidarParser any = new RplidarParser();
-    any.beginAnew();
+    any.reset();
     any.accept(SCAN, SCAN.length, 0);
     byte[] whole = turns(3);
     int count = 0;
@@ -122,7 +122,7 @@ class RplidarParserTest {
 
   @Test
   void accept_oneByteLost_dropsThatScanAndFindsTheNext() {
-    parser.beginAnew();
+    parser.reset();
     say(SCAN);
     byte[] five = turns(5);
     for (int i = 0; i < five.length; i++) {
@@ -136,7 +136,7 @@ class RplidarParserTest {
 
   @Test
   void accept_randomBytes_makeNoScanAndNoException() {
-    parser.beginAnew();
+    parser.reset();
     say(SCAN);
     Random random = new Random(5);
     byte[] noise = new byte[200_000];
@@ -150,7 +150,7 @@ class RplidarParserTest {
 
   @Test
   void accept_motorThatStandsStill_doesNotGrowForEver() {
-    parser.beginAnew();
+    parser.reset();
     say(SCAN);
     say(SimulatedRplidar.node(true, 15, 10.0, 1.0));
     for (int i = 0; i < 100_000; i++) {

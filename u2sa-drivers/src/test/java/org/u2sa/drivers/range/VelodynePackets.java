@@ -5,14 +5,14 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /** Packets of a VLP-16, written from its manual and apart from the driver. */
-final class VelodynePackets {
+public final class VelodynePackets {
   private static final int[] ELEVATIONS = {
     -15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15
   };
 
   /** What stands in a direction. */
   @FunctionalInterface
-  interface Scene {
+  public interface Scene {
     /** Range [m]; 0 without an echo. Azimuth is clockwise from ahead. */
     double rangeM(double azimuthDeg, double elevationDeg);
   }
@@ -20,7 +20,7 @@ final class VelodynePackets {
   private VelodynePackets() {}
 
   /** Whole revolutions, each of 75 packets with 0.4° between blocks. */
-  static byte[] revolutions(int number, Scene scene) {
+  public static byte[] revolutions(int number, Scene scene) {
     ByteArrayOutputStream all = new ByteArrayOutputStream();
     for (int packet = 0; packet < number * 75; packet++) {
       ByteBuffer bytes = ByteBuffer.allocate(1206).order(ByteOrder.LITTLE_ENDIAN);

@@ -122,19 +122,13 @@ class PressureSensorsTest {
     assertThat(sensed().zSigma()).hasValue(0.05);
   }
 
-  @Test
-  void depth_localFrames_haveTheirOwnSigns() {
-    kit.with("DEPTH FRAME", "LOCAL_NED");
+  @ParameterizedTest
+  @CsvSource({"LOCAL_NED, 10", "LOCAL_ENU, -10"})
+  void depth_localFrames_haveTheirOwnSigns(String frame, double z) {
+    kit.with("DEPTH FRAME", frame);
     depth(10.0);
-    assertThat(sensed().referenceFrame()).isEqualTo(ReferenceFrame.LOCAL_NED);
-    assertThat(sensed().z().orElseThrow()).isCloseTo(10.0, within(1e-9));
-  }
-
-  @Test
-  void depth_localEnu_isMinusTheDepth() {
-    kit.with("DEPTH FRAME", "LOCAL_ENU");
-    depth(10.0);
-    assertThat(sensed().z().orElseThrow()).isCloseTo(-10.0, within(1e-9));
+    assertThat(sensed().referenceFrame()).hasToString(frame);
+    assertThat(sensed().z().orElseThrow()).isCloseTo(z, within(1e-9));
   }
 
   private void pitot(double speedMps, double altitudeM) {

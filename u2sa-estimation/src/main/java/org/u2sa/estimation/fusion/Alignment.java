@@ -9,7 +9,7 @@ final class Alignment {
 
   /** Initialises a state with nothing known. */
   static void start(FilterState s, long micros, FilterTuning tuning) {
-    double speed = tuning.domain().speedSigmaMps();
+    double speed = tuning.domain().speedSigmaMps;
     s.micros = micros;
     s.startedMicros = micros;
     s.isStarted = true;

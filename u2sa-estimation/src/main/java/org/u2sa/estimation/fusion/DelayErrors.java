@@ -95,9 +95,7 @@ final class DelayErrors {
     }
   }
 
-  /**
-   * Clamps a delay to its valid range: estimates outside stem from other errors, such as multipath.
-   */
+  /** Clamps a delay to its valid range: estimates outside stem from other errors. */
   static double possible(double seconds) {
     return Math.min(MAX_S, Math.max(0.0, seconds));
   }

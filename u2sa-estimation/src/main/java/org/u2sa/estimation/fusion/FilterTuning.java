@@ -56,10 +56,10 @@ public record FilterTuning(
     boolean isGround = domain == MotionDomain.GROUND;
     return new FilterTuning(
         domain,
-        domain.accelerationNoise(),
-        domain.verticalNoise(),
-        domain.turnSigmaRadPerS(),
-        domain.sideSlipSigmaMps(),
+        domain.accelerationNoise,
+        domain.verticalNoise,
+        domain.turnSigmaRadPerS,
+        domain.sideSlipSigmaMps,
         0.2,
         0.02,
         1e-4,

@@ -52,10 +52,7 @@ final class Fuser {
     }
   }
 
-  /**
-   * χ² threshold for that many degrees of freedom, equivalent to z standard deviations (Wilson,
-   * Hilferty 1931).
-   */
+  /** χ² threshold for these degrees of freedom, equivalent to z sigmas (Wilson, Hilferty 1931). */
   static double threshold(int rows, double z) {
     double spread = 2.0 / (9.0 * rows);
     return rows * Math.pow(1.0 - spread + z * Math.sqrt(spread), 3.0);
@@ -269,7 +266,7 @@ final class Fuser {
         Math.sqrt(Math.max(s.variance(FilterState.VELOCITY), s.variance(FilterState.VELOCITY + 1)));
     boolean isMeasured = (s.micros - s.velocityMicros) / MICROS < SPEED_FRESH_S;
     boolean isSearched = !isMeasured && Math.abs(HeadingSearch.forwardMps(s)) > STANDING_MPS;
-    boolean isSlow = speed < tuning.domain().trackSpeedMps();
+    boolean isSlow = speed < tuning.domain().trackSpeedMps;
     if (s.hasHeading || isSearched || isSlow || sigma > 0.3 * speed) {
       s.movingMicros = s.micros;
     } else if ((s.micros - s.movingMicros) / MICROS >= TRACK_AFTER_S) {
@@ -279,9 +276,7 @@ final class Fuser {
     }
   }
 
-  /**
-   * Periodically applies the no-sideslip constraint: over ground, or through the surrounding fluid.
-   */
+  /** Periodically applies the no-sideslip constraint, over ground or through the fluid. */
   private void constrain(FilterState s) {
     boolean isDue = (s.micros - s.constraintMicros) / MICROS >= tuning.constraintS();
     if (tuning.constraintS() <= 0.0 || !isDue || !s.hasHeading || s.hasSpeedInput()) {

@@ -29,9 +29,6 @@ final class History {
   private int fused; // number of oldest entries that are fused
   private int thinned; // number of oldest entries already thinned
 
-  /**
-   * @param capacity minimum number of measurements kept
-   */
   History(int capacity) {
     ring = new Entry[capacity + STRIDE];
     for (int i = 0; i < ring.length; i++) {
@@ -47,10 +44,7 @@ final class History {
     return ring[(first + index) % ring.length];
   }
 
-  /**
-   * State before an entry; requires that all earlier entries are fused and the previous one keeps
-   * its state.
-   */
+  /** State before an entry; all earlier ones must be fused, and the previous one keep its state. */
   FilterState before(int index) {
     return index == 0 ? base : at(index - 1).after;
   }
@@ -95,10 +89,7 @@ final class History {
     }
   }
 
-  /**
-   * Whether a state less than a stride before an entry is kept; the one before the oldest always
-   * is.
-   */
+  /** Whether a state less than a stride before an entry is kept, as the oldest one's always is. */
   private boolean isNearKept(int index) {
     for (int i = index - 1; i > index - STRIDE; i--) {
       if (i < 0 || at(i).after != null) {
@@ -157,10 +148,7 @@ final class History {
     return index;
   }
 
-  /**
-   * Removes fused entries older than the given time, up to the last one with a snapshot, which
-   * becomes the base.
-   */
+  /** Removes fused entries older than a time, up to the last snapshot, which becomes the base. */
   void forget(long micros) {
     int end = endOfOldest();
     while (end > 0 && at(end - 1).measurement.micros() < micros) {
@@ -191,10 +179,7 @@ final class History {
     thinned = Math.max(0, thinned - entries);
   }
 
-  /**
-   * Recycles the oldest entry for the next insertion, so that a short history stays in the CPU
-   * caches.
-   */
+  /** Recycles the oldest entry, so that a short history stays in the CPU caches. */
   private void recycleOldest() {
     Entry oldest = at(0);
     int next = (first + count) % ring.length;

@@ -67,9 +67,7 @@ final class MeasurementModel {
     }
   }
 
-  /**
-   * Evaluates the no-slip constraint: no sideways motion and, on the ground, no vertical motion.
-   */
+  /** Evaluates the no-slip constraint: no sideways and, on the ground, no vertical motion. */
   void noSlip(FilterState s, double sigma, boolean throughFluid, boolean hasVertical) {
     linear.clear();
     Quaternions.matrix(s.x, FilterState.Q, r);
@@ -265,10 +263,7 @@ final class MeasurementModel {
     return linear.rows > 0;
   }
 
-  /**
-   * Model of body rates that do not drive the prediction: fewer than three, or from a second
-   * inertial sensor.
-   */
+  /** Model of body rates that do not drive the prediction: incomplete, or a second sensor's. */
   private void bodyRates(FilterState s, Measurement m) {
     for (int i = 0; i < 3; i++) {
       if (m.has(SensedQuantity.BODY_RATES, i) && (s.hasTilt || i == 2) && !s.isInertial) {

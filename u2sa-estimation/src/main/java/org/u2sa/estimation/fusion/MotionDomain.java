@@ -16,13 +16,13 @@ public enum MotionDomain {
   /** Underwater vehicles. */
   UNDERWATER(2.0, 0.3, 0.2, 0.2, 0.2, 1.0, 0.01);
 
-  private final double speedSigmaMps;
-  private final double accelerationNoise;
-  private final double verticalNoise;
-  private final double turnSigmaRadPerS;
-  private final double sideSlipSigmaMps;
-  private final double trackSpeedMps;
-  private final double flowNoise;
+  final double speedSigmaMps; // initial speed, 1 σ per component
+  final double accelerationNoise; // of the horizontal velocity, unmeasured [m/s per √s]
+  final double verticalNoise; // of the vertical velocity, unmeasured [m/s per √s]
+  final double turnSigmaRadPerS; // turn rate if none is measured, 1 σ
+  final double sideSlipSigmaMps; // sideslip over ground or through the fluid, 1 σ
+  final double trackSpeedMps; // minimum at which the course may replace an unknown heading
+  final double flowNoise; // random walk of wind or current [m/s per √s]
 
   MotionDomain(
       double speedSigmaMps,
@@ -39,40 +39,5 @@ public enum MotionDomain {
     this.sideSlipSigmaMps = sideSlipSigmaMps;
     this.trackSpeedMps = trackSpeedMps;
     this.flowNoise = flowNoise;
-  }
-
-  /** Initial speed, 1 σ per component [m/s]. */
-  double speedSigmaMps() {
-    return speedSigmaMps;
-  }
-
-  /** Random walk of the horizontal velocity without an accelerometer [m/s per √s]. */
-  double accelerationNoise() {
-    return accelerationNoise;
-  }
-
-  /** Random walk of the vertical velocity without an accelerometer [m/s per √s]. */
-  double verticalNoise() {
-    return verticalNoise;
-  }
-
-  /** Turn rate if none is measured, 1 σ [rad/s]. */
-  double turnSigmaRadPerS() {
-    return turnSigmaRadPerS;
-  }
-
-  /** Sideslip velocity over ground or through the fluid, 1 σ [m/s]. */
-  double sideSlipSigmaMps() {
-    return sideSlipSigmaMps;
-  }
-
-  /** Minimum speed at which the course may replace an unknown heading [m/s]. */
-  double trackSpeedMps() {
-    return trackSpeedMps;
-  }
-
-  /** Random walk of wind or current [m/s per √s]. */
-  double flowNoise() {
-    return flowNoise;
   }
 }

@@ -156,10 +156,7 @@ final class PersistentErrors {
     }
   }
 
-  /**
-   * Correlates the state with the source's error after the quantity was initialised from this
-   * source.
-   */
+  /** Correlates the state with the error of the source that initialised the quantity. */
   static void share(FilterState s, int slot) {
     if (slot == NONE) {
       return;

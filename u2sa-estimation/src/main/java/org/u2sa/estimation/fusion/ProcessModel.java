@@ -62,10 +62,7 @@ final class ProcessModel {
     addNoise(s, dt);
   }
 
-  /**
-   * Integrates v̇ = R (f - b) + g, with δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, equations 272 and
-   * 283).
-   */
+  /** Integrates v̇ = R (f - b) + g; δv̇ = -[R (f - b)]× δθ - R δb (Solà 2017, eqs. 272, 283). */
   private void accelerate(FilterState s, double dt) {
     double[] x = s.x;
     double fx = x[FilterState.FORCE] - x[FilterState.BF];
@@ -181,8 +178,8 @@ final class ProcessModel {
       }
     }
     if (s.hasFlow) {
-      add(s, FilterState.FLOW, domain.flowNoise(), dt);
-      add(s, FilterState.FLOW + 1, domain.flowNoise(), dt);
+      add(s, FilterState.FLOW, domain.flowNoise, dt);
+      add(s, FilterState.FLOW + 1, domain.flowNoise, dt);
     }
     if (s.variance(FilterState.SCALE) > 0.0) {
       add(s, FilterState.SCALE, SCALE_NOISE, dt);

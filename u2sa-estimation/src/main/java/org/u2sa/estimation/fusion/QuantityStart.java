@@ -42,7 +42,7 @@ final class QuantityStart {
         break;
       case VELOCITY:
       case BODY_VELOCITY:
-        double speed = tuning.domain().speedSigmaMps();
+        double speed = tuning.domain().speedSigmaMps;
         for (int i = 0; i < 3; i++) {
           s.isolate(FilterState.VELOCITY + i, speed * speed);
         }
@@ -160,9 +160,7 @@ final class QuantityStart {
     }
   }
 
-  /**
-   * Aligns a local frame whose origin differs from the filter's so that its first position fits.
-   */
+  /** Aligns a local frame of another origin so that its first position fits. */
   static void shift(FilterState s, Linearization model, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {

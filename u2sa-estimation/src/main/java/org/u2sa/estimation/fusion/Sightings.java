@@ -16,9 +16,7 @@ final class Sightings {
 
   private Sightings() {}
 
-  /**
-   * Records a sighting and returns the factor on its variances that accounts for correlated errors.
-   */
+  /** Records a sighting; returns the factor on its variances for correlated errors. */
   static double repeats(FilterState s, Measurement m) {
     double[] seen = s.sightings;
     int oldest = 0;

@@ -24,10 +24,7 @@ final class SourceJudge {
     this.trust = trust;
   }
 
-  /**
-   * Whether an inertial sensor is stuck: its values, noise included, repeat, and other sources
-   * contradict the estimate.
-   */
+  /** Whether an inertial sensor repeats its noise and other sources contradict the estimate. */
   boolean isStuck(FilterState s, int source) {
     double[] t = s.trust;
     int at = trust.of(s, source);

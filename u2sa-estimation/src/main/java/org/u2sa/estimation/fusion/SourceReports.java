@@ -42,14 +42,13 @@ public final class SourceReports {
 
     /** Text such as "biased, used 312, gated 40, sigma x2.9, late by 0.20 s". */
     public String text() {
-      return standing.name().toLowerCase(Locale.ROOT)
-          + ", used "
-          + used
-          + ", gated "
-          + gated
-          + ", sigma x"
-          + Math.round(10.0 * sigmaFactor) / 10.0
-          + (lateS == 0.0 ? "" : ", late by " + Math.round(100.0 * lateS) / 100.0 + " s");
+      return String.format(
+          "%s, used %s, gated %s, sigma x%s%s",
+          standing.name().toLowerCase(Locale.ROOT),
+          used,
+          gated,
+          Math.round(10.0 * sigmaFactor) / 10.0,
+          lateS == 0.0 ? "" : ", late by " + Math.round(100.0 * lateS) / 100.0 + " s");
     }
   }
 

@@ -51,10 +51,7 @@ public final class Measurement {
     present[quantity.ordinal()] |= (byte) (1 << component);
   }
 
-  /**
-   * Sets the sensor's offset from the vehicle's reference point along BODY_FRD [m]; begin resets it
-   * to 0.
-   */
+  /** Sets the sensor's offset along BODY_FRD from the reference point [m]; begin resets it. */
   public Measurement mounted(double forward, double right, double down) {
     mounted[0] = forward;
     mounted[1] = right;
@@ -67,6 +64,13 @@ public final class Measurement {
     return mounted[axis];
   }
 
+  private Measurement vector(SensedQuantity quantity, double sigma, double... components) {
+    for (int i = 0; i < components.length; i++) {
+      set(quantity, i, components[i], sigma);
+    }
+    return this;
+  }
+
   /** Position on WGS-84 [deg], standard deviations north and east [m]. */
   public Measurement place(double latitudeDeg, double longitudeDeg, double north, double east) {
     set(SensedQuantity.PLACE, 0, Math.toRadians(latitudeDeg), north);
@@ -76,42 +80,32 @@ public final class Measurement {
 
   /** Altitude above mean sea level [m]. */
   public Measurement altitude(double metres, double sigma) {
-    set(SensedQuantity.ALTITUDE, 0, metres, sigma);
-    return this;
+    return vector(SensedQuantity.ALTITUDE, sigma, metres);
   }
 
   /** Position in a local frame: north and east [m]. */
   public Measurement localPlace(double north, double east, double sigma) {
-    set(SensedQuantity.LOCAL_PLACE, 0, north, sigma);
-    set(SensedQuantity.LOCAL_PLACE, 1, east, sigma);
-    return this;
+    return vector(SensedQuantity.LOCAL_PLACE, sigma, north, east);
   }
 
   /** Velocity over ground: north, east, down [m/s]. */
   public Measurement velocity(double north, double east, double down, double sigma) {
-    set(SensedQuantity.VELOCITY, 0, north, sigma);
-    set(SensedQuantity.VELOCITY, 1, east, sigma);
-    set(SensedQuantity.VELOCITY, 2, down, sigma);
-    return this;
+    return vector(SensedQuantity.VELOCITY, sigma, north, east, down);
   }
 
   /** Velocity over ground, horizontal: north, east [m/s]. */
   public Measurement velocity(double north, double east, double sigma) {
-    set(SensedQuantity.VELOCITY, 0, north, sigma);
-    set(SensedQuantity.VELOCITY, 1, east, sigma);
-    return this;
+    return vector(SensedQuantity.VELOCITY, sigma, north, east);
   }
 
   /** Speed over ground, forward [m/s]. */
   public Measurement forward(double mps, double sigma) {
-    set(SensedQuantity.BODY_VELOCITY, 0, mps, sigma);
-    return this;
+    return vector(SensedQuantity.BODY_VELOCITY, sigma, mps);
   }
 
   /** Speed through the fluid, forward [m/s]. */
   public Measurement forwardThroughFluid(double mps, double sigma) {
-    set(SensedQuantity.FLUID_VELOCITY, 0, mps, sigma);
-    return this;
+    return vector(SensedQuantity.FLUID_VELOCITY, sigma, mps);
   }
 
   /**
@@ -154,8 +148,7 @@ public final class Measurement {
 
   /** Heading [rad], clockwise from true north. */
   public Measurement heading(double rad, double sigma) {
-    set(SensedQuantity.HEADING, 0, rad, sigma);
-    return this;
+    return vector(SensedQuantity.HEADING, sigma, rad);
   }
 
   /** Rate of the heading [rad/s], clockwise positive. */
@@ -166,18 +159,12 @@ public final class Measurement {
 
   /** Angular rates about BODY_FRD axes [rad/s]. */
   public Measurement bodyRates(double x, double y, double z, double sigma) {
-    set(SensedQuantity.BODY_RATES, 0, x, sigma);
-    set(SensedQuantity.BODY_RATES, 1, y, sigma);
-    set(SensedQuantity.BODY_RATES, 2, z, sigma);
-    return this;
+    return vector(SensedQuantity.BODY_RATES, sigma, x, y, z);
   }
 
   /** Specific force along BODY_FRD axes [m/s²]; (0, 0, -9.8) at rest. */
   public Measurement specificForce(double x, double y, double z, double sigma) {
-    set(SensedQuantity.SPECIFIC_FORCE, 0, x, sigma);
-    set(SensedQuantity.SPECIFIC_FORCE, 1, y, sigma);
-    set(SensedQuantity.SPECIFIC_FORCE, 2, z, sigma);
-    return this;
+    return vector(SensedQuantity.SPECIFIC_FORCE, sigma, x, y, z);
   }
 
   /** Name of the source. */

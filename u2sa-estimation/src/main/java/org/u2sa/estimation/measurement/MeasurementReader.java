@@ -127,9 +127,7 @@ public final class MeasurementReader {
     vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
   }
 
-  /**
-   * Reads speeds through the fluid, along BODY, whose y points left, unless the message is in FRD.
-   */
+  /** Reads speeds through the fluid; y points left in BODY, right in FRD. */
   private void readFluid(StateInformation s, Measurement to, double ySign) {
     for (int i = 0; i < 3; i++) {
       OptionalDouble speed = s.number(FLUID[i]);

@@ -11,8 +11,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * FlightGear's property server, as much as a repair needs. Calls block, at most some seconds, and
- * read a limited number of bytes, whoever it is that listens there.
+ * Client of FlightGear's property server, for repairs. Calls block for at most some seconds and
+ * read a limited number of bytes, because another program may listen there.
  */
 final class PropertyServer implements AutoCloseable {
   private static final int PATIENCE_MS = 3_000;

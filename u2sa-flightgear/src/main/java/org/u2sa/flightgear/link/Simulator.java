@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.control.fixedwing.AircraftActuator;
+import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -32,6 +33,10 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * stop and while disarmed.
  */
 public final class Simulator extends ProprioceptiveSensor implements ActuatorOwner {
+  /** True state of the aircraft, for scoring; flight services must not subscribe to it. */
+  public static final Channel<AircraftState> TRUTH =
+      Channel.latest("truth", AircraftState.TYPE, AircraftState::sensorName);
+
   private static final double POLLS_PER_S = 100.0;
   private static final double FULL_PERCENT = 100.0;
   private static final double RICH = 1.0;
@@ -65,7 +70,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     commands = new CommandedActuators(this, CONTROLS.keySet(), this::write);
     LinkConfiguration configured = new LinkConfiguration(this, context);
     link = made.orElseGet(configured::open);
-    registerPublisher(FlightChannels.TRUTH);
+    registerPublisher(TRUTH);
   }
 
   /** The controls and their effect on the aircraft. */
@@ -121,7 +126,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     if (reading.connected() && reading.sequence() != published) {
       published = reading.sequence();
       publish(Channels.SENSED_STATE, sensesMotion ? state(reading) : airframe(reading));
-      publish(FlightChannels.TRUTH, state(reading));
+      publish(TRUTH, state(reading));
     }
   }
 

@@ -27,7 +27,6 @@ public final class StandInFlightGear implements AutoCloseable {
   private final String host;
   private final StandInInput input;
   private final StandInProperties properties;
-  private final StandInCommands commands = new StandInCommands(this);
   private final Map<String, StandInChannel> channels =
       new LinkedHashMap<>(); // by FlightGear's names; confined to its thread
   private volatile InLine told = InLine.nothing();
@@ -62,7 +61,7 @@ public final class StandInFlightGear implements AutoCloseable {
     this.host = host;
     this.input = new StandInInput(host, inPort);
     try {
-      this.properties = new StandInProperties(host, propertyPort);
+      this.properties = new StandInProperties(this, host, propertyPort);
     } catch (IOException e) {
       input.close();
       throw e;
@@ -101,8 +100,8 @@ public final class StandInFlightGear implements AutoCloseable {
   public void start(String peerHost, int outPort) {
     thread = new Thread(() -> run(peerHost, outPort), "stand-in-flightgear");
     thread.setDaemon(true);
-    commands.noteConfig("generic-1", "out", peerHost, outPort, ProtocolFiles.OUT);
-    commands.noteConfig("generic-2", "in", host, inPort(), ProtocolFiles.IN);
+    properties.noteConfig("generic-1", "out", peerHost, outPort, ProtocolFiles.OUT);
+    properties.noteConfig("generic-2", "in", host, inPort(), ProtocolFiles.IN);
     thread.start();
   }
 
@@ -145,7 +144,7 @@ public final class StandInFlightGear implements AutoCloseable {
         closed(channels.remove(each.getKey()));
       }
     }
-    properties.work(commands);
+    properties.work();
   }
 
   private void fly() {

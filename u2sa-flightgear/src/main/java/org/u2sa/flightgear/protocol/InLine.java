@@ -26,7 +26,7 @@ public record InLine(ControlInputs controls, long count) {
     }
   }
 
-  /** Nothing was told yet: neutral controls, count 0. */
+  /** Before the first line: neutral controls, count 0. */
   public static InLine nothing() {
     return new InLine(ControlInputs.neutral(), 0);
   }

@@ -72,7 +72,7 @@ public final class OutLine {
     return new OutLine(onTheLine);
   }
 
-  /** Whether it is from before FlightGear's flight model ran: then nothing in it is true. */
+  /** Whether it precedes FlightGear's flight model: its values are then meaningless. */
   public boolean isBeforeFlight() {
     return onTheLine[OutField.ELAPSED.ordinal()] <= 0.0
         || onTheLine[OutField.ALTITUDE.ordinal()] < LOWEST_ALTITUDE_FT;

@@ -1,6 +1,5 @@
 package org.u2sa.flightgear.protocol;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -13,27 +12,13 @@ final class PropertyNumbers {
   private PropertyNumbers() {}
 
   static List<String> split(String line) {
-    List<String> parts = new ArrayList<>();
-    int from = 0;
-    for (int comma = line.indexOf(','); comma >= 0; comma = line.indexOf(',', from)) {
-      parts.add(line.substring(from, comma));
-      from = comma + 1;
-    }
-    parts.add(line.substring(from));
-    return parts;
+    return List.of(line.split(",", -1));
   }
 
   static boolean isNumber(String text) {
-    if (text.isEmpty()) {
-      return false;
-    }
-    for (int i = 0; i < text.length(); i++) {
-      if ("0123456789+-.eE".indexOf(text.charAt(i)) < 0) {
-        return false;
-      }
-    }
     try {
-      return Double.isFinite(Double.parseDouble(text));
+      return text.chars().allMatch(each -> "0123456789+-.eE".indexOf(each) >= 0)
+          && Double.isFinite(Double.parseDouble(text));
     } catch (NumberFormatException notOne) {
       return false;
     }
@@ -48,11 +33,8 @@ final class PropertyNumbers {
 
   /** The beginning of a text, without what would spoil a log. */
   static String shown(String text) {
-    StringBuilder shown = new StringBuilder();
-    for (int i = 0; i < Math.min(SHOWN, text.length()); i++) {
-      char c = text.charAt(i);
-      shown.append(c >= ' ' && c < 127 ? c : '?');
-    }
-    return text.length() > SHOWN ? shown + "…" : shown.toString();
+    boolean isLong = text.length() > SHOWN;
+    String begin = isLong ? text.substring(0, SHOWN) : text;
+    return begin.replaceAll("[^ -~]", "?") + (isLong ? "…" : "");
   }
 }

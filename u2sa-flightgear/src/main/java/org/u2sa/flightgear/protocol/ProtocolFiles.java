@@ -80,12 +80,13 @@ public final class ProtocolFiles {
   }
 
   private static String chunk(String name, String node, String format) {
-    return "      <chunk>\n        <name>"
-        + name
-        + "</name>\n        <type>double</type>\n"
-        + format
-        + "        <node>"
-        + node
-        + "</node>\n      </chunk>\n";
+    return """
+              <chunk>
+                <name>%s</name>
+                <type>double</type>
+        %s        <node>%s</node>
+              </chunk>
+        """
+        .formatted(name, format, node);
   }
 }

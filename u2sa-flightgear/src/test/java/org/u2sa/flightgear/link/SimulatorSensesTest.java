@@ -37,7 +37,7 @@ class SimulatorSensesTest {
     assertThat(sensed.weightOnWheels()).isTrue();
     assertThat(sensed.heightAboveGround()).isPresent();
     assertThat(sensed.engineRpm()).isPresent();
-    assertThat(kit.latest(FlightChannels.TRUTH).orElseThrow().x()).as("for scoring").isPresent();
+    assertThat(kit.latest(Simulator.TRUTH).orElseThrow().x()).as("for scoring").isPresent();
   }
 
   @Test

@@ -93,11 +93,19 @@ final class RecordBinding<T> {
     Variable said = parameter.getAnnotation(Variable.class);
     try {
       return declaration(said, prefix + name(said, parameter), parameter.getType())
-          .describedAs(said.text());
+          .describedAs(description(said, parameter));
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException(
           constructor.getDeclaringClass().getName() + ": " + e.getMessage(), e);
     }
+  }
+
+  private static String description(Variable said, Parameter parameter) {
+    Description longer = parameter.getAnnotation(Description.class);
+    if (longer == null && said.text().isEmpty()) {
+      throw new IllegalArgumentException(said + ": expected a text or @Description");
+    }
+    return longer == null ? said.text() : longer.value();
   }
 
   private static String name(Variable said, Parameter parameter) {
@@ -105,8 +113,7 @@ final class RecordBinding<T> {
       return said.name();
     }
     if (!parameter.isNamePresent()) {
-      throw new IllegalArgumentException(
-          "@Variable(text = \"" + said.text() + "\"): give a name, or compile with -parameters");
+      throw new IllegalArgumentException(said + ": give a name, or compile with -parameters");
     }
     return parameter.getName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", " ").toUpperCase(Locale.ROOT);
   }

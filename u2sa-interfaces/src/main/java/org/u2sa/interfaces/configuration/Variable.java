@@ -13,7 +13,8 @@ import java.lang.annotation.Target;
  * record Variables(
  *     @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40, text = "Speed on legs.")
  *         double cruiseSpeed,
- *     @Variable(oneOf = {"HOLD", "STOP"}, ifAbsentText = "STOP", text = "What follows the last goal.")
+ *     @Variable(oneOf = {"HOLD", "STOP"}, ifAbsentText = "STOP")
+ *         @Description("After the last goal: HOLD stays at the last waypoint, STOP stops.")
  *         String atEnd) {}
  *
  * private final Settings<Variables> tuning = settings(Variables.class); // in the service
@@ -53,6 +54,6 @@ public @interface Variable {
   /** Allowed texts, case-sensitive; empty for any. */
   String[] oneOf() default {};
 
-  /** Description for the user who sets it, as a sentence. */
-  String text();
+  /** Description for the user who sets it, as a sentence; unless it has a {@link Description}. */
+  String text() default "";
 }

@@ -68,6 +68,11 @@ class SettingsTest {
 
   private record WrongType(@Variable(text = "A date.") long micros) {}
 
+  private record Undescribed(@Variable(ifAbsent = 2) double share) {}
+
+  private record Described(
+      @Variable(ifAbsent = 2) @Description("A share of something larger.") double share) {}
+
   @TempDir private Path directory;
 
   private Path file(String... variables) throws IOException {
@@ -268,6 +273,19 @@ class SettingsTest {
         .hasMessageContainingAll("WrongKind", "\"TEXT\": ifAbsent does not fit");
     assertThatThrownBy(() -> configuration.settings(WrongType.class))
         .hasMessageContainingAll("WrongType", "\"MICROS\": long is neither double");
+  }
+
+  @Test
+  void settings_descriptionOfItsOwn_isTheVariables() {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("here", Map.of());
+    assertThatThrownBy(() -> configuration.settings(Undescribed.class))
+        .hasMessageContainingAll("Undescribed", "expected a text or @Description");
+
+    configuration.settings(Described.class);
+
+    assertThat(configuration.declared())
+        .extracting(VariableDeclaration::description)
+        .containsExactly("A share of something larger.");
   }
 
   @Test

@@ -37,7 +37,6 @@ public final class CborInput {
     return at;
   }
 
-  /** Bytes not read yet. */
   int left() {
     return bytes.length - at;
   }
@@ -347,19 +346,16 @@ public final class CborInput {
       at++;
       return info;
     }
-    switch (info) {
-      case Cbor.ONE_BYTE:
-        return bytes[skipBytes(1 + Byte.BYTES) + 1] & 0xFF;
-      case Cbor.TWO_BYTES:
-        return view().getShort(skipBytes(1 + Short.BYTES) + 1) & 0xFFFF;
-      case Cbor.FOUR_BYTES:
-        return view().getInt(skipBytes(1 + Integer.BYTES) + 1) & 0xFFFF_FFFFL;
-      case Cbor.EIGHT_BYTES:
-        return view().getLong(skipBytes(1 + Long.BYTES) + 1);
-      default:
+    return switch (info) {
+      case Cbor.ONE_BYTE -> bytes[skipBytes(1 + Byte.BYTES) + 1] & 0xFF;
+      case Cbor.TWO_BYTES -> view().getShort(skipBytes(1 + Short.BYTES) + 1) & 0xFFFF;
+      case Cbor.FOUR_BYTES -> view().getInt(skipBytes(1 + Integer.BYTES) + 1) & 0xFFFF_FFFFL;
+      case Cbor.EIGHT_BYTES -> view().getLong(skipBytes(1 + Long.BYTES) + 1);
+      default -> {
         at++;
         throw new IllegalArgumentException("expected a length or a value, not CBOR's reserved one");
-    }
+      }
+    };
   }
 
   /** Skips this many bytes; returns their start. */

@@ -37,7 +37,6 @@ public final class Flags extends AbstractList<Boolean> implements RandomAccess {
     return new Flags(values);
   }
 
-  /** Unboxed value at an index. */
   boolean at(int index) {
     return values[index];
   }

@@ -16,7 +16,6 @@ public class ActuatorCommand extends U2SAData {
   private static final NumberField<ActuatorCommand> EXPIRY =
       SCHEMA.optionalNumber("expiry", "s", 0.0);
 
-  /** The schema. */
   public static final MessageType<ActuatorCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -29,7 +28,6 @@ public class ActuatorCommand extends U2SAData {
     return require(ACTUATOR_NAME);
   }
 
-  /** Sets {@link #actuatorName()}. */
   public ActuatorCommand actuatorName(String value) {
     return put(ACTUATOR_NAME, value);
   }
@@ -39,7 +37,6 @@ public class ActuatorCommand extends U2SAData {
     return get(EXPIRY);
   }
 
-  /** Sets {@link #expiry()}. */
   public ActuatorCommand expiry(double value) {
     return put(EXPIRY, value);
   }

@@ -8,13 +8,12 @@ import org.u2sa.messages.schema.Schema;
  * Commands an angle, for actuators that announce a fullAngle (an extension as foreseen by thesis
  * 3.2.3.9).
  */
-public class AngleCommand extends ActuatorCommand {
+public class AngleCommand extends CommandSetters<AngleCommand> {
   private static final Schema<AngleCommand> SCHEMA =
       Schema.of(AngleCommand.class, AngleCommand::new, ActuatorCommand.TYPE).since(3);
   private static final NumberField<AngleCommand> ANGLE =
       SCHEMA.requiredNumber("angle", "rad", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  /** The schema. */
   public static final MessageType<AngleCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class AngleCommand extends ActuatorCommand {
     return require(ANGLE);
   }
 
-  /** Sets {@link #angle()}. */
   public AngleCommand angle(double value) {
     return put(ANGLE, value);
   }
@@ -35,17 +33,5 @@ public class AngleCommand extends ActuatorCommand {
   /** Creates a command valid until the next one. */
   public static AngleCommand of(String actuator, double angleRad) {
     return new AngleCommand().actuatorName(actuator).angle(angleRad);
-  }
-
-  @Override
-  public AngleCommand actuatorName(String name) {
-    super.actuatorName(name);
-    return this;
-  }
-
-  @Override
-  public AngleCommand expiry(double seconds) {
-    super.expiry(seconds);
-    return this;
   }
 }

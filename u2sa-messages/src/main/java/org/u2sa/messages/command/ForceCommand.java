@@ -7,13 +7,12 @@ import org.u2sa.messages.schema.Schema;
 /**
  * Commands a force, for actuators that announce one (an extension as foreseen by thesis 3.2.3.9).
  */
-public class ForceCommand extends ActuatorCommand {
+public class ForceCommand extends CommandSetters<ForceCommand> {
   private static final Schema<ForceCommand> SCHEMA =
       Schema.of(ForceCommand.class, ForceCommand::new, ActuatorCommand.TYPE).since(3);
   private static final NumberField<ForceCommand> FORCE =
       SCHEMA.requiredNumber("force", "N", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  /** The schema. */
   public static final MessageType<ForceCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -26,7 +25,6 @@ public class ForceCommand extends ActuatorCommand {
     return require(FORCE);
   }
 
-  /** Sets {@link #force()}. */
   public ForceCommand force(double value) {
     return put(FORCE, value);
   }
@@ -34,17 +32,5 @@ public class ForceCommand extends ActuatorCommand {
   /** Creates a command valid until the next one. */
   public static ForceCommand of(String actuator, double forceN) {
     return new ForceCommand().actuatorName(actuator).force(forceN);
-  }
-
-  @Override
-  public ForceCommand actuatorName(String name) {
-    super.actuatorName(name);
-    return this;
-  }
-
-  @Override
-  public ForceCommand expiry(double seconds) {
-    super.expiry(seconds);
-    return this;
   }
 }

@@ -8,13 +8,12 @@ import org.u2sa.messages.schema.Schema;
  * Commands an actuator in percent of its range (thesis 3.2.3.9); whether that is a position or a
  * speed depends on the actuator.
  */
-public class PercentageCommand extends ActuatorCommand {
+public class PercentageCommand extends CommandSetters<PercentageCommand> {
   private static final Schema<PercentageCommand> SCHEMA =
       Schema.of(PercentageCommand.class, PercentageCommand::new, ActuatorCommand.TYPE);
   private static final NumberField<PercentageCommand> PERCENTAGE =
       SCHEMA.requiredNumber("percentage", "%", -100.0, 100.0);
 
-  /** The schema. */
   public static final MessageType<PercentageCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class PercentageCommand extends ActuatorCommand {
     return require(PERCENTAGE);
   }
 
-  /** Sets {@link #percentage()}. */
   public PercentageCommand percentage(double value) {
     return put(PERCENTAGE, value);
   }
@@ -35,17 +33,5 @@ public class PercentageCommand extends ActuatorCommand {
   /** Creates a command valid until the next one. */
   public static PercentageCommand of(String actuator, double percentage) {
     return new PercentageCommand().actuatorName(actuator).percentage(percentage);
-  }
-
-  @Override
-  public PercentageCommand actuatorName(String name) {
-    super.actuatorName(name);
-    return this;
-  }
-
-  @Override
-  public PercentageCommand expiry(double seconds) {
-    super.expiry(seconds);
-    return this;
   }
 }

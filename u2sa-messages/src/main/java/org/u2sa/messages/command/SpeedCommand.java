@@ -8,13 +8,12 @@ import org.u2sa.messages.schema.Schema;
  * Commands a rotational speed, for actuators that announce a fullSpeed (an extension as foreseen by
  * thesis 3.2.3.9).
  */
-public class SpeedCommand extends ActuatorCommand {
+public class SpeedCommand extends CommandSetters<SpeedCommand> {
   private static final Schema<SpeedCommand> SCHEMA =
       Schema.of(SpeedCommand.class, SpeedCommand::new, ActuatorCommand.TYPE).since(3);
   private static final NumberField<SpeedCommand> SPEED =
       SCHEMA.requiredNumber("speed", "rad/s", Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  /** The schema. */
   public static final MessageType<SpeedCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class SpeedCommand extends ActuatorCommand {
     return require(SPEED);
   }
 
-  /** Sets {@link #speed()}. */
   public SpeedCommand speed(double value) {
     return put(SPEED, value);
   }
@@ -35,17 +33,5 @@ public class SpeedCommand extends ActuatorCommand {
   /** Creates a command valid until the next one. */
   public static SpeedCommand of(String actuator, double speedRadPerS) {
     return new SpeedCommand().actuatorName(actuator).speed(speedRadPerS);
-  }
-
-  @Override
-  public SpeedCommand actuatorName(String name) {
-    super.actuatorName(name);
-    return this;
-  }
-
-  @Override
-  public SpeedCommand expiry(double seconds) {
-    super.expiry(seconds);
-    return this;
   }
 }

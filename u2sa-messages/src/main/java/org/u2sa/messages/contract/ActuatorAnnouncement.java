@@ -62,7 +62,6 @@ public final class ActuatorAnnouncement extends U2SAData {
   private static final ValueField<ActuatorAnnouncement, List<String>> COMMAND_TYPES =
       SCHEMA.optionalTexts("commandTypes");
 
-  /** The schema. */
   public static final MessageType<ActuatorAnnouncement> TYPE = SCHEMA.build();
 
   @Override
@@ -75,7 +74,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return require(ACTUATOR_NAME);
   }
 
-  /** Sets {@link #actuatorName()}. */
   public ActuatorAnnouncement actuatorName(String value) {
     return put(ACTUATOR_NAME, value);
   }
@@ -85,7 +83,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return require(MINIMUM);
   }
 
-  /** Sets {@link #minimum()}. */
   public ActuatorAnnouncement minimum(double value) {
     return put(MINIMUM, value);
   }
@@ -95,7 +92,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return require(MAXIMUM);
   }
 
-  /** Sets {@link #maximum()}. */
   public ActuatorAnnouncement maximum(double value) {
     return put(MAXIMUM, value);
   }
@@ -105,7 +101,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return require(EFFECT);
   }
 
-  /** Sets {@link #effect()}. */
   public ActuatorAnnouncement effect(String value) {
     return put(EFFECT, value);
   }
@@ -115,7 +110,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return require(SUBSYSTEM);
   }
 
-  /** Sets {@link #subsystem()}. */
   public ActuatorAnnouncement subsystem(String value) {
     return put(SUBSYSTEM, value);
   }
@@ -125,7 +119,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(RATE_LIMIT);
   }
 
-  /** Sets {@link #rateLimit()}. */
   public ActuatorAnnouncement rateLimit(double value) {
     return put(RATE_LIMIT, value);
   }
@@ -138,7 +131,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(DEADBAND);
   }
 
-  /** Sets {@link #deadband()}. */
   public ActuatorAnnouncement deadband(double value) {
     return put(DEADBAND, value);
   }
@@ -148,7 +140,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(TIME_CONSTANT);
   }
 
-  /** Sets {@link #timeConstant()}. */
   public ActuatorAnnouncement timeConstant(double value) {
     return put(TIME_CONSTANT, value);
   }
@@ -161,7 +152,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return Optional.ofNullable(get(FORCE));
   }
 
-  /** Sets {@link #force()}. */
   public ActuatorAnnouncement force(Point value) {
     return put(FORCE, value);
   }
@@ -174,7 +164,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return Optional.ofNullable(get(MOMENT));
   }
 
-  /** Sets {@link #moment()}. */
   public ActuatorAnnouncement moment(Point value) {
     return put(MOMENT, value);
   }
@@ -184,7 +173,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return Optional.ofNullable(get(REVERSE_FORCE));
   }
 
-  /** Sets {@link #reverseForce()}. */
   public ActuatorAnnouncement reverseForce(Point value) {
     return put(REVERSE_FORCE, value);
   }
@@ -194,7 +182,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return Optional.ofNullable(get(REVERSE_MOMENT));
   }
 
-  /** Sets {@link #reverseMoment()}. */
   public ActuatorAnnouncement reverseMoment(Point value) {
     return put(REVERSE_MOMENT, value);
   }
@@ -207,7 +194,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(EXPONENT);
   }
 
-  /** Sets {@link #exponent()}. */
   public ActuatorAnnouncement exponent(double value) {
     return put(EXPONENT, value);
   }
@@ -220,7 +206,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(REFERENCE_SPEED);
   }
 
-  /** Sets {@link #referenceSpeed()}. */
   public ActuatorAnnouncement referenceSpeed(double value) {
     return put(REFERENCE_SPEED, value);
   }
@@ -230,7 +215,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(FULL_ANGLE);
   }
 
-  /** Sets {@link #fullAngle()}. */
   public ActuatorAnnouncement fullAngle(double value) {
     return put(FULL_ANGLE, value);
   }
@@ -240,7 +224,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(FULL_SPEED);
   }
 
-  /** Sets {@link #fullSpeed()}. */
   public ActuatorAnnouncement fullSpeed(double value) {
     return put(FULL_SPEED, value);
   }
@@ -252,7 +235,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(AVAILABLE);
   }
 
-  /** Sets {@link #available()}. */
   public ActuatorAnnouncement available(double value) {
     return put(AVAILABLE, value);
   }
@@ -264,7 +246,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return get(RENEWAL);
   }
 
-  /** Sets {@link #renewal()}. */
   public ActuatorAnnouncement renewal(double value) {
     return put(RENEWAL, value);
   }
@@ -275,7 +256,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return types == null ? List.of() : types;
   }
 
-  /** Sets {@link #commandTypes()}. */
   public ActuatorAnnouncement commandTypes(List<String> value) {
     return put(COMMAND_TYPES, List.copyOf(value));
   }
@@ -288,7 +268,6 @@ public final class ActuatorAnnouncement extends U2SAData {
     return Optional.ofNullable(get(SERVICE_NAME));
   }
 
-  /** Sets {@link #serviceName()}. */
   public ActuatorAnnouncement serviceName(String value) {
     return put(SERVICE_NAME, value);
   }

@@ -18,7 +18,6 @@ public final class ConfigurationAssignment extends U2SAData {
   private static final ValueField<ConfigurationAssignment, String> PREVIOUS =
       SCHEMA.optionalText("previous");
 
-  /** The schema. */
   public static final MessageType<ConfigurationAssignment> TYPE = SCHEMA.build();
 
   @Override
@@ -31,7 +30,6 @@ public final class ConfigurationAssignment extends U2SAData {
     return require(VARIABLE_NAME);
   }
 
-  /** Sets {@link #variableName()}. */
   public ConfigurationAssignment variableName(String value) {
     return put(VARIABLE_NAME, value);
   }
@@ -41,7 +39,6 @@ public final class ConfigurationAssignment extends U2SAData {
     return require(VALUE);
   }
 
-  /** Sets {@link #value()}. */
   public ConfigurationAssignment value(String value) {
     return put(VALUE, value);
   }
@@ -51,7 +48,6 @@ public final class ConfigurationAssignment extends U2SAData {
     return Optional.ofNullable(get(PREVIOUS));
   }
 
-  /** Sets {@link #previous()}. */
   public ConfigurationAssignment previous(String value) {
     return put(PREVIOUS, value);
   }

@@ -14,7 +14,6 @@ public final class ConfigurationChange extends ServiceMessage<ConfigurationChang
       SCHEMA.requiredName("variableName");
   private static final ValueField<ConfigurationChange, String> VALUE = SCHEMA.requiredText("value");
 
-  /** The schema. */
   public static final MessageType<ConfigurationChange> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public final class ConfigurationChange extends ServiceMessage<ConfigurationChang
     return require(VARIABLE_NAME);
   }
 
-  /** Sets {@link #variableName()}. */
   public ConfigurationChange variableName(String value) {
     return put(VARIABLE_NAME, value);
   }
@@ -37,7 +35,6 @@ public final class ConfigurationChange extends ServiceMessage<ConfigurationChang
     return require(VALUE);
   }
 
-  /** Sets {@link #value()}. */
   public ConfigurationChange value(String value) {
     return put(VALUE, value);
   }

@@ -18,7 +18,6 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
       SCHEMA.text("value", "");
   private static final ValueField<ConfigurationChangeResult, String> REASON = SCHEMA.note("reason");
 
-  /** The schema. */
   public static final MessageType<ConfigurationChangeResult> TYPE = SCHEMA.build();
 
   @Override
@@ -31,7 +30,6 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return require(VARIABLE_NAME);
   }
 
-  /** Sets {@link #variableName()}. */
   public ConfigurationChangeResult variableName(String value) {
     return put(VARIABLE_NAME, value);
   }
@@ -41,7 +39,6 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return require(ACCEPTED);
   }
 
-  /** Sets {@link #accepted()}. */
   public ConfigurationChangeResult accepted(boolean value) {
     return put(ACCEPTED, value);
   }
@@ -51,7 +48,6 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return require(VALUE);
   }
 
-  /** Sets {@link #value()}. */
   public ConfigurationChangeResult value(String value) {
     return put(VALUE, value);
   }
@@ -61,7 +57,6 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return require(REASON);
   }
 
-  /** Sets {@link #reason()}. */
   public ConfigurationChangeResult reason(String value) {
     return put(REASON, value);
   }

@@ -10,7 +10,6 @@ public final class ConfigurationRequest extends ServiceMessage<ConfigurationRequ
       Schema.of(ConfigurationRequest.class, ConfigurationRequest::new, U2SAData.TYPE)
           .requiring(SERVICE_NAME);
 
-  /** The schema. */
   public static final MessageType<ConfigurationRequest> TYPE = SCHEMA.build();
 
   @Override

@@ -17,7 +17,6 @@ public final class ConfigurationResponse extends ServiceMessage<ConfigurationRes
   private static final ValueField<ConfigurationResponse, Long> REVISION =
       SCHEMA.since(2).optionalCount("revision", "");
 
-  /** The schema. */
   public static final MessageType<ConfigurationResponse> TYPE = SCHEMA.build();
 
   @Override
@@ -30,7 +29,6 @@ public final class ConfigurationResponse extends ServiceMessage<ConfigurationRes
     return require(VARIABLES);
   }
 
-  /** Sets {@link #variables()}. */
   public ConfigurationResponse variables(List<? extends ConfigurationVariable> value) {
     return put(VARIABLES, List.copyOf(value));
   }
@@ -43,7 +41,6 @@ public final class ConfigurationResponse extends ServiceMessage<ConfigurationRes
     return optionalCount(REVISION);
   }
 
-  /** Sets {@link #revision()}. */
   public ConfigurationResponse revision(long value) {
     return put(REVISION, value);
   }

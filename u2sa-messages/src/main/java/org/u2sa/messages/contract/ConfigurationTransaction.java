@@ -21,7 +21,6 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
   private static final ValueField<ConfigurationTransaction, Long> REVISION =
       SCHEMA.optionalCount("revision", "");
 
-  /** The schema. */
   public static final MessageType<ConfigurationTransaction> TYPE = SCHEMA.build();
 
   @Override
@@ -34,7 +33,6 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
     return require(ASSIGNMENTS);
   }
 
-  /** Sets {@link #assignments()}. */
   public ConfigurationTransaction assignments(List<ConfigurationAssignment> value) {
     return put(ASSIGNMENTS, List.copyOf(value));
   }
@@ -44,7 +42,6 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
     return require(AUTHOR);
   }
 
-  /** Sets {@link #author()}. */
   public ConfigurationTransaction author(String value) {
     return put(AUTHOR, value);
   }
@@ -57,7 +54,6 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
     return optionalCount(REVISION);
   }
 
-  /** Sets {@link #revision()}. */
   public ConfigurationTransaction revision(long value) {
     return put(REVISION, value);
   }

@@ -28,7 +28,6 @@ public final class ConfigurationTransactionResult
   private static final ValueField<ConfigurationTransactionResult, String> AUTHOR =
       SCHEMA.name("author", "");
 
-  /** The schema. */
   public static final MessageType<ConfigurationTransactionResult> TYPE = SCHEMA.build();
 
   @Override
@@ -41,7 +40,6 @@ public final class ConfigurationTransactionResult
     return require(ACCEPTED);
   }
 
-  /** Sets {@link #accepted()}. */
   public ConfigurationTransactionResult accepted(boolean value) {
     return put(ACCEPTED, value);
   }
@@ -51,7 +49,6 @@ public final class ConfigurationTransactionResult
     return require(REASON);
   }
 
-  /** Sets {@link #reason()}. */
   public ConfigurationTransactionResult reason(String value) {
     return put(REASON, value);
   }
@@ -61,7 +58,6 @@ public final class ConfigurationTransactionResult
     return require(ASSIGNMENTS);
   }
 
-  /** Sets {@link #assignments()}. */
   public ConfigurationTransactionResult assignments(List<ConfigurationAssignment> value) {
     return put(ASSIGNMENTS, List.copyOf(value));
   }
@@ -71,7 +67,6 @@ public final class ConfigurationTransactionResult
     return require(REVISION);
   }
 
-  /** Sets {@link #revision()}. */
   public ConfigurationTransactionResult revision(long value) {
     return put(REVISION, value);
   }
@@ -81,7 +76,6 @@ public final class ConfigurationTransactionResult
     return require(AUTHOR);
   }
 
-  /** Sets {@link #author()}. */
   public ConfigurationTransactionResult author(String value) {
     return put(AUTHOR, value);
   }

@@ -14,7 +14,6 @@ public final class ConfigurationUndo extends ServiceExchange<ConfigurationUndo> 
           .requiring(SERVICE_NAME);
   private static final ValueField<ConfigurationUndo, String> AUTHOR = SCHEMA.name("author", "");
 
-  /** The schema. */
   public static final MessageType<ConfigurationUndo> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public final class ConfigurationUndo extends ServiceExchange<ConfigurationUndo> 
     return require(AUTHOR);
   }
 
-  /** Sets {@link #author()}. */
   public ConfigurationUndo author(String value) {
     return put(AUTHOR, value);
   }

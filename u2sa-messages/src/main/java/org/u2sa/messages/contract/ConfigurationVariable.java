@@ -26,7 +26,6 @@ public final class ConfigurationVariable extends U2SAData {
   private static final ValueField<ConfigurationVariable, List<String>> CHOICES =
       SCHEMA.since(2).optionalTexts("choices");
 
-  /** The schema. */
   public static final MessageType<ConfigurationVariable> TYPE = SCHEMA.build();
 
   @Override
@@ -39,7 +38,6 @@ public final class ConfigurationVariable extends U2SAData {
     return require(NAME);
   }
 
-  /** Sets {@link #name()}. */
   public ConfigurationVariable name(String value) {
     return put(NAME, value);
   }
@@ -49,7 +47,6 @@ public final class ConfigurationVariable extends U2SAData {
     return require(VARIABLE_TYPE);
   }
 
-  /** Sets {@link #variableType()}. */
   public ConfigurationVariable variableType(String value) {
     return put(VARIABLE_TYPE, value);
   }
@@ -59,7 +56,6 @@ public final class ConfigurationVariable extends U2SAData {
     return require(VALUE);
   }
 
-  /** Sets {@link #value()}. */
   public ConfigurationVariable value(String value) {
     return put(VALUE, value);
   }
@@ -69,7 +65,6 @@ public final class ConfigurationVariable extends U2SAData {
     return require(UNIT);
   }
 
-  /** Sets {@link #unit()}. */
   public ConfigurationVariable unit(String value) {
     return put(UNIT, value);
   }
@@ -79,7 +74,6 @@ public final class ConfigurationVariable extends U2SAData {
     return get(MIN);
   }
 
-  /** Sets {@link #min()}. */
   public ConfigurationVariable min(double value) {
     return put(MIN, value);
   }
@@ -89,7 +83,6 @@ public final class ConfigurationVariable extends U2SAData {
     return get(MAX);
   }
 
-  /** Sets {@link #max()}. */
   public ConfigurationVariable max(double value) {
     return put(MAX, value);
   }
@@ -99,7 +92,6 @@ public final class ConfigurationVariable extends U2SAData {
     return require(DESCRIPTION);
   }
 
-  /** Sets {@link #description()}. */
   public ConfigurationVariable description(String value) {
     return put(DESCRIPTION, value);
   }
@@ -110,7 +102,6 @@ public final class ConfigurationVariable extends U2SAData {
     return some == null ? List.of() : some;
   }
 
-  /** Sets {@link #choices()}. */
   public ConfigurationVariable choices(List<String> value) {
     return put(CHOICES, List.copyOf(value));
   }

@@ -11,7 +11,6 @@ public final class ConnectionLost extends HealthReport {
   private static final Schema<ConnectionLost> SCHEMA =
       Schema.of(ConnectionLost.class, ConnectionLost::new, HealthReport.TYPE).since(2);
 
-  /** The schema. */
   public static final MessageType<ConnectionLost> TYPE = SCHEMA.build();
 
   @Override

@@ -25,7 +25,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
   private static final ValueField<DiscoveryResponse, String> CLASS_NAME =
       SCHEMA.optionalName("className");
 
-  /** The schema. */
   public static final MessageType<DiscoveryResponse> TYPE = SCHEMA.build();
 
   @Override
@@ -38,7 +37,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return require(SERVICE_TYPE);
   }
 
-  /** Sets {@link #serviceType()}. */
   public DiscoveryResponse serviceType(String value) {
     return put(SERVICE_TYPE, value);
   }
@@ -48,7 +46,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return require(STATUS);
   }
 
-  /** Sets {@link #status()}. */
   public DiscoveryResponse status(ServiceStatus value) {
     return put(STATUS, value);
   }
@@ -58,7 +55,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return require(HOST);
   }
 
-  /** Sets {@link #host()}. */
   public DiscoveryResponse host(String value) {
     return put(HOST, value);
   }
@@ -68,7 +64,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return require(UPTIME);
   }
 
-  /** Sets {@link #uptime()}. */
   public DiscoveryResponse uptime(double value) {
     return put(UPTIME, value);
   }
@@ -78,7 +73,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return require(VERSION);
   }
 
-  /** Sets {@link #version()}. */
   public DiscoveryResponse version(String value) {
     return put(VERSION, value);
   }
@@ -88,7 +82,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return Optional.ofNullable(get(INSTANCE));
   }
 
-  /** Sets {@link #instance()}. */
   public DiscoveryResponse instance(String value) {
     return put(INSTANCE, value);
   }
@@ -98,7 +91,6 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return Optional.ofNullable(get(CLASS_NAME));
   }
 
-  /** Sets {@link #className()}. */
   public DiscoveryResponse className(String value) {
     return put(CLASS_NAME, value);
   }

@@ -10,7 +10,6 @@ public final class FunctionalityRequest extends ServiceMessage<FunctionalityRequ
       Schema.of(FunctionalityRequest.class, FunctionalityRequest::new, U2SAData.TYPE)
           .requiring(SERVICE_NAME);
 
-  /** The schema. */
   public static final MessageType<FunctionalityRequest> TYPE = SCHEMA.build();
 
   @Override

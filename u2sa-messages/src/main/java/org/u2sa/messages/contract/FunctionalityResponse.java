@@ -16,7 +16,6 @@ public final class FunctionalityResponse extends ServiceMessage<FunctionalityRes
   private static final ValueField<FunctionalityResponse, List<String>> SUBSCRIBES =
       SCHEMA.texts("subscribes");
 
-  /** The schema. */
   public static final MessageType<FunctionalityResponse> TYPE = SCHEMA.build();
 
   @Override
@@ -29,7 +28,6 @@ public final class FunctionalityResponse extends ServiceMessage<FunctionalityRes
     return require(PUBLISHES);
   }
 
-  /** Sets {@link #publishes()}. */
   public FunctionalityResponse publishes(List<String> value) {
     return put(PUBLISHES, value);
   }
@@ -39,7 +37,6 @@ public final class FunctionalityResponse extends ServiceMessage<FunctionalityRes
     return require(SUBSCRIBES);
   }
 
-  /** Sets {@link #subscribes()}. */
   public FunctionalityResponse subscribes(List<String> value) {
     return put(SUBSCRIBES, value);
   }

@@ -55,7 +55,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   private static final ValueField<HealthReport, List<String>> REMARKS =
       SCHEMA.optionalNotes("remarks");
 
-  /** The schema. */
   public static final MessageType<HealthReport> TYPE = SCHEMA.build();
 
   @Override
@@ -68,7 +67,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return require(STATUS);
   }
 
-  /** Sets {@link #status()}. */
   public HealthReport status(ServiceStatus value) {
     return put(STATUS, value);
   }
@@ -78,7 +76,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return Optional.ofNullable(get(LAST_ERROR));
   }
 
-  /** Sets {@link #lastError()}. */
   public HealthReport lastError(String value) {
     return put(LAST_ERROR, value);
   }
@@ -88,7 +85,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return require(INBOX_DEPTH);
   }
 
-  /** Sets {@link #inboxDepth()}. */
   public HealthReport inboxDepth(long value) {
     return put(INBOX_DEPTH, value);
   }
@@ -101,7 +97,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return require(DROPPED);
   }
 
-  /** Sets {@link #dropped()}. */
   public HealthReport dropped(long value) {
     return put(DROPPED, value);
   }
@@ -111,7 +106,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return require(REFUSED);
   }
 
-  /** Sets {@link #refused()}. */
   public HealthReport refused(long value) {
     return put(REFUSED, value);
   }
@@ -121,7 +115,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return require(OVERRUNS);
   }
 
-  /** Sets {@link #overruns()}. */
   public HealthReport overruns(long value) {
     return put(OVERRUNS, value);
   }
@@ -131,7 +124,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return require(EXCEPTIONS);
   }
 
-  /** Sets {@link #exceptions()}. */
   public HealthReport exceptions(long value) {
     return put(EXCEPTIONS, value);
   }
@@ -141,7 +133,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return get(CALLBACK_P50);
   }
 
-  /** Sets {@link #callbackP50()}. */
   public HealthReport callbackP50(double value) {
     return put(CALLBACK_P50, value);
   }
@@ -151,7 +142,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return get(CALLBACK_P99);
   }
 
-  /** Sets {@link #callbackP99()}. */
   public HealthReport callbackP99(double value) {
     return put(CALLBACK_P99, value);
   }
@@ -164,7 +154,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return Optional.ofNullable(get(INSTANCE));
   }
 
-  /** Sets {@link #instance()}. */
   public HealthReport instance(String value) {
     return put(INSTANCE, value);
   }
@@ -174,7 +163,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return get(INTERVAL);
   }
 
-  /** Sets {@link #interval()}. */
   public HealthReport interval(double value) {
     return put(INTERVAL, value);
   }
@@ -187,7 +175,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return Optional.ofNullable(get(THREAD_ALIVE));
   }
 
-  /** Sets {@link #threadAlive()}. */
   public HealthReport threadAlive(boolean value) {
     return put(THREAD_ALIVE, value);
   }
@@ -200,7 +187,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return get(CALLBACK_RUNNING);
   }
 
-  /** Sets {@link #callbackRunning()}. */
   public HealthReport callbackRunning(double value) {
     return put(CALLBACK_RUNNING, value);
   }
@@ -213,7 +199,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return get(DATA_AGE);
   }
 
-  /** Sets {@link #dataAge()}. */
   public HealthReport dataAge(double value) {
     return put(DATA_AGE, value);
   }
@@ -223,7 +208,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return optionalCount(PUBLISHED);
   }
 
-  /** Sets {@link #published()}. */
   public HealthReport published(long value) {
     return put(PUBLISHED, value);
   }
@@ -233,7 +217,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return optionalCount(EXPIRED);
   }
 
-  /** Sets {@link #expired()}. */
   public HealthReport expired(long value) {
     return put(EXPIRED, value);
   }
@@ -243,7 +226,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return optionalCount(MISSED);
   }
 
-  /** Sets {@link #missed()}. */
   public HealthReport missed(long value) {
     return put(MISSED, value);
   }
@@ -256,7 +238,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return Optional.ofNullable(get(EMERGENCY_STOPS));
   }
 
-  /** Sets {@link #emergencyStops()}. */
   public HealthReport emergencyStops(List<String> value) {
     return put(EMERGENCY_STOPS, List.copyOf(value));
   }
@@ -269,7 +250,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return optionalCount(REPLACED);
   }
 
-  /** Sets {@link #replaced()}. */
   public HealthReport replaced(long value) {
     return put(REPLACED, value);
   }
@@ -279,7 +259,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return optionalCount(COMMANDS_OBEYED);
   }
 
-  /** Sets {@link #commandsObeyed()}. */
   public HealthReport commandsObeyed(long value) {
     return put(COMMANDS_OBEYED, value);
   }
@@ -292,7 +271,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return optionalCount(COMMANDS_REFUSED);
   }
 
-  /** Sets {@link #commandsRefused()}. */
   public HealthReport commandsRefused(long value) {
     return put(COMMANDS_REFUSED, value);
   }
@@ -305,7 +283,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return remarks == null ? List.of() : remarks;
   }
 
-  /** Sets {@link #remarks()}. */
   public HealthReport remarks(List<String> value) {
     return put(REMARKS, List.copyOf(value));
   }
@@ -315,7 +292,6 @@ public class HealthReport extends ServiceMessage<HealthReport> {
     return Optional.ofNullable(get(REFUSED_SUBSCRIPTIONS));
   }
 
-  /** Sets {@link #refusedSubscriptions()}. */
   public HealthReport refusedSubscriptions(String value) {
     return put(REFUSED_SUBSCRIPTIONS, value);
   }

@@ -26,7 +26,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
   private static final ValueField<ServiceCondition, String> INSTANCE =
       SCHEMA.optionalName("instance");
 
-  /** The schema. */
   public static final MessageType<ServiceCondition> TYPE = SCHEMA.build();
 
   @Override
@@ -39,7 +38,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return require(CONDITION);
   }
 
-  /** Sets {@link #condition()}. */
   public ServiceCondition condition(Condition value) {
     return put(CONDITION, value);
   }
@@ -49,7 +47,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return optionalCount(SINCE);
   }
 
-  /** Sets {@link #since()}. */
   public ServiceCondition since(long value) {
     return put(SINCE, value);
   }
@@ -59,7 +56,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return require(REASON);
   }
 
-  /** Sets {@link #reason()}. */
   public ServiceCondition reason(String value) {
     return put(REASON, value);
   }
@@ -69,7 +65,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return require(ACTION);
   }
 
-  /** Sets {@link #action()}. */
   public ServiceCondition action(String value) {
     return put(ACTION, value);
   }
@@ -79,7 +74,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return require(RESTARTS);
   }
 
-  /** Sets {@link #restarts()}. */
   public ServiceCondition restarts(long value) {
     return put(RESTARTS, value);
   }
@@ -89,7 +83,6 @@ public final class ServiceCondition extends ServiceMessage<ServiceCondition> {
     return Optional.ofNullable(get(INSTANCE));
   }
 
-  /** Sets {@link #instance()}. */
   public ServiceCondition instance(String value) {
     return put(INSTANCE, value);
   }

@@ -13,7 +13,6 @@ public abstract class ServiceExchange<S extends ServiceExchange<S>> extends Serv
     return required(REQUEST_ID);
   }
 
-  /** Sets {@link #requestId()}. */
   public final S requestId(String value) {
     return set(REQUEST_ID, value);
   }

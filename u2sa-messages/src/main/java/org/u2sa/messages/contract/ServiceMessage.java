@@ -17,7 +17,6 @@ public abstract class ServiceMessage<S extends ServiceMessage<S>> extends U2SADa
     return required(SERVICE_NAME);
   }
 
-  /** Sets {@link #serviceName()}. */
   public final S serviceName(String value) {
     return set(SERVICE_NAME, value);
   }

@@ -22,7 +22,6 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
       SCHEMA.optionalName("className");
   private static final ValueField<ServiceOrder, String> OPERATOR = SCHEMA.name("operator", "");
 
-  /** The schema. */
   public static final MessageType<ServiceOrder> TYPE = SCHEMA.build();
 
   @Override
@@ -35,7 +34,6 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
     return require(ACTION);
   }
 
-  /** Sets {@link #action()}. */
   public ServiceOrder action(ServiceAction value) {
     return put(ACTION, value);
   }
@@ -45,7 +43,6 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
     return Optional.ofNullable(get(CLASS_NAME));
   }
 
-  /** Sets {@link #className()}. */
   public ServiceOrder className(String value) {
     return put(CLASS_NAME, value);
   }
@@ -55,7 +52,6 @@ public final class ServiceOrder extends ServiceExchange<ServiceOrder> {
     return require(OPERATOR);
   }
 
-  /** Sets {@link #operator()}. */
   public ServiceOrder operator(String value) {
     return put(OPERATOR, value);
   }

@@ -15,7 +15,6 @@ public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult
   private static final ValueField<ServiceOrderResult, Boolean> ACCEPTED = SCHEMA.flag("accepted");
   private static final ValueField<ServiceOrderResult, String> REASON = SCHEMA.note("reason");
 
-  /** The schema. */
   public static final MessageType<ServiceOrderResult> TYPE = SCHEMA.build();
 
   @Override
@@ -28,7 +27,6 @@ public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult
     return require(ACCEPTED);
   }
 
-  /** Sets {@link #accepted()}. */
   public ServiceOrderResult accepted(boolean value) {
     return put(ACCEPTED, value);
   }
@@ -38,7 +36,6 @@ public final class ServiceOrderResult extends ServiceExchange<ServiceOrderResult
     return require(REASON);
   }
 
-  /** Sets {@link #reason()}. */
   public ServiceOrderResult reason(String value) {
     return put(REASON, value);
   }

@@ -42,13 +42,9 @@ public final class MagneticModel {
     }
     if (!Double.isFinite(longitudeDeg + altitudeM) || Double.isNaN(decimalYear)) {
       throw new IllegalArgumentException(
-          "longitude "
-              + longitudeDeg
-              + ", altitude "
-              + altitudeM
-              + ", year "
-              + decimalYear
-              + ": not numbers");
+          String.format(
+              "longitude %s, altitude %s, year %s: not numbers",
+              longitudeDeg, altitudeM, decimalYear));
     }
     double year = Math.max(FIRST_YEAR, Math.min(LAST_YEAR, decimalYear));
     double latitude = Math.toRadians(latitudeDeg);

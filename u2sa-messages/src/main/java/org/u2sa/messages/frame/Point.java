@@ -86,6 +86,11 @@ public record Point(double x, double y, double z) {
     return of(x + other.x, y + other.y, z + other.z);
   }
 
+  /** This vector multiplied by a factor. */
+  public Point times(double factor) {
+    return of(factor * x, factor * y, factor * z);
+  }
+
   /** "(x, y, z)". */
   @Override
   public String toString() {

@@ -62,7 +62,6 @@ public abstract class GoalInformation extends U2SAData {
     SCHEMA.alias("name", UID); // the thesis's mission example, 3.2.3.2
   }
 
-  /** The schema. */
   public static final MessageType<GoalInformation> TYPE = SCHEMA.build();
 
   /** Identifier, unique within the mission: "1", "Takeoff". */
@@ -70,7 +69,6 @@ public abstract class GoalInformation extends U2SAData {
     return require(UID);
   }
 
-  /** Sets {@link #uid()}. */
   public GoalInformation uid(String uid) {
     return put(UID, uid);
   }
@@ -80,7 +78,6 @@ public abstract class GoalInformation extends U2SAData {
     return get(COMPLETED);
   }
 
-  /** Sets {@link #completed()}. */
   public GoalInformation completed(boolean completed) {
     return put(COMPLETED, completed);
   }
@@ -90,7 +87,6 @@ public abstract class GoalInformation extends U2SAData {
     return get(NEXT);
   }
 
-  /** Sets {@link #next()}. */
   public GoalInformation next(List<String> uids) {
     return put(NEXT, uids);
   }
@@ -100,7 +96,6 @@ public abstract class GoalInformation extends U2SAData {
     return Optional.ofNullable(get(DESCRIPTION));
   }
 
-  /** Sets {@link #description()}. */
   public GoalInformation description(String text) {
     return put(DESCRIPTION, text);
   }
@@ -110,7 +105,6 @@ public abstract class GoalInformation extends U2SAData {
     return get(ABANDONED);
   }
 
-  /** Sets {@link #abandoned()}. */
   public GoalInformation abandoned(boolean abandoned) {
     return put(ABANDONED, abandoned);
   }
@@ -120,7 +114,6 @@ public abstract class GoalInformation extends U2SAData {
     return Optional.ofNullable(get(RESULT));
   }
 
-  /** Sets {@link #result()}. */
   public GoalInformation result(GoalResult value) {
     return put(RESULT, value);
   }
@@ -130,7 +123,6 @@ public abstract class GoalInformation extends U2SAData {
     return Optional.ofNullable(get(REASON));
   }
 
-  /** Sets {@link #reason()}. */
   public GoalInformation reason(String text) {
     return put(REASON, text);
   }
@@ -140,7 +132,6 @@ public abstract class GoalInformation extends U2SAData {
     return optionalCount(ARRIVED_AT);
   }
 
-  /** Sets {@link #arrivedAt()}. */
   public GoalInformation arrivedAt(long micros) {
     return put(ARRIVED_AT, micros);
   }
@@ -150,7 +141,6 @@ public abstract class GoalInformation extends U2SAData {
     return get(TIME_LIMIT);
   }
 
-  /** Sets {@link #timeLimit()}. */
   public GoalInformation timeLimit(double seconds) {
     return put(TIME_LIMIT, seconds);
   }
@@ -163,7 +153,6 @@ public abstract class GoalInformation extends U2SAData {
     return optionalCount(CHOOSE);
   }
 
-  /** Sets {@link #choose()}. */
   public GoalInformation choose(long goals) {
     return put(CHOOSE, goals);
   }
@@ -192,16 +181,12 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   private static ValueField<GoalInformation, List<String>> nextField(GoalResult result) {
-    switch (result) {
-      case DONE:
-        return NEXT_IF_DONE;
-      case FAILED:
-        return NEXT_IF_FAILED;
-      case TIMED_OUT:
-        return NEXT_IF_TIMED_OUT;
-      default:
-        return null;
-    }
+    return switch (result) {
+      case DONE -> NEXT_IF_DONE;
+      case FAILED -> NEXT_IF_FAILED;
+      case TIMED_OUT -> NEXT_IF_TIMED_OUT;
+      case SKIPPED -> null;
+    };
   }
 
   /**
@@ -212,7 +197,6 @@ public abstract class GoalInformation extends U2SAData {
     return Optional.ofNullable(get(REPEAT_FROM));
   }
 
-  /** Sets {@link #repeatFrom()}. */
   public GoalInformation repeatFrom(String uid) {
     return put(REPEAT_FROM, uid);
   }
@@ -222,7 +206,6 @@ public abstract class GoalInformation extends U2SAData {
     return optionalCount(REPEAT_TIMES);
   }
 
-  /** Sets {@link #repeatTimes()}. */
   public GoalInformation repeatTimes(long times) {
     return put(REPEAT_TIMES, times);
   }

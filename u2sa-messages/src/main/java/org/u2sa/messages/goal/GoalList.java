@@ -27,7 +27,6 @@ public final class GoalList extends U2SAData {
   private static final ValueField<GoalList, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
   private static final NumberField<GoalList> ELAPSED = SCHEMA.optionalNumber("elapsed", "s", 0.0);
 
-  /** The schema. */
   public static final MessageType<GoalList> TYPE = SCHEMA.build();
 
   @Override
@@ -40,7 +39,6 @@ public final class GoalList extends U2SAData {
     return require(GOALS);
   }
 
-  /** Sets {@link #goals()}. */
   public GoalList goals(List<? extends GoalInformation> value) {
     return put(GOALS, List.copyOf(value));
   }
@@ -54,7 +52,6 @@ public final class GoalList extends U2SAData {
     return require(UPCOMING);
   }
 
-  /** Sets {@link #upcoming()}. */
   public GoalList upcoming(List<? extends GoalInformation> value) {
     return put(UPCOMING, List.copyOf(value));
   }
@@ -67,7 +64,6 @@ public final class GoalList extends U2SAData {
     return optionalCount(LAND_GOALS);
   }
 
-  /** Sets {@link #landGoals()}. */
   public GoalList landGoals(long value) {
     return put(LAND_GOALS, value);
   }
@@ -78,7 +74,6 @@ public final class GoalList extends U2SAData {
     return value == null ? List.of() : value;
   }
 
-  /** Sets {@link #fileFaults()}. */
   public GoalList fileFaults(List<String> value) {
     return put(FILE_FAULTS, List.copyOf(value));
   }
@@ -91,7 +86,6 @@ public final class GoalList extends U2SAData {
     return Boolean.TRUE.equals(get(PAUSED));
   }
 
-  /** Sets {@link #paused()}. */
   public GoalList paused(boolean value) {
     return put(PAUSED, value);
   }

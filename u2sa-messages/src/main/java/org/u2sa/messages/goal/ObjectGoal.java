@@ -21,7 +21,6 @@ public class ObjectGoal extends GoalInformation {
   private static final NumberField<ObjectGoal> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
   private static final ValueField<ObjectGoal, List<String>> POINTED = SCHEMA.ids("pointed");
 
-  /** The schema. */
   public static final MessageType<ObjectGoal> TYPE = SCHEMA.build();
 
   @Override
@@ -34,7 +33,6 @@ public class ObjectGoal extends GoalInformation {
     return require(OBJECT_TYPE);
   }
 
-  /** Sets {@link #objectType()}. */
   public ObjectGoal objectType(String type) {
     return put(OBJECT_TYPE, type);
   }
@@ -44,7 +42,6 @@ public class ObjectGoal extends GoalInformation {
     return require(WITHIN);
   }
 
-  /** Sets {@link #within()}. */
   public ObjectGoal within(double metres) {
     return put(WITHIN, metres);
   }
@@ -54,7 +51,6 @@ public class ObjectGoal extends GoalInformation {
     return get(SPEED);
   }
 
-  /** Sets {@link #speed()}. */
   public ObjectGoal speed(double value) {
     return put(SPEED, value);
   }
@@ -64,15 +60,13 @@ public class ObjectGoal extends GoalInformation {
     return get(POINTED);
   }
 
-  /** Sets {@link #pointed()}. */
   public ObjectGoal pointed(List<String> subsystems) {
     return put(POINTED, subsystems);
   }
 
   @Override
   public ObjectGoal uid(String uid) {
-    super.uid(uid);
-    return this;
+    return (ObjectGoal) super.uid(uid);
   }
 
   @Override

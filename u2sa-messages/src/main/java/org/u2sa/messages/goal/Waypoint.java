@@ -34,7 +34,6 @@ public class Waypoint extends GoalInformation {
     SCHEMA.alias("reference", REFERENCE_FRAME); // the thesis's mission example, 3.2.3.2
   }
 
-  /** The schema. */
   public static final MessageType<Waypoint> TYPE = SCHEMA.build();
 
   @Override
@@ -47,7 +46,6 @@ public class Waypoint extends GoalInformation {
     return get(REFERENCE_FRAME);
   }
 
-  /** Sets {@link #referenceFrame()}. */
   public Waypoint referenceFrame(ReferenceFrame frame) {
     return put(REFERENCE_FRAME, frame);
   }
@@ -57,7 +55,6 @@ public class Waypoint extends GoalInformation {
     return get(X);
   }
 
-  /** Sets {@link #x()}. */
   public Waypoint x(double value) {
     return put(X, value);
   }
@@ -67,7 +64,6 @@ public class Waypoint extends GoalInformation {
     return get(Y);
   }
 
-  /** Sets {@link #y()}. */
   public Waypoint y(double value) {
     return put(Y, value);
   }
@@ -77,7 +73,6 @@ public class Waypoint extends GoalInformation {
     return get(Z);
   }
 
-  /** Sets {@link #z()}. */
   public Waypoint z(double value) {
     return put(Z, value);
   }
@@ -87,7 +82,6 @@ public class Waypoint extends GoalInformation {
     return get(PHI);
   }
 
-  /** Sets {@link #phi()}. */
   public Waypoint phi(double value) {
     return put(PHI, value);
   }
@@ -97,7 +91,6 @@ public class Waypoint extends GoalInformation {
     return get(THETA);
   }
 
-  /** Sets {@link #theta()}. */
   public Waypoint theta(double value) {
     return put(THETA, value);
   }
@@ -107,7 +100,6 @@ public class Waypoint extends GoalInformation {
     return get(PSI);
   }
 
-  /** Sets {@link #psi()}. */
   public Waypoint psi(double value) {
     return put(PSI, value);
   }
@@ -117,7 +109,6 @@ public class Waypoint extends GoalInformation {
     return get(TIME);
   }
 
-  /** Sets {@link #time()}. */
   public Waypoint time(double value) {
     return put(TIME, value);
   }
@@ -127,7 +118,6 @@ public class Waypoint extends GoalInformation {
     return require(HORIZONTAL_THRESHOLD);
   }
 
-  /** Sets {@link #horizontalThreshold()}. */
   public Waypoint horizontalThreshold(double metres) {
     return put(HORIZONTAL_THRESHOLD, metres);
   }
@@ -137,7 +127,6 @@ public class Waypoint extends GoalInformation {
     return get(VERTICAL_THRESHOLD);
   }
 
-  /** Sets {@link #verticalThreshold()}. */
   public Waypoint verticalThreshold(double value) {
     return put(VERTICAL_THRESHOLD, value);
   }
@@ -147,33 +136,28 @@ public class Waypoint extends GoalInformation {
     return get(SPEED);
   }
 
-  /** Sets {@link #speed()}. */
   public Waypoint speed(double value) {
     return put(SPEED, value);
   }
 
   @Override
   public Waypoint uid(String uid) {
-    super.uid(uid);
-    return this;
+    return (Waypoint) super.uid(uid);
   }
 
   @Override
   public Waypoint completed(boolean completed) {
-    super.completed(completed);
-    return this;
+    return (Waypoint) super.completed(completed);
   }
 
   @Override
   public Waypoint next(List<String> uids) {
-    super.next(uids);
-    return this;
+    return (Waypoint) super.next(uids);
   }
 
   @Override
   public Waypoint description(String text) {
-    super.description(text);
-    return this;
+    return (Waypoint) super.description(text);
   }
 
   @Override

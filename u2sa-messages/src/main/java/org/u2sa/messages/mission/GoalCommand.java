@@ -11,7 +11,6 @@ public final class GoalCommand extends U2SAData {
       Schema.of(GoalCommand.class, GoalCommand::new, U2SAData.TYPE);
   private static final ValueField<GoalCommand, String> UID = SCHEMA.requiredId("uid");
 
-  /** The schema. */
   public static final MessageType<GoalCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -24,7 +23,6 @@ public final class GoalCommand extends U2SAData {
     return require(UID);
   }
 
-  /** Sets {@link #uid()}. */
   public GoalCommand uid(String value) {
     return put(UID, value);
   }

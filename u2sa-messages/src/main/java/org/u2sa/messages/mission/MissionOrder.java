@@ -22,7 +22,6 @@ public final class MissionOrder extends U2SAData {
   private static final ValueField<MissionOrder, Boolean> NOW = SCHEMA.flag("now");
   private static final ValueField<MissionOrder, String> OPERATOR = SCHEMA.name("operator", "");
 
-  /** The schema. */
   public static final MessageType<MissionOrder> TYPE = SCHEMA.build();
 
   @Override
@@ -35,7 +34,6 @@ public final class MissionOrder extends U2SAData {
     return require(REQUEST_ID);
   }
 
-  /** Sets {@link #requestId()}. */
   public MissionOrder requestId(String value) {
     return put(REQUEST_ID, value);
   }
@@ -45,7 +43,6 @@ public final class MissionOrder extends U2SAData {
     return require(ACTION);
   }
 
-  /** Sets {@link #action()}. */
   public MissionOrder action(MissionAction value) {
     return put(ACTION, value);
   }
@@ -55,7 +52,6 @@ public final class MissionOrder extends U2SAData {
     return Optional.ofNullable(get(UID));
   }
 
-  /** Sets {@link #uid()}. */
   public MissionOrder uid(String value) {
     return put(UID, value);
   }
@@ -65,7 +61,6 @@ public final class MissionOrder extends U2SAData {
     return Optional.ofNullable(get(GOALS));
   }
 
-  /** Sets {@link #goals()}. */
   public MissionOrder goals(String value) {
     return put(GOALS, value);
   }
@@ -75,7 +70,6 @@ public final class MissionOrder extends U2SAData {
     return Optional.ofNullable(get(FILE));
   }
 
-  /** Sets {@link #file()}. */
   public MissionOrder file(String value) {
     return put(FILE, value);
   }
@@ -85,7 +79,6 @@ public final class MissionOrder extends U2SAData {
     return require(NOW);
   }
 
-  /** Sets {@link #now()}. */
   public MissionOrder now(boolean value) {
     return put(NOW, value);
   }
@@ -95,7 +88,6 @@ public final class MissionOrder extends U2SAData {
     return require(OPERATOR);
   }
 
-  /** Sets {@link #operator()}. */
   public MissionOrder operator(String value) {
     return put(OPERATOR, value);
   }

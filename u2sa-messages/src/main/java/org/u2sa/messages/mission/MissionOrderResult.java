@@ -16,7 +16,6 @@ public final class MissionOrderResult extends U2SAData {
   private static final ValueField<MissionOrderResult, Boolean> ACCEPTED = SCHEMA.flag("accepted");
   private static final ValueField<MissionOrderResult, String> OUTCOME = SCHEMA.note("outcome");
 
-  /** The schema. */
   public static final MessageType<MissionOrderResult> TYPE = SCHEMA.build();
 
   @Override
@@ -29,7 +28,6 @@ public final class MissionOrderResult extends U2SAData {
     return require(REQUEST_ID);
   }
 
-  /** Sets {@link #requestId()}. */
   public MissionOrderResult requestId(String value) {
     return put(REQUEST_ID, value);
   }
@@ -39,7 +37,6 @@ public final class MissionOrderResult extends U2SAData {
     return require(SERVICE_NAME);
   }
 
-  /** Sets {@link #serviceName()}. */
   public MissionOrderResult serviceName(String value) {
     return put(SERVICE_NAME, value);
   }
@@ -49,7 +46,6 @@ public final class MissionOrderResult extends U2SAData {
     return require(ACCEPTED);
   }
 
-  /** Sets {@link #accepted()}. */
   public MissionOrderResult accepted(boolean value) {
     return put(ACCEPTED, value);
   }
@@ -59,7 +55,6 @@ public final class MissionOrderResult extends U2SAData {
     return require(OUTCOME);
   }
 
-  /** Sets {@link #outcome()}. */
   public MissionOrderResult outcome(String value) {
     return put(OUTCOME, value);
   }

@@ -36,7 +36,6 @@ public final class MissionReport extends U2SAData {
       SCHEMA.optionalNote("resumable");
   private static final ValueField<MissionReport, Boolean> PAUSED = SCHEMA.optionalFlag("paused");
 
-  /** The schema. */
   public static final MessageType<MissionReport> TYPE = SCHEMA.build();
 
   @Override
@@ -49,7 +48,6 @@ public final class MissionReport extends U2SAData {
     return require(REQUEST_ID);
   }
 
-  /** Sets {@link #requestId()}. */
   public MissionReport requestId(String value) {
     return put(REQUEST_ID, value);
   }
@@ -59,7 +57,6 @@ public final class MissionReport extends U2SAData {
     return require(SERVICE_NAME);
   }
 
-  /** Sets {@link #serviceName()}. */
   public MissionReport serviceName(String value) {
     return put(SERVICE_NAME, value);
   }
@@ -69,7 +66,6 @@ public final class MissionReport extends U2SAData {
     return require(MISSION);
   }
 
-  /** Sets {@link #mission()}. */
   public MissionReport mission(String value) {
     return put(MISSION, value);
   }
@@ -79,7 +75,6 @@ public final class MissionReport extends U2SAData {
     return require(GOALS);
   }
 
-  /** Sets {@link #goals()}. */
   public MissionReport goals(List<GoalInformation> value) {
     return put(GOALS, List.copyOf(value));
   }
@@ -89,7 +84,6 @@ public final class MissionReport extends U2SAData {
     return require(FINISHED);
   }
 
-  /** Sets {@link #finished()}. */
   public MissionReport finished(List<Double> value) {
     return put(FINISHED, List.copyOf(value));
   }
@@ -99,7 +93,6 @@ public final class MissionReport extends U2SAData {
     return require(CURRENT);
   }
 
-  /** Sets {@link #current()}. */
   public MissionReport current(List<String> value) {
     return put(CURRENT, List.copyOf(value));
   }
@@ -109,7 +102,6 @@ public final class MissionReport extends U2SAData {
     return require(UPCOMING);
   }
 
-  /** Sets {@link #upcoming()}. */
   public MissionReport upcoming(List<String> value) {
     return put(UPCOMING, List.copyOf(value));
   }
@@ -119,7 +111,6 @@ public final class MissionReport extends U2SAData {
     return require(SEQUENCE);
   }
 
-  /** Sets {@link #sequence()}. */
   public MissionReport sequence(List<String> value) {
     return put(SEQUENCE, List.copyOf(value));
   }
@@ -129,7 +120,6 @@ public final class MissionReport extends U2SAData {
     return Optional.ofNullable(get(FAILSAFE));
   }
 
-  /** Sets {@link #failsafe()}. */
   public MissionReport failsafe(String value) {
     return put(FAILSAFE, value);
   }
@@ -139,7 +129,6 @@ public final class MissionReport extends U2SAData {
     return require(ELAPSED);
   }
 
-  /** Sets {@link #elapsed()}. */
   public MissionReport elapsed(double value) {
     return put(ELAPSED, value);
   }
@@ -149,7 +138,6 @@ public final class MissionReport extends U2SAData {
     return get(TIME_LIMIT);
   }
 
-  /** Sets {@link #timeLimit()}. */
   public MissionReport timeLimit(double value) {
     return put(TIME_LIMIT, value);
   }
@@ -159,7 +147,6 @@ public final class MissionReport extends U2SAData {
     return optionalCount(BEGAN);
   }
 
-  /** Sets {@link #began()}. */
   public MissionReport began(long value) {
     return put(BEGAN, value);
   }
@@ -169,7 +156,6 @@ public final class MissionReport extends U2SAData {
     return Optional.ofNullable(get(RESUMABLE));
   }
 
-  /** Sets {@link #resumable()}. */
   public MissionReport resumable(String value) {
     return put(RESUMABLE, value);
   }
@@ -179,7 +165,6 @@ public final class MissionReport extends U2SAData {
     return Boolean.TRUE.equals(get(PAUSED));
   }
 
-  /** Sets {@link #paused()}. */
   public MissionReport paused(boolean value) {
     return put(PAUSED, value);
   }

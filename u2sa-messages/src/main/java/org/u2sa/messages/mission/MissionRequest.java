@@ -12,7 +12,6 @@ public final class MissionRequest extends U2SAData {
   private static final ValueField<MissionRequest, String> REQUEST_ID =
       SCHEMA.requiredId("requestId");
 
-  /** The schema. */
   public static final MessageType<MissionRequest> TYPE = SCHEMA.build();
 
   @Override
@@ -25,7 +24,6 @@ public final class MissionRequest extends U2SAData {
     return require(REQUEST_ID);
   }
 
-  /** Sets {@link #requestId()}. */
   public MissionRequest requestId(String value) {
     return put(REQUEST_ID, value);
   }

@@ -13,7 +13,6 @@ public final class ArmCommand extends U2SAData {
   private static final ValueField<ArmCommand, Boolean> ARM = SCHEMA.flag("arm");
   private static final ValueField<ArmCommand, String> OPERATOR = SCHEMA.name("operator", "");
 
-  /** The schema. */
   public static final MessageType<ArmCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -26,7 +25,6 @@ public final class ArmCommand extends U2SAData {
     return require(REQUEST_ID);
   }
 
-  /** Sets {@link #requestId()}. */
   public ArmCommand requestId(String value) {
     return put(REQUEST_ID, value);
   }
@@ -36,7 +34,6 @@ public final class ArmCommand extends U2SAData {
     return require(ARM);
   }
 
-  /** Sets {@link #arm()}. */
   public ArmCommand arm(boolean value) {
     return put(ARM, value);
   }
@@ -46,7 +43,6 @@ public final class ArmCommand extends U2SAData {
     return require(OPERATOR);
   }
 
-  /** Sets {@link #operator()}. */
   public ArmCommand operator(String value) {
     return put(OPERATOR, value);
   }

@@ -15,7 +15,6 @@ public final class ArmingState extends U2SAData {
   private static final ValueField<ArmingState, List<String>> REASONS = SCHEMA.notes("reasons");
   private static final ValueField<ArmingState, String> REQUEST_ID = SCHEMA.optionalId("requestId");
 
-  /** The schema. */
   public static final MessageType<ArmingState> TYPE = SCHEMA.build();
 
   @Override
@@ -28,7 +27,6 @@ public final class ArmingState extends U2SAData {
     return require(ARMED);
   }
 
-  /** Sets {@link #armed()}. */
   public ArmingState armed(boolean value) {
     return put(ARMED, value);
   }
@@ -38,7 +36,6 @@ public final class ArmingState extends U2SAData {
     return require(REASONS);
   }
 
-  /** Sets {@link #reasons()}. */
   public ArmingState reasons(List<String> value) {
     return put(REASONS, List.copyOf(value));
   }
@@ -48,7 +45,6 @@ public final class ArmingState extends U2SAData {
     return Optional.ofNullable(get(REQUEST_ID));
   }
 
-  /** Sets {@link #requestId()}. */
   public ArmingState requestId(String value) {
     return put(REQUEST_ID, value);
   }

@@ -27,7 +27,6 @@ public final class EmergencyStop extends U2SAData {
   private static final ValueField<EmergencyStop, List<String>> LIFTS =
       SCHEMA.optionalTexts("lifts");
 
-  /** The schema. */
   public static final MessageType<EmergencyStop> TYPE = SCHEMA.build();
 
   @Override
@@ -43,7 +42,6 @@ public final class EmergencyStop extends U2SAData {
     return require(ACTIVE);
   }
 
-  /** Sets {@link #active()}. */
   public EmergencyStop active(boolean value) {
     return put(ACTIVE, value);
   }
@@ -53,7 +51,6 @@ public final class EmergencyStop extends U2SAData {
     return require(OPERATOR);
   }
 
-  /** Sets {@link #operator()}. */
   public EmergencyStop operator(String value) {
     return put(OPERATOR, value);
   }
@@ -63,7 +60,6 @@ public final class EmergencyStop extends U2SAData {
     return require(REASON);
   }
 
-  /** Sets {@link #reason()}. */
   public EmergencyStop reason(String value) {
     return put(REASON, value);
   }
@@ -73,7 +69,6 @@ public final class EmergencyStop extends U2SAData {
     return optionalCount(CLEARS);
   }
 
-  /** Sets {@link #clears()}. */
   public EmergencyStop clears(long value) {
     return put(CLEARS, value);
   }
@@ -86,7 +81,6 @@ public final class EmergencyStop extends U2SAData {
     return Optional.ofNullable(get(STOP_ID));
   }
 
-  /** Sets {@link #stopId()}. */
   public EmergencyStop stopId(String value) {
     return put(STOP_ID, value);
   }
@@ -97,7 +91,6 @@ public final class EmergencyStop extends U2SAData {
     return value == null ? List.of() : value;
   }
 
-  /** Sets {@link #lifts()}. */
   public EmergencyStop lifts(List<String> value) {
     return put(LIFTS, List.copyOf(value));
   }

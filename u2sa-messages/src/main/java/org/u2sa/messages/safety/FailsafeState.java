@@ -14,7 +14,6 @@ public final class FailsafeState extends U2SAData {
       SCHEMA.requiredChoice("action", FailsafeAction.class);
   private static final ValueField<FailsafeState, List<String>> CAUSES = SCHEMA.notes("causes");
 
-  /** The schema. */
   public static final MessageType<FailsafeState> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public final class FailsafeState extends U2SAData {
     return require(ACTION);
   }
 
-  /** Sets {@link #action()}. */
   public FailsafeState action(FailsafeAction value) {
     return put(ACTION, value);
   }
@@ -37,7 +35,6 @@ public final class FailsafeState extends U2SAData {
     return require(CAUSES);
   }
 
-  /** Sets {@link #causes()}. */
   public FailsafeState causes(List<String> value) {
     return put(CAUSES, List.copyOf(value));
   }

@@ -16,7 +16,6 @@ public final class OperatorHeartbeat extends U2SAData {
   private static final NumberField<OperatorHeartbeat> INTERVAL =
       SCHEMA.optionalNumber("interval", "s", 0.0);
 
-  /** The schema. */
   public static final MessageType<OperatorHeartbeat> TYPE = SCHEMA.build();
 
   @Override
@@ -29,7 +28,6 @@ public final class OperatorHeartbeat extends U2SAData {
     return require(OPERATOR);
   }
 
-  /** Sets {@link #operator()}. */
   public OperatorHeartbeat operator(String value) {
     return put(OPERATOR, value);
   }
@@ -39,7 +37,6 @@ public final class OperatorHeartbeat extends U2SAData {
     return get(INTERVAL);
   }
 
-  /** Sets {@link #interval()}. */
   public OperatorHeartbeat interval(double value) {
     return put(INTERVAL, value);
   }

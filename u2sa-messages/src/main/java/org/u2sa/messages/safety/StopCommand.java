@@ -14,7 +14,6 @@ public final class StopCommand extends U2SAData {
   private static final ValueField<StopCommand, String> SERVICE_NAME =
       SCHEMA.optionalName("serviceName");
 
-  /** The schema. */
   public static final MessageType<StopCommand> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public final class StopCommand extends U2SAData {
     return require(STOP_ALL);
   }
 
-  /** Sets {@link #stopAll()}. */
   public StopCommand stopAll(boolean value) {
     return put(STOP_ALL, value);
   }
@@ -37,7 +35,6 @@ public final class StopCommand extends U2SAData {
     return Optional.ofNullable(get(SERVICE_NAME));
   }
 
-  /** Sets {@link #serviceName()}. */
   public StopCommand serviceName(String value) {
     return put(SERVICE_NAME, value);
   }

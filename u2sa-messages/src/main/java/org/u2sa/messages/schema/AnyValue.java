@@ -21,35 +21,28 @@ final class AnyValue {
       return typed;
     }
     int first = in.next();
-    switch (first & Cbor.MAJOR) {
-      case Cbor.UNSIGNED, Cbor.NEGATIVE:
-        return in.count();
-      case Cbor.TEXT:
-        return in.text();
-      case Cbor.BYTES:
-        return in.byteString();
-      case Cbor.ARRAY:
-        return Collections.unmodifiableList(in.list(() -> read(in)));
-      case Cbor.MAP:
-        return in.map(() -> read(in));
-      default:
-        return simple(in, first);
-    }
+    return switch (first & Cbor.MAJOR) {
+      case Cbor.UNSIGNED, Cbor.NEGATIVE -> in.count();
+      case Cbor.TEXT -> in.text();
+      case Cbor.BYTES -> in.byteString();
+      case Cbor.ARRAY -> Collections.unmodifiableList(in.list(() -> read(in)));
+      case Cbor.MAP -> in.map(() -> read(in));
+      default -> simple(in, first);
+    };
   }
 
   private static Object simple(CborReader in, int first) throws MalformedMessageException {
-    switch (first) {
-      case Cbor.FALSE, Cbor.TRUE:
-        return in.flag();
-      case Cbor.FLOAT_16, Cbor.FLOAT_32, Cbor.FLOAT_64:
-        double number = in.number();
-        if (!Double.isFinite(number)) {
-          throw in.malformed("expected a finite number, not " + number);
-        }
-        return number;
-      default:
-        throw in.unexpected("a number, text, bool, byte string, array or map");
+    if (first == Cbor.FALSE || first == Cbor.TRUE) {
+      return in.flag();
     }
+    if (first != Cbor.FLOAT_16 && first != Cbor.FLOAT_32 && first != Cbor.FLOAT_64) {
+      throw in.unexpected("a number, text, bool, byte string, array or map");
+    }
+    double number = in.number();
+    if (!Double.isFinite(number)) {
+      throw in.malformed("expected a finite number, not " + number);
+    }
+    return number;
   }
 
   static void write(CborOutput out, Object value) {

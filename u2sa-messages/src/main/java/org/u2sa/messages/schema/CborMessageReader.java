@@ -56,7 +56,7 @@ final class CborMessageReader extends CborReader {
       throws MalformedMessageException {
     M message = type.newCarrier();
     FieldTable<M> fields = type.table(in.isLabelNext() ? WireForm.COMPACT : WireForm.READABLE);
-    names = fields.names();
+    names = fields.names;
     deeper();
     boolean isKnown = type.chain() == itsChain || type.chain().equals(itsChain);
     Map<String, Object> unknown = isKnown ? null : new LinkedHashMap<>();
@@ -85,13 +85,13 @@ final class CborMessageReader extends CborReader {
   /** Rejects latitudes beyond 90°, so that users of messages in GLOBAL need not check. */
   private void requireOnEarth(U2SAData message) throws MalformedMessageException {
     MessageType<?> type = message.type();
-    if (type.frameField() == null || !message.frame().equals(ReferenceFrame.GLOBAL)) {
+    if (type.frameField == null || !message.frame().equals(ReferenceFrame.GLOBAL)) {
       return;
     }
-    if (type.latitudeField() != null) {
-      requireLatitude(type.latitudeField().in(message.storage));
+    if (type.latitudeField != null) {
+      requireLatitude(type.latitudeField.in(message.storage));
     }
-    for (int slot : type.pointLists()) {
+    for (int slot : type.pointLists) {
       for (Object point : message.storage.list(slot)) {
         requireLatitude(((Point) point).y());
       }

@@ -29,7 +29,6 @@ abstract class CborReader {
   /** Memory per element of a list or map: a point or short text and the reference to it [B]. */
   private static final int ELEMENT_BYTES = 48;
 
-  /** Reads the next element of a list. */
   interface Element<V> {
     V read() throws MalformedMessageException;
   }
@@ -43,9 +42,6 @@ abstract class CborReader {
   long more; // memory taken beyond the bytes read [B]
   private String other; // current key without an index
 
-  /**
-   * @param typeName name of the message's type
-   */
   CborReader(String typeName, CborInput in) {
     path = typeName;
     this.in = in;
@@ -228,7 +224,6 @@ abstract class CborReader {
     return null;
   }
 
-  /** Reads a list of unboxed booleans. */
   final List<Boolean> flags() throws MalformedMessageException {
     long length = in.array();
     if (length == CborInput.UNTIL_BREAK) {
@@ -280,7 +275,6 @@ abstract class CborReader {
     return Collections.unmodifiableMap(map);
   }
 
-  /** Peeks at the first byte of the next item. */
   final int next() {
     return in.next();
   }

@@ -39,7 +39,6 @@ final class CborWriter {
     return bytes;
   }
 
-  /** Writes a message as an element of a list. */
   static <M extends StoredMessage> void nested(CborOutput out, M message, FieldTable<M> table) {
     message(out, message, table, null, true);
   }

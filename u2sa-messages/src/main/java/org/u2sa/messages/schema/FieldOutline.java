@@ -5,7 +5,6 @@ record FieldOutline(
     String owner, String name, String unit, Presence presence, int slot, int bit, int since) {
   static final int NO_BIT = -1;
 
-  /** Whether a field may be missing. */
   enum Presence {
     /** May be absent; absence is not encoded as 0 or NaN. */
     OPTIONAL,
@@ -13,17 +12,5 @@ record FieldOutline(
     REQUIRED,
     /** Has a default; always written. */
     DEFAULTED
-  }
-
-  static FieldOutline of(String owner, String name, String unit, Presence presence, int since) {
-    return new FieldOutline(owner, name, unit, presence, -1, NO_BIT, since);
-  }
-
-  FieldOutline at(int place) {
-    return new FieldOutline(owner, name, unit, presence, place, bit, since);
-  }
-
-  FieldOutline withBit(int number) {
-    return new FieldOutline(owner, name, unit, presence, slot, number, since);
   }
 }

@@ -4,7 +4,6 @@ package org.u2sa.messages.schema;
 final class FieldSlots {
   private static final int MAX = Long.SIZE; // presence is one long
 
-  /** Storage size and number of presence bits. */
   record Sizes(int numbers, int values, int bits) {}
 
   private int numbers;

@@ -22,9 +22,6 @@ final class FieldStorage {
   private boolean timed; // the timestamp is set
   private boolean frozen;
 
-  /**
-   * @param values number of slots for values other than numbers
-   */
   FieldStorage(int values) {
     this.values = new Object[values];
   }
@@ -137,7 +134,6 @@ final class FieldStorage {
     frozen = true;
   }
 
-  /** Whether fields may no longer put values. */
   boolean isFrozen() {
     return frozen;
   }

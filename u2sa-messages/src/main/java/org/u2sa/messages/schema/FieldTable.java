@@ -23,7 +23,7 @@ final class FieldTable<T extends StoredMessage> {
   private static final int MAX_BYTES = 4096; // one large message must not inflate all later buffers
 
   private final MessageField<T>[] fields;
-  private final String[] names; // of the fields
+  final String[] names; // of the fields
   private final FieldKey[] keys; // of the fields
   private final NumberRun[] runs; // run of each number by index; null for other kinds
   private final long defaultedNumbers; // bit n: the number of slot n has a default
@@ -131,17 +131,14 @@ final class FieldTable<T extends StoredMessage> {
         + (storage.hasTimestamp() ? 1 : 0);
   }
 
-  /** Approximate size of the last message. */
   int typicalBytes() {
     return typicalBytes;
   }
 
-  /** Remembers the size of a message. */
   void typicalBytes(int bytes) {
     typicalBytes = Math.max(MIN_BYTES, Math.min(bytes, MAX_BYTES));
   }
 
-  /** Writes all fields of a message that must be written, in order. */
   void write(CborOutput out, T message) {
     FieldStorage storage = message.storage;
     for (int i = 0; i < values.length; i++) {
@@ -172,7 +169,7 @@ final class FieldTable<T extends StoredMessage> {
       NumberPattern numbers = run == null ? null : run.read(in, storage, pairs, pairs - done);
       if (numbers != null) {
         done += numbers.count();
-        reader.reading(run.start() + numbers.last()); // position for errors in what follows
+        reader.reading(run.start + numbers.last); // position for errors in what follows
       }
       if (i == values.length) {
         return done;
@@ -211,14 +208,8 @@ final class FieldTable<T extends StoredMessage> {
     return runs[index];
   }
 
-  /** Size of a field's key. */
   int keyBytes(int index) {
     return keys[index].length();
-  }
-
-  /** Names of the fields by index; not to be modified. */
-  String[] names() {
-    return names;
   }
 
   MessageField<T> at(int index) {

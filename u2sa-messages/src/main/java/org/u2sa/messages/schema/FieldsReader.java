@@ -39,10 +39,6 @@ final class FieldsReader<T extends U2SAData> {
     this.unknown = unknown;
   }
 
-  /**
-   * @param pairs number of pairs in the map
-   * @param read number of pairs already read
-   */
   void readRest(long pairs, long read) throws MalformedMessageException {
     for (long done = read; !in.isDone(pairs, done); done++) {
       int index = table.find(in, next);
@@ -74,7 +70,6 @@ final class FieldsReader<T extends U2SAData> {
     opening = NumberRun.opening(in, pairs);
   }
 
-  /** Reads the value after a key. */
   private void field(MessageField<T> field, String name) throws MalformedMessageException {
     boolean isKnownTwice = field != null && field.isSet(message);
     if (isKnownTwice || others != null && others.contains(name)) {
@@ -91,7 +86,6 @@ final class FieldsReader<T extends U2SAData> {
     others.add(name);
   }
 
-  /** Reads the value of an unknown key. */
   private void other(String name) throws MalformedMessageException {
     if (reader.depth == 1 && name.equals(Origin.KEY)) {
       reader.readOrigin();

@@ -27,9 +27,6 @@ final class ListKinds {
     return new ListKind<>(Kind.STRING_LIST, String.class, "texts", ",", element);
   }
 
-  /**
-   * @param name of the messages' type
-   */
   static <M extends StoredMessage> ValueKind<List<M>> messages(Class<M> type, String name) {
     return new Messages<>(type, name);
   }

@@ -113,11 +113,7 @@ public abstract class MessageField<T extends StoredMessage> {
    */
   public abstract void setTexts(T message, List<String> texts);
 
-  /**
-   * Storage to put a value into.
-   *
-   * @throws IllegalStateException if the message is frozen
-   */
+  /** Storage to put a value into; throws if the message is frozen. */
   final FieldStorage thawed(StoredMessage message) {
     FieldStorage storage = message.storage;
     if (storage.isFrozen()) {

@@ -28,16 +28,16 @@ public final class MessageType<T extends U2SAData> {
   private final Identity<T> identity;
   private final List<MessageField<T>> fields;
   private final Map<String, MessageField<T>> byName = new HashMap<>();
-  private final Map<String, String> aliases;
-  private final Map<MessageField<?>, MessageType<?>> elements; // of the lists of messages
-  private final ValueField<?, ReferenceFrame> frameField; // null: none
-  private final NumberField<?> latitudeField; // null: none
-  private final int[] pointLists; // slots of values
-  private final FieldSlots.Sizes sizes;
+  final Map<String, String> aliases;
+  final Map<MessageField<?>, MessageType<?>> elements; // of the lists of messages
+  final ValueField<?, ReferenceFrame> frameField; // null: none
+  final NumberField<?> latitudeField; // null: none
+  final int[] pointLists; // slots of values
+  final FieldSlots.Sizes sizes;
   private final List<String> chain;
   private final FieldTable<T> names;
   private volatile FieldTable<T> labels; // created lazily: most processes never need it
-  private final int[] messageLists; // slots of values
+  final int[] messageLists; // slots of values
 
   MessageType(
       Identity<T> identity,
@@ -179,40 +179,8 @@ public final class MessageType<T extends U2SAData> {
     return made;
   }
 
-  /** Slots of the values that are lists of messages. */
-  int[] messageLists() {
-    return messageLists;
-  }
-
-  /** Slots of the values that are lists of points. */
-  int[] pointLists() {
-    return pointLists;
-  }
-
   MessageField<T> fieldOrNull(String name) {
     return byName.get(name);
-  }
-
-  /** The field with the frame of the coordinates; null if none. */
-  ValueField<?, ReferenceFrame> frameField() {
-    return frameField;
-  }
-
-  /** The coordinate that is a latitude in GLOBAL; null if none. */
-  NumberField<?> latitudeField() {
-    return latitudeField;
-  }
-
-  Map<String, String> aliases() {
-    return aliases;
-  }
-
-  Map<MessageField<?>, MessageType<?>> elements() {
-    return elements;
-  }
-
-  FieldSlots.Sizes sizes() {
-    return sizes;
   }
 
   /** "ActuatorCommand/PercentageCommand". */

@@ -20,8 +20,8 @@ public final class NumberField<T extends StoredMessage> extends MessageField<T> 
   private final String globalUnit;
   private final double min;
   private final double max;
-  private final double least; // finite, so that comparisons also reject infinities and NaN
-  private final double most;
+  final double least; // finite, so that comparisons also reject infinities and NaN
+  final double most;
 
   NumberField(FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
     super(outline, Kind.DOUBLE);
@@ -33,19 +33,8 @@ public final class NumberField<T extends StoredMessage> extends MessageField<T> 
     most = max == Double.POSITIVE_INFINITY ? Limits.NUMBER : max;
   }
 
-  /** Whether the value is within bounds. */
   boolean takes(double value) {
     return value >= least && value <= most;
-  }
-
-  /** Effective minimum, finite. */
-  double least() {
-    return least;
-  }
-
-  /** Effective maximum, finite. */
-  double most() {
-    return most;
   }
 
   /** Declared minimum; -∞ if none, and then any practical number is accepted. */
@@ -96,7 +85,6 @@ public final class NumberField<T extends StoredMessage> extends MessageField<T> 
     return storage.number(slot, ifUnset);
   }
 
-  /** Checks and stores a value. */
   void put(StoredMessage message, double value) {
     double valid = checked(value);
     thawed(message).put(slot, valid);

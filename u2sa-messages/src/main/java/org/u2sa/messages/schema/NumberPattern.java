@@ -14,9 +14,9 @@ import org.u2sa.messages.cbor.FieldKey;
 final class NumberPattern implements CborOutput.Pattern {
   private static final int WORD = Long.BYTES;
 
-  private final long set;
+  final long set;
   private final boolean isWhole; // everything written is set
-  private final int last;
+  final int last;
   private final byte[] bytes;
   private final int[] places; // offsets of the values, in slot order
   private final double[] bounds; // minimum and maximum of each value
@@ -52,8 +52,8 @@ final class NumberPattern implements CborOutput.Pattern {
       if ((set & bit) != 0L) {
         lastSet = i;
         places[values] = place;
-        bounds[2 * values] = fields[i].least();
-        bounds[2 * values++ + 1] = fields[i].most();
+        bounds[2 * values] = fields[i].least;
+        bounds[2 * values++ + 1] = fields[i].most;
       }
     }
     last = lastSet;
@@ -62,19 +62,8 @@ final class NumberPattern implements CborOutput.Pattern {
     keyWords = words.of(bytes);
   }
 
-  /** Mask of the numbers in the message, by slot. */
-  long set() {
-    return set;
-  }
-
-  /** Count of these numbers. */
   int count() {
     return places.length;
-  }
-
-  /** Index in the run of the last one. */
-  int last() {
-    return last;
   }
 
   @Override

@@ -17,7 +17,7 @@ final class NumberRun {
   private static final int REMEMBERED = 1 << REMEMBERED_BITS;
   private static final long GOLDEN_RATIO = 0x9E37_79B9_7F4A_7C15L; // spreads hash values
 
-  private final int start;
+  final int start;
   private final NumberField<?>[] fields;
   private final FieldKey[] keys; // of them
   private final int firstSlot;
@@ -46,12 +46,6 @@ final class NumberRun {
     defaulted = always;
   }
 
-  /** Number of fields of the type before it. */
-  int start() {
-    return start;
-  }
-
-  /** Writes the numbers that are set or have a default. */
   void write(CborOutput out, FieldStorage storage) {
     long set = storage.numbersSet() & slots;
     if ((set | defaulted) != 0L) {
@@ -62,7 +56,7 @@ final class NumberRun {
   private NumberPattern patternOf(long set) {
     int index = hash(set);
     NumberPattern known = written[index];
-    if (known == null || known.set() != set) {
+    if (known == null || known.set != set) {
       known = new NumberPattern(fields, keys, set, set | defaulted);
       written[index] = known;
     }
@@ -87,7 +81,7 @@ final class NumberRun {
     if (values == null) {
       return null;
     }
-    storage.append(pattern.set(), values);
+    storage.append(pattern.set, values);
     in.passTo(in.offset() + pattern.length());
     return pattern;
   }

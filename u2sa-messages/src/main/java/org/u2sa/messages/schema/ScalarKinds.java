@@ -204,12 +204,10 @@ final class ScalarKinds {
       Kind kind, Function<Object, V> check, Function<String, V> parse, Writer<V> out, Reader<V> in)
       implements ValueKind<V> {
 
-    /** Writes one value. */
     interface Writer<V> {
       void write(CborOutput out, V value);
     }
 
-    /** Reads one value. */
     interface Reader<V> {
       V read(CborReader in) throws MalformedMessageException;
     }

@@ -9,6 +9,7 @@ import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.FieldOutline.Presence;
 
 /**
  * Declares the fields of one message class, one per line, in wire order; only used in the class's
@@ -44,13 +45,13 @@ public final class Schema<T extends U2SAData> {
       slots = new FieldSlots();
       return;
     }
-    slots = FieldSlots.after(parent.sizes());
+    slots = FieldSlots.after(parent.sizes);
     for (MessageField<? super T> field : parent.fields()) {
       fields.add(MessageType.inherited(field));
     }
-    aliases.putAll(parent.aliases());
-    elements.putAll(parent.elements());
-    frameField = parent.frameField();
+    aliases.putAll(parent.aliases);
+    elements.putAll(parent.elements);
+    frameField = parent.frameField;
   }
 
   /**
@@ -87,7 +88,7 @@ public final class Schema<T extends U2SAData> {
 
   static TimestampField<U2SAData> timestamp(Schema<U2SAData> root) {
     return root.added(
-        new TimestampField<>(root.outline("timestamp", "us", FieldOutline.Presence.OPTIONAL)));
+        new TimestampField<>(root.outline("timestamp", "us", Presence.OPTIONAL, -1, false)));
   }
 
   /** Sets the wire format version that introduced the fields declared after this call. */
@@ -125,26 +126,28 @@ public final class Schema<T extends U2SAData> {
 
   /** Optional number within bounds. */
   public NumberField<T> optionalNumber(String field, String unit, double min, double max) {
-    return number(outline(field, unit, FieldOutline.Presence.OPTIONAL), unit, Double.NaN, min, max);
+    return number(field, unit, unit, Presence.OPTIONAL, Double.NaN, min, max);
   }
 
   /**
    * Optional coordinate in metres, or degrees in messages in GLOBAL; at most a million kilometres.
    */
   public NumberField<T> optionalCoordinate(String field) {
-    FieldOutline outline = outline(field, "m", FieldOutline.Presence.OPTIONAL);
-    return number(outline, "deg", Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
+    return coordinate(field, Presence.OPTIONAL);
   }
 
   /** Required coordinate in metres, or degrees in GLOBAL. */
   public NumberField<T> requiredCoordinate(String field) {
-    FieldOutline outline = outline(field, "m", FieldOutline.Presence.REQUIRED);
-    return number(outline, "deg", Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
+    return coordinate(field, Presence.REQUIRED);
+  }
+
+  private NumberField<T> coordinate(String field, Presence presence) {
+    return number(field, "m", "deg", presence, Double.NaN, -Limits.COORDINATE, Limits.COORDINATE);
   }
 
   /** Required number within bounds. */
   public NumberField<T> requiredNumber(String field, String unit, double min, double max) {
-    return number(outline(field, unit, FieldOutline.Presence.REQUIRED), unit, Double.NaN, min, max);
+    return number(field, unit, unit, Presence.REQUIRED, Double.NaN, min, max);
   }
 
   /** Number with a default. */
@@ -154,62 +157,65 @@ public final class Schema<T extends U2SAData> {
 
   /** Number of at least {@code min} with a default. */
   public NumberField<T> number(String field, String unit, double ifUnset, double min) {
-    return number(
-        outline(field, unit, FieldOutline.Presence.DEFAULTED), unit, ifUnset, min, ANY_MORE);
+    return number(field, unit, unit, Presence.DEFAULTED, ifUnset, min, ANY_MORE);
   }
 
   private NumberField<T> number(
-      FieldOutline outline, String globalUnit, double ifUnset, double min, double max) {
-    FieldOutline placed = outline.at(slots.number());
-    if (outline.presence() == FieldOutline.Presence.OPTIONAL) {
-      placed = placed.withBit(slots.bit());
-    }
-    return added(new NumberField<>(placed, globalUnit, ifUnset, min, max));
+      String field,
+      String unit,
+      String globalUnit,
+      Presence presence,
+      double ifUnset,
+      double min,
+      double max) {
+    boolean hasBit = presence == Presence.OPTIONAL;
+    FieldOutline outline = outline(field, unit, presence, slots.number(), hasBit);
+    return added(new NumberField<>(outline, globalUnit, ifUnset, min, max));
   }
 
   /** Required text. */
   public ValueField<T, String> requiredText(String field) {
-    return value(field, "", ScalarKinds.TEXT, FieldOutline.Presence.REQUIRED, null, false);
+    return value(field, "", ScalarKinds.TEXT, Presence.REQUIRED, null);
   }
 
   /** Optional text, without a presence bit. */
   public ValueField<T, String> optionalText(String field) {
-    return value(field, "", ScalarKinds.TEXT, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", ScalarKinds.TEXT, Presence.OPTIONAL, null);
   }
 
   /** Text with a default. */
   public ValueField<T, String> text(String field, String ifUnset) {
-    return value(field, "", ScalarKinds.TEXT, FieldOutline.Presence.DEFAULTED, ifUnset, false);
+    return value(field, "", ScalarKinds.TEXT, Presence.DEFAULTED, ifUnset);
   }
 
   /** Required name of at most 255 characters. */
   public ValueField<T, String> requiredName(String field) {
-    return value(field, "", TextKinds.NAME, FieldOutline.Presence.REQUIRED, null, false);
+    return value(field, "", TextKinds.NAME, Presence.REQUIRED, null);
   }
 
   /** Optional name, without a presence bit. */
   public ValueField<T, String> optionalName(String field) {
-    return value(field, "", TextKinds.NAME, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.NAME, Presence.OPTIONAL, null);
   }
 
   /** Name with a default. */
   public ValueField<T, String> name(String field, String ifUnset) {
-    return value(field, "", TextKinds.NAME, FieldOutline.Presence.DEFAULTED, ifUnset, false);
+    return value(field, "", TextKinds.NAME, Presence.DEFAULTED, ifUnset);
   }
 
   /** Required identifier of at most 1,000 characters, because it may contain a name. */
   public ValueField<T, String> requiredId(String field) {
-    return value(field, "", TextKinds.ID, FieldOutline.Presence.REQUIRED, null, false);
+    return value(field, "", TextKinds.ID, Presence.REQUIRED, null);
   }
 
   /** Optional identifier, without a presence bit. */
   public ValueField<T, String> optionalId(String field) {
-    return value(field, "", TextKinds.ID, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.ID, Presence.OPTIONAL, null);
   }
 
   /** Identifier with a default. */
   public ValueField<T, String> id(String field, String ifUnset) {
-    return value(field, "", TextKinds.ID, FieldOutline.Presence.DEFAULTED, ifUnset, false);
+    return value(field, "", TextKinds.ID, Presence.DEFAULTED, ifUnset);
   }
 
   /**
@@ -217,62 +223,62 @@ public final class Schema<T extends U2SAData> {
    * without a presence bit.
    */
   public ValueField<T, String> optionalNote(String field) {
-    return value(field, "", TextKinds.NOTE, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.NOTE, Presence.OPTIONAL, null);
   }
 
   /** Text for people, empty by default, truncated to 1,000 characters. */
   public ValueField<T, String> note(String field) {
-    return value(field, "", TextKinds.NOTE, FieldOutline.Presence.DEFAULTED, "", false);
+    return value(field, "", TextKinds.NOTE, Presence.DEFAULTED, "");
   }
 
   /** List of identifiers, empty by default. */
   public ValueField<T, List<String>> ids(String field) {
-    return value(field, "", TextKinds.IDS, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, "", TextKinds.IDS, Presence.DEFAULTED, List.of());
   }
 
   /** Optional list of identifiers, without a presence bit. */
   public ValueField<T, List<String>> optionalIds(String field) {
-    return value(field, "", TextKinds.IDS, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.IDS, Presence.OPTIONAL, null);
   }
 
   /** List of texts for people, empty by default, truncated to 100 of 1,000 characters. */
   public ValueField<T, List<String>> notes(String field) {
-    return value(field, "", TextKinds.NOTES, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, "", TextKinds.NOTES, Presence.DEFAULTED, List.of());
   }
 
   /** Optional list of texts for people, truncated to 100 of 1,000 characters. */
   public ValueField<T, List<String>> optionalNotes(String field) {
-    return value(field, "", TextKinds.NOTES, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", TextKinds.NOTES, Presence.OPTIONAL, null);
   }
 
   /** Required bytes. */
   public ValueField<T, ByteString> requiredBytes(String field) {
-    return value(field, "", ScalarKinds.BYTES, FieldOutline.Presence.REQUIRED, null, false);
+    return value(field, "", ScalarKinds.BYTES, Presence.REQUIRED, null);
   }
 
   /** Integer, 0 by default. */
   public ValueField<T, Long> count(String field, String unit) {
-    return value(field, unit, ScalarKinds.COUNT, FieldOutline.Presence.DEFAULTED, 0L, false);
+    return value(field, unit, ScalarKinds.COUNT, Presence.DEFAULTED, 0L);
   }
 
   /** Optional integer, without a presence bit. */
   public ValueField<T, Long> optionalCount(String field, String unit) {
-    return value(field, unit, ScalarKinds.COUNT, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, unit, ScalarKinds.COUNT, Presence.OPTIONAL, null);
   }
 
   /** Flag, false by default. */
   public ValueField<T, Boolean> flag(String field) {
-    return value(field, "", ScalarKinds.FLAG, FieldOutline.Presence.DEFAULTED, false, false);
+    return value(field, "", ScalarKinds.FLAG, Presence.DEFAULTED, false);
   }
 
   /** Optional flag. */
   public ValueField<T, Boolean> optionalFlag(String field) {
-    return value(field, "", ScalarKinds.FLAG, FieldOutline.Presence.OPTIONAL, null, true);
+    return value(field, "", ScalarKinds.FLAG, Presence.OPTIONAL, null, true);
   }
 
   /** Optional enum constant. */
   public <E extends Enum<E>> ValueField<T, E> optionalChoice(String field, Class<E> type) {
-    return value(field, "", ScalarKinds.choice(type), FieldOutline.Presence.OPTIONAL, null, true);
+    return value(field, "", ScalarKinds.choice(type), Presence.OPTIONAL, null, true);
   }
 
   /**
@@ -280,88 +286,88 @@ public final class Schema<T extends U2SAData> {
    * shift.
    */
   public NumberField<T> optionalNumberWithoutBit(String field, String unit, double min) {
-    FieldOutline outline = outline(field, unit, FieldOutline.Presence.OPTIONAL).at(slots.number());
+    FieldOutline outline = outline(field, unit, Presence.OPTIONAL, slots.number(), false);
     return added(new NumberField<>(outline, unit, Double.NaN, min, ANY_MORE));
   }
 
   /** Optional enum constant, without a presence bit. */
   public <E extends Enum<E>> ValueField<T, E> optionalChoiceWithoutBit(
       String field, Class<E> type) {
-    return value(field, "", ScalarKinds.choice(type), FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", ScalarKinds.choice(type), Presence.OPTIONAL, null);
   }
 
   /** Required enum constant. */
   public <E extends Enum<E>> ValueField<T, E> requiredChoice(String field, Class<E> type) {
-    return value(field, "", ScalarKinds.choice(type), FieldOutline.Presence.REQUIRED, null, false);
+    return value(field, "", ScalarKinds.choice(type), Presence.REQUIRED, null);
   }
 
   /** Frame of the message's coordinates. */
   public ValueField<T, ReferenceFrame> frame(String field, ReferenceFrame ifUnset) {
     ValueField<T, ReferenceFrame> frame =
-        value(field, "", ScalarKinds.FRAME, FieldOutline.Presence.DEFAULTED, ifUnset, false);
+        value(field, "", ScalarKinds.FRAME, Presence.DEFAULTED, ifUnset);
     frameField = frame;
     return frame;
   }
 
   /** Required point. */
   public ValueField<T, Point> requiredPoint(String field, String unit) {
-    return value(field, unit, ScalarKinds.POINT, FieldOutline.Presence.REQUIRED, null, false);
+    return value(field, unit, ScalarKinds.POINT, Presence.REQUIRED, null);
   }
 
   /** Optional point, without a presence bit. */
   public ValueField<T, Point> optionalPoint(String field, String unit) {
-    return value(field, unit, ScalarKinds.POINT, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, unit, ScalarKinds.POINT, Presence.OPTIONAL, null);
   }
 
   /** List of points, empty by default. */
   public ValueField<T, List<Point>> points(String field, String unit) {
-    return value(field, unit, ListKinds.POINTS, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, unit, ListKinds.POINTS, Presence.DEFAULTED, List.of());
   }
 
   /** List of numbers, empty by default. */
   public ValueField<T, List<Double>> numbers(String field, String unit) {
-    return value(field, unit, ListKinds.NUMBERS, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, unit, ListKinds.NUMBERS, Presence.DEFAULTED, List.of());
   }
 
   /** List of booleans, empty by default. */
   public ValueField<T, List<Boolean>> flags(String field) {
-    return value(field, "", ListKinds.FLAGS, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, "", ListKinds.FLAGS, Presence.DEFAULTED, List.of());
   }
 
   /** List of texts, empty by default. */
   public ValueField<T, List<String>> texts(String field) {
-    return value(field, "", ListKinds.TEXTS, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    return value(field, "", ListKinds.TEXTS, Presence.DEFAULTED, List.of());
   }
 
   /** Optional list of texts, without a presence bit. */
   public ValueField<T, List<String>> optionalTexts(String field) {
-    return value(field, "", ListKinds.TEXTS, FieldOutline.Presence.OPTIONAL, null, false);
+    return value(field, "", ListKinds.TEXTS, Presence.OPTIONAL, null);
   }
 
   /** List of messages of one class and its subclasses, empty by default. */
   public <M extends U2SAData> ValueField<T, List<M>> messages(
       String field, MessageType<M> element) {
     ValueKind<List<M>> kind = ListKinds.messages(element.messageClass(), element.name());
-    ValueField<T, List<M>> list =
-        value(field, "", kind, FieldOutline.Presence.DEFAULTED, List.of(), false);
+    ValueField<T, List<M>> list = value(field, "", kind, Presence.DEFAULTED, List.of());
     elements.put(list, element);
     return list;
   }
 
   private <V> ValueField<T, V> value(
-      String field,
-      String unit,
-      ValueKind<V> kind,
-      FieldOutline.Presence presence,
-      V ifUnset,
-      boolean hasBit) {
-    FieldOutline outline = outline(field, unit, presence).at(slots.value());
-    FieldOutline placed = hasBit ? outline.withBit(slots.bit()) : outline;
-    return added(new ValueField<>(placed, kind, ifUnset));
+      String field, String unit, ValueKind<V> kind, Presence presence, V ifUnset) {
+    return value(field, unit, kind, presence, ifUnset, false);
   }
 
-  private FieldOutline outline(String field, String unit, FieldOutline.Presence presence) {
-    return FieldOutline.of(identity.name(), field, unit, presence, since);
+  private <V> ValueField<T, V> value(
+      String field, String unit, ValueKind<V> kind, Presence presence, V ifUnset, boolean hasBit) {
+    FieldOutline outline = outline(field, unit, presence, slots.value(), hasBit);
+    return added(new ValueField<>(outline, kind, ifUnset));
+  }
+
+  private FieldOutline outline(
+      String field, String unit, Presence presence, int slot, boolean hasBit) {
+    int bit = hasBit ? slots.bit() : FieldOutline.NO_BIT;
+    return new FieldOutline(identity.name(), field, unit, presence, slot, bit, since);
   }
 
   private <F extends MessageField<T>> F added(F field) {

@@ -24,6 +24,5 @@ abstract class StoredMessage {
   /** Fields of the unknown subclass in placeholders; else empty. */
   abstract Map<String, Object> unknownFields();
 
-  /** Writes the message as an element of a list. */
   abstract void writeNested(CborOutput out);
 }

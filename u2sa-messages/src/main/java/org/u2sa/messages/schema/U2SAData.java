@@ -17,7 +17,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
  *
  * <p>Filled by setters, then frozen by the publisher, and thread-safe from then on. A subclass
  * declares its fields in a {@link Schema} and writes getters and setters over {@link #get}, {@link
- * #require} and {@link #put}.
+ * #require} and {@link #put}. A field's getter and setter share its name: the getter's Javadoc
+ * states meaning, unit and range, and the setter rejects values beyond it.
  */
 public abstract class U2SAData extends StoredMessage {
   private static final Schema<U2SAData> SCHEMA = Schema.root();
@@ -51,7 +52,6 @@ public abstract class U2SAData extends StoredMessage {
     return id == null ? "" : id;
   }
 
-  /** Sets {@link #systemId()}. */
   public final void systemId(String id) {
     put(SYSTEM_ID, id);
   }
@@ -134,7 +134,7 @@ public abstract class U2SAData extends StoredMessage {
   public final void freeze() {
     if (!storage.isFrozen()) {
       requireComplete();
-      for (int slot : type().messageLists()) {
+      for (int slot : type().messageLists) {
         storage.list(slot).forEach(nested -> ((U2SAData) nested).freeze());
       }
       storage.freeze();
@@ -150,7 +150,7 @@ public abstract class U2SAData extends StoredMessage {
   public U2SAData copy() {
     U2SAData copy = type().newCarrier();
     copy.storage.takeFrom(storage);
-    for (int slot : type().messageLists()) {
+    for (int slot : type().messageLists) {
       if (storage.value(slot) != null) {
         copy.storage.put(slot, copies(storage.list(slot)));
       }
@@ -267,12 +267,12 @@ public abstract class U2SAData extends StoredMessage {
 
   @Override
   final int valueSlots() {
-    return type().sizes().values();
+    return type().sizes.values();
   }
 
   @Override
   final ReferenceFrame frame() {
-    ValueField<?, ReferenceFrame> field = type().frameField();
+    ValueField<?, ReferenceFrame> field = type().frameField;
     return field == null ? ReferenceFrame.BODY : field.in(storage);
   }
 
@@ -280,7 +280,6 @@ public abstract class U2SAData extends StoredMessage {
     origin = sentFrom;
   }
 
-  /** Sets {@link #receivedBytes()}. */
   final void decodedFrom(int bytes) {
     receivedBytes = bytes;
   }

@@ -64,7 +64,6 @@ public class ValueField<T extends StoredMessage, V> extends MessageField<T> {
     return in(message.storage);
   }
 
-  /** Stores a value that is {@link #checked}. */
   void put(T message, V value) {
     thawed(message).put(slot, value);
   }

@@ -14,7 +14,6 @@ public class Box extends ShapeSetters<Box> {
   private static final NumberField<Box> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);
   private static final NumberField<Box> PSI = SCHEMA.number("psi", "rad", 0.0);
 
-  /** The schema. */
   public static final MessageType<Box> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class Box extends ShapeSetters<Box> {
     return require(LENGTH);
   }
 
-  /** Sets {@link #length()}. */
   public Box length(double value) {
     return put(LENGTH, value);
   }
@@ -37,7 +35,6 @@ public class Box extends ShapeSetters<Box> {
     return require(WIDTH);
   }
 
-  /** Sets {@link #width()}. */
   public Box width(double value) {
     return put(WIDTH, value);
   }
@@ -47,7 +44,6 @@ public class Box extends ShapeSetters<Box> {
     return require(HEIGHT);
   }
 
-  /** Sets {@link #height()}. */
   public Box height(double value) {
     return put(HEIGHT, value);
   }
@@ -57,7 +53,6 @@ public class Box extends ShapeSetters<Box> {
     return require(PSI);
   }
 
-  /** Sets {@link #psi()}. */
   public Box psi(double value) {
     return put(PSI, value);
   }

@@ -11,7 +11,6 @@ public class Circle extends ShapeSetters<Circle> {
       Schema.of(Circle.class, Circle::new, ShapeDescription.TYPE);
   private static final NumberField<Circle> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
 
-  /** The schema. */
   public static final MessageType<Circle> TYPE = SCHEMA.build();
 
   @Override
@@ -24,7 +23,6 @@ public class Circle extends ShapeSetters<Circle> {
     return require(RADIUS);
   }
 
-  /** Sets {@link #radius()}. */
   public Circle radius(double value) {
     return put(RADIUS, value);
   }

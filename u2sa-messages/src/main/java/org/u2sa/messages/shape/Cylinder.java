@@ -12,7 +12,6 @@ public class Cylinder extends ShapeSetters<Cylinder> {
   private static final NumberField<Cylinder> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
   private static final NumberField<Cylinder> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);
 
-  /** The schema. */
   public static final MessageType<Cylinder> TYPE = SCHEMA.build();
 
   @Override
@@ -25,7 +24,6 @@ public class Cylinder extends ShapeSetters<Cylinder> {
     return require(RADIUS);
   }
 
-  /** Sets {@link #radius()}. */
   public Cylinder radius(double value) {
     return put(RADIUS, value);
   }
@@ -35,7 +33,6 @@ public class Cylinder extends ShapeSetters<Cylinder> {
     return require(HEIGHT);
   }
 
-  /** Sets {@link #height()}. */
   public Cylinder height(double value) {
     return put(HEIGHT, value);
   }

@@ -12,7 +12,6 @@ public class Line extends ShapeSetters<Line> {
       Schema.of(Line.class, Line::new, ShapeDescription.TYPE);
   private static final ValueField<Line, List<Point>> POINTS = SCHEMA.points("points", "m");
 
-  /** The schema. */
   public static final MessageType<Line> TYPE = SCHEMA.build();
 
   @Override
@@ -25,7 +24,6 @@ public class Line extends ShapeSetters<Line> {
     return require(POINTS);
   }
 
-  /** Sets {@link #points()}. */
   public Line points(List<Point> value) {
     return put(POINTS, value);
   }

@@ -20,7 +20,6 @@ public class MovingSphere extends Sphere {
   private static final ValueField<MovingSphere, List<Point>> TRAJECTORY =
       SCHEMA.points("trajectory", "m");
 
-  /** The schema. */
   public static final MessageType<MovingSphere> TYPE = SCHEMA.build();
 
   @Override
@@ -33,7 +32,6 @@ public class MovingSphere extends Sphere {
     return require(TIME_STEP);
   }
 
-  /** Sets {@link #timeStep()}. */
   public MovingSphere timeStep(double value) {
     return put(TIME_STEP, value);
   }
@@ -46,15 +44,13 @@ public class MovingSphere extends Sphere {
     return require(TRAJECTORY);
   }
 
-  /** Sets {@link #trajectory()}. */
   public MovingSphere trajectory(List<Point> value) {
     return put(TRAJECTORY, value);
   }
 
   @Override
   public MovingSphere radius(double value) {
-    super.radius(value);
-    return this;
+    return (MovingSphere) super.radius(value);
   }
 
   /**
@@ -75,18 +71,7 @@ public class MovingSphere extends Sphere {
     return moved(from, metres, rest / timeStep());
   }
 
-  /** Distance from a point to the sphere at a later time [m]; 0 inside. */
-  public double distanceAfter(double seconds, Point from) {
-    return Math.max(0.0, metres(from).distanceTo(metres(centerAfter(seconds))) - radius());
-  }
-
   private Point moved(Point from, Point way, double share) {
-    Point metres = metres(from);
-    return metric()
-        .point(
-            Point.of(
-                metres.x() + share * way.x(),
-                metres.y() + share * way.y(),
-                metres.z() + share * way.z()));
+    return metric().point(metres(from).plus(way.times(share)));
   }
 }

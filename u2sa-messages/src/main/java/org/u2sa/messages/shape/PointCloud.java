@@ -17,7 +17,6 @@ public class PointCloud extends ObjectDescription {
       Schema.of(PointCloud.class, PointCloud::new, ObjectDescription.TYPE);
   private static final ValueField<PointCloud, List<Point>> POINTS = SCHEMA.points("points", "m");
 
-  /** The schema. */
   public static final MessageType<PointCloud> TYPE = SCHEMA.build();
 
   @Override
@@ -30,7 +29,6 @@ public class PointCloud extends ObjectDescription {
     return require(POINTS);
   }
 
-  /** Sets {@link #points()}. */
   public PointCloud points(List<Point> value) {
     return put(POINTS, value);
   }
@@ -42,43 +40,36 @@ public class PointCloud extends ObjectDescription {
 
   @Override
   public PointCloud uid(String uid) {
-    super.uid(uid);
-    return this;
+    return (PointCloud) super.uid(uid);
   }
 
   @Override
   public PointCloud objectType(String type) {
-    super.objectType(type);
-    return this;
+    return (PointCloud) super.objectType(type);
   }
 
   @Override
   public PointCloud referenceFrame(ReferenceFrame frame) {
-    super.referenceFrame(frame);
-    return this;
+    return (PointCloud) super.referenceFrame(frame);
   }
 
   @Override
   public PointCloud x(double x) {
-    super.x(x);
-    return this;
+    return (PointCloud) super.x(x);
   }
 
   @Override
   public PointCloud y(double y) {
-    super.y(y);
-    return this;
+    return (PointCloud) super.y(y);
   }
 
   @Override
   public PointCloud z(double z) {
-    super.z(z);
-    return this;
+    return (PointCloud) super.z(z);
   }
 
   @Override
   public PointCloud level(ObjectLevel level) {
-    super.level(level);
-    return this;
+    return (PointCloud) super.level(level);
   }
 }

@@ -17,7 +17,6 @@ public class PolyLine extends Line {
   private static final NumberField<PolyLine> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
   private static final NumberField<PolyLine> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);
 
-  /** The schema. */
   public static final MessageType<PolyLine> TYPE = SCHEMA.build();
 
   @Override
@@ -30,7 +29,6 @@ public class PolyLine extends Line {
     return require(WIDTH);
   }
 
-  /** Sets {@link #width()}. */
   public PolyLine width(double value) {
     return put(WIDTH, value);
   }
@@ -40,15 +38,13 @@ public class PolyLine extends Line {
     return require(HEIGHT);
   }
 
-  /** Sets {@link #height()}. */
   public PolyLine height(double value) {
     return put(HEIGHT, value);
   }
 
   @Override
   public PolyLine points(List<Point> value) {
-    super.points(value);
-    return this;
+    return (PolyLine) super.points(value);
   }
 
   @Override

@@ -17,7 +17,6 @@ public class Polygon extends ShapeSetters<Polygon> {
   private static final ValueField<Polygon, List<Point>> POINTS = SCHEMA.points("points", "m");
   private static final NumberField<Polygon> HEIGHT = SCHEMA.number("height", "m", 0.0, 0.0);
 
-  /** The schema. */
   public static final MessageType<Polygon> TYPE = SCHEMA.build();
 
   @Override
@@ -34,7 +33,6 @@ public class Polygon extends ShapeSetters<Polygon> {
     return require(POINTS);
   }
 
-  /** Sets {@link #points()}. */
   public Polygon points(List<Point> value) {
     return put(POINTS, value);
   }
@@ -44,7 +42,6 @@ public class Polygon extends ShapeSetters<Polygon> {
     return require(HEIGHT);
   }
 
-  /** Sets {@link #height()}. */
   public Polygon height(double value) {
     return put(HEIGHT, value);
   }

@@ -14,7 +14,6 @@ public class Rectangle extends ShapeSetters<Rectangle> {
   private static final NumberField<Rectangle> WIDTH = SCHEMA.number("width", "m", 0.0, 0.0);
   private static final NumberField<Rectangle> PSI = SCHEMA.number("psi", "rad", 0.0);
 
-  /** The schema. */
   public static final MessageType<Rectangle> TYPE = SCHEMA.build();
 
   @Override
@@ -27,7 +26,6 @@ public class Rectangle extends ShapeSetters<Rectangle> {
     return require(LENGTH);
   }
 
-  /** Sets {@link #length()}. */
   public Rectangle length(double value) {
     return put(LENGTH, value);
   }
@@ -37,7 +35,6 @@ public class Rectangle extends ShapeSetters<Rectangle> {
     return require(WIDTH);
   }
 
-  /** Sets {@link #width()}. */
   public Rectangle width(double value) {
     return put(WIDTH, value);
   }
@@ -47,7 +44,6 @@ public class Rectangle extends ShapeSetters<Rectangle> {
     return require(PSI);
   }
 
-  /** Sets {@link #psi()}. */
   public Rectangle psi(double value) {
     return put(PSI, value);
   }

@@ -9,7 +9,6 @@ import org.u2sa.messages.schema.Schema;
  * centre x, y, z.
  */
 public abstract class ShapeDescription extends ObjectDescription {
-  /** The schema. */
   public static final MessageType<ShapeDescription> TYPE =
       Schema.ofAbstract(ShapeDescription.class, UnknownShape::new, ObjectDescription.TYPE).build();
 

@@ -113,11 +113,7 @@ final class Shapes {
     Point offset = p.minus(start);
     double squared = dot(way, way);
     double share = squared == 0.0 ? 0.0 : Math.max(0.0, Math.min(1.0, dot(offset, way) / squared));
-    return Point.of(
-            offset.x() - share * way.x(),
-            offset.y() - share * way.y(),
-            offset.z() - share * way.z())
-        .distance();
+    return offset.minus(way.times(share)).distance();
   }
 
   private static double dot(Point a, Point b) {

@@ -11,7 +11,6 @@ public class Sphere extends ShapeSetters<Sphere> {
       Schema.of(Sphere.class, Sphere::new, ShapeDescription.TYPE);
   private static final NumberField<Sphere> RADIUS = SCHEMA.number("radius", "m", 0.0, 0.0);
 
-  /** The schema. */
   public static final MessageType<Sphere> TYPE = SCHEMA.build();
 
   @Override
@@ -24,7 +23,6 @@ public class Sphere extends ShapeSetters<Sphere> {
     return require(RADIUS);
   }
 
-  /** Sets {@link #radius()}. */
   public Sphere radius(double value) {
     return put(RADIUS, value);
   }

@@ -67,9 +67,9 @@ final class MessageArbitraries {
     } else if (message instanceof CameraImage image) {
       image.size(4, 3);
     }
-    if (message.type().frameField() != null && message.frame().equals(ReferenceFrame.GLOBAL)) {
+    if (message.type().frameField != null && message.frame().equals(ReferenceFrame.GLOBAL)) {
       for (MessageField<U2SAData> field : message.ownType().fields()) {
-        if (field == message.type().latitudeField()) {
+        if (field == message.type().latitudeField) {
           field.set(message, 48.5);
         } else if (field.kind() == Kind.POINT_LIST) {
           field.set(message, List.of(Point.of(11.5, 48.5, 400.0)));
@@ -82,7 +82,7 @@ final class MessageArbitraries {
     switch (field.kind()) {
       case DOUBLE:
         NumberField<?> number = (NumberField<?>) field;
-        return Arbitraries.doubles().between(number.least(), number.most()).asGeneric();
+        return Arbitraries.doubles().between(number.least, number.most).asGeneric();
       case LONG:
         long most = field instanceof TimestampField<?> ? Limits.TIMESTAMP_MICROS : Long.MAX_VALUE;
         return Arbitraries.longs().between(-most, most).asGeneric();

@@ -9,7 +9,6 @@ import org.u2sa.planning.seen.PlanarShape;
 final class KeepOut {
   private static final double TOUCH = 0.999; // paths along the very edge are free
 
-  /** A circle to fly around. */
   record Round(double northM, double eastM, double avoidM) {}
 
   /** A line with a clearance. */

@@ -10,10 +10,12 @@ import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.avoidance.GoalAttempt.TrafficHold;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
@@ -60,9 +62,14 @@ public final class Avoidance {
    * @param backwards whether in reverse
    * @param givenUp reason for giving up the goal, or empty
    */
-  public record Step(Point ned, double speedMps, boolean backwards, Optional<String> givenUp) {}
+  public record Step(Point ned, double speedMps, boolean backwards, Optional<String> givenUp) {
+    /** The step as a navigation point. */
+    public NavigationPoint point(Vehicle vehicle) {
+      NavigationPoint point = NavigationPoint.at(vehicle.body(ned)).speed(speedMps);
+      return backwards ? point.backwards(true) : point;
+    }
+  }
 
-  /** Requirements of a goal. */
   public record Wanted(
       String goal,
       Place target,
@@ -100,17 +107,14 @@ public final class Avoidance {
     news = new PathNews(settings, say);
   }
 
-  /** Whether route planning is enabled. */
   public boolean isOn() {
     return !chosen.get().equals(NONE);
   }
 
-  /** World as received from the World Modeler. */
   public SeenWorld world() {
     return world;
   }
 
-  /** Whether the vehicle can turn in place. */
   public boolean turnsOnTheSpot() {
     return turnRadiusM(0.0) == 0.0;
   }
@@ -120,7 +124,6 @@ public final class Avoidance {
     return routes.track().stream().mapToDouble(RouteTrack::remainingM).findAny();
   }
 
-  /** Called when another goal is started. */
   public void begin() {
     attempt = Optional.empty();
     routes.begin();
@@ -162,7 +165,6 @@ public final class Avoidance {
     return now.turnRadius() > 0.0 ? now.turnRadius() : lines.get().turns().radiusM(speed);
   }
 
-  /** Plans the next step to a goal. */
   public Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
     AvoidanceVariables now = settings.get();
     long micros = vehicle.timestampMicros();

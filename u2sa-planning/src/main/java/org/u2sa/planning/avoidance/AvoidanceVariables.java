@@ -3,6 +3,7 @@ package org.u2sa.planning.avoidance;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.planning.PathPlanner;
@@ -12,230 +13,120 @@ import org.u2sa.planning.seen.SeenWorld;
 
 /** Obstacle-avoidance variables of a {@link PathPlanner}; used if PLANNER is not NONE. */
 public record AvoidanceVariables(
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0.3,
-            text = "From the vehicle's reference point to its front.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0.3)
+        @Description("From the vehicle's reference point to its front.")
         double vehicleFront,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0.3,
-            text = "From the vehicle's reference point to its rear.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0.3)
+        @Description("From the vehicle's reference point to its rear.")
         double vehicleRear,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.5,
-            text = "Width of the vehicle, or span.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 0.5)
+        @Description("Width of the vehicle, or span.")
         double vehicleWidth,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0.2,
-            text = "Distance that routes keep between the vehicle and obstacles.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0.2)
+        @Description("Distance that routes keep between the vehicle and obstacles.")
         double clearance,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: it cuts them as far as it is free to.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description(
+            "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: it cuts them as far as it is free to.")
         double preferredClearance,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn or, if no other route leads to the goal, VEHICLE WIDTH and CLEARANCE.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description(
+            "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn or, if no other route leads to the goal, VEHICLE WIDTH and CLEARANCE.")
         double narrowestPassage,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 1,
-            text = "Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
+    @Variable(unit = "m", min = 0, ifAbsent = 1)
+        @Description("Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
         double inflation,
-    @Variable(
-            min = 0,
-            max = 100,
-            ifAbsent = 3,
-            text = "Extra cost of a metre at CLEARANCE from an obstacle over one in the open.")
+    @Variable(min = 0, max = 100, ifAbsent = 3)
+        @Description("Extra cost of a metre at CLEARANCE from an obstacle over one in the open.")
         double inflationCost,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.1,
-            text = "Cell of the grid on which routes are planned.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 0.1)
+        @Description("Cell of the grid on which routes are planned.")
         double planningCell,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "As PLANNING CELL, while routes may lead through passages in which the vehicle cannot turn, because cells make passages narrower; 0: PLANNING CELL.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description(
+            "As PLANNING CELL, while routes may lead through passages in which the vehicle cannot turn, because cells make passages narrower; 0: PLANNING CELL.")
         double narrowCell,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 40,
-            text = "Edge of the square around the vehicle in which obstacles are planned around.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 40)
+        @Description("Edge of the square around the vehicle in which obstacles are planned around.")
         double planningSpan,
-    @Variable(
-            ifAbsentText = "corridor",
-            text = "Type of objects that are areas to stay inside, each overlapping the next.")
+    @Variable(ifAbsentText = "corridor")
+        @Description("Type of objects that are areas to stay inside, each overlapping the next.")
         String corridorType,
-    @Variable(
-            ifAbsentText = "",
-            text = "Types of objects that are no obstacles, separated by commas.")
+    @Variable(ifAbsentText = "")
+        @Description("Types of objects that are no obstacles, separated by commas.")
         String ignoredTypes,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Types of objects that are passed on one side, such as red flag: LEFT, blue flag: RIGHT; the other side counts as closed until there is no other way (OVERLOOK AFTER).")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Types of objects that are passed on one side, such as red flag: LEFT, blue flag: RIGHT; the other side counts as closed until there is no other way (OVERLOOK AFTER).")
         String passSides,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 2.5,
-            text = "How far beside such an object the other side is closed.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 2.5)
+        @Description("How far beside such an object the other side is closed.")
         double passReach,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text = "Objects farther above or below are no obstacles; 0: heights do not matter.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description("Objects farther above or below are no obstacles; 0: heights do not matter.")
         double verticalClearance,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "At a waypoint that was reached between two lines, each at most so far away, the way back is closed until the next, or until there is no other (OVERLOOK AFTER); 0: never.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description(
+            "At a waypoint that was reached between two lines, each at most so far away, the way back is closed until the next, or until there is no other (OVERLOOK AFTER); 0: never.")
         double closeBehind,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text = "Speed around obstacles, unless the waypoint sets one.")
+    @Variable(unit = "m/s", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description("Speed around obstacles, unless the waypoint sets one.")
         double plannedSpeed,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            ifAbsent = 0,
-            text = "Minimum speed; above 0 the vehicle cannot stand, like an aeroplane.")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description("Minimum speed; above 0 the vehicle cannot stand, like an aeroplane.")
         double minSpeed,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            ifAbsent = 0,
-            text = "Maximum speed to arrive at a waypoint in time; 0: PLANNED SPEED.")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description("Maximum speed to arrive at a waypoint in time; 0: PLANNED SPEED.")
         double maxSpeed,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.8,
-            text = "Acceleration that the control system achieves.")
+    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 0.8)
+        @Description("Acceleration that the control system achieves.")
         double plannedAcceleration,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text = "Deceleration that the control system achieves.")
+    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description("Deceleration that the control system achieves.")
         double plannedBraking,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 0.3,
-            text = "Time from a navigation point until the vehicle moves accordingly.")
+    @Variable(unit = "s", min = 0, ifAbsent = 0.3)
+        @Description("Time from a navigation point until the vehicle moves accordingly.")
         double reactionTime,
-    @Variable(
-            unit = "deg/s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 45,
-            text = "Yaw rate that the control system achieves in turns on the spot.")
+    @Variable(unit = "deg/s", min = 0, minExcluded = true, ifAbsent = 45)
+        @Description("Yaw rate that the control system achieves in turns on the spot.")
         double plannedTurnRate,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description(
+            "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
         double turnRadius,
     @Variable(ifAbsentText = "false", text = "Whether the control system can drive backwards.")
         boolean reverses,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0.3,
-            text = "Distance to keep from traffic, beyond its own radius and the vehicle's.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0.3)
+        @Description("Distance to keep from traffic, beyond its own radius and the vehicle's.")
         double trafficClearance,
     @Variable(unit = "s", min = 0, ifAbsent = 4, text = "How far ahead in time traffic is avoided.")
         double trafficHorizon,
-    @Variable(
-            unit = "deg",
-            min = 0,
-            minExcluded = true,
-            max = 180,
-            ifAbsent = 10,
-            text = "How near to a waypoint's heading the vehicle must arrive.")
+    @Variable(unit = "deg", min = 0, minExcluded = true, max = 180, ifAbsent = 10)
+        @Description("How near to a waypoint's heading the vehicle must arrive.")
         double arrivalAngle,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.5,
-            text = "Time from one search for a better route to the next.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 0.5)
+        @Description("Time from one search for a better route to the next.")
         double replanInterval,
-    @Variable(
-            min = 100,
-            max = 1_000_000,
-            ifAbsent = 2000,
-            text =
-                "Nodes that HYBRID searches per state, five times as many if the vehicle cannot stop; a longer search continues with the next state.")
+    @Variable(min = 100, max = 1_000_000, ifAbsent = 2000)
+        @Description(
+            "Nodes that HYBRID searches per state, five times as many if the vehicle cannot stop; a longer search continues with the next state.")
         int planningEffort,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 6,
-            text = "Time without progress after which the vehicle frees itself.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 6)
+        @Description("Time without progress after which the vehicle frees itself.")
         double stuckAfter,
-    @Variable(
-            min = 0,
-            max = 100,
-            ifAbsent = 4,
-            text = "Attempts to free itself before it gives a goal up.")
+    @Variable(min = 0, max = 100, ifAbsent = 4)
+        @Description("Attempts to free itself before it gives a goal up.")
         int recoveries,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 20,
-            text = "Time without any route to a goal after which it is given up.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 20)
+        @Description("Time without any route to a goal after which it is given up.")
         double giveUpAfter,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
+    @Variable(unit = "s", min = 0, ifAbsent = 0)
+        @Description(
+            "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
         double overlookAfter,
-    @Variable(
-            unit = "s",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 2,
-            text =
-                "Age of the World Modeler's newest objects or grid from which the vehicle stands, or circles if it cannot stop, until newer ones come. Not with PLANNER = NONE.")
+    @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 2)
+        @Description(
+            "Age of the World Modeler's newest objects or grid from which the vehicle stands, or circles if it cannot stop, until newer ones come. Not with PLANNER = NONE.")
         double worldStaleAfter) {
   /** Smaller distances to an obstacle are a collision, allowing for rounding [share of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
@@ -244,7 +135,6 @@ public record AvoidanceVariables(
   private static final int EFFORTS_IN_FLIGHT = 5;
   private static final double OCCUPIED_ABOVE = 0.65; // probability of a cell of the grid
 
-  /** Validates the list of sides. */
   public AvoidanceVariables {
     PassSides.parse(passSides);
   }
@@ -313,15 +203,11 @@ public record AvoidanceVariables(
     return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
   }
 
-  /** Whether the vehicle can stop. */
   public boolean stops() {
     return minSpeed == 0.0;
   }
 
-  /**
-   * Number of nodes to search per state; larger for vehicles that cannot stop, which need their
-   * route sooner.
-   */
+  /** Nodes to search per state; more for vehicles that cannot stop and need their route sooner. */
   int effort() {
     return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
   }

@@ -1,10 +1,17 @@
 package org.u2sa.planning.avoidance;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.planning.avoidance.Behaviour.BackingOut;
+import org.u2sa.planning.avoidance.Behaviour.Following;
+import org.u2sa.planning.avoidance.Behaviour.Searching;
+import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
+import org.u2sa.planning.seen.Mover;
 
 /**
  * The attempt to reach one goal, a state machine:
@@ -19,8 +26,7 @@ import org.u2sa.planning.local.RouteTrack;
  * thread.
  */
 final class GoalAttempt {
-  private static final int BACKING_SHARE =
-      3; // a stuck vehicle backs out for a third of STUCK AFTER
+  private static final int BACKING_SHARE = 3; // of STUCK AFTER, for which it backs out
 
   private final RouteKeeper routes;
   private final Passages passages;
@@ -44,7 +50,6 @@ final class GoalAttempt {
     behaviour = new Searching(routes, micros);
   }
 
-  /** Whether the vehicle has freed itself at least once. */
   boolean hasRecovered() {
     return recoveries > 0;
   }
@@ -121,5 +126,55 @@ final class GoalAttempt {
     long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
     behaviour = new BackingOut(until, new Searching(routes, now.micros()));
     routes.dropUntil(until - now.settings().replanMicros()); // then planning is due
+  }
+
+  /**
+   * Measures the time in which traffic holds the vehicle up: it waits, or backs off from slow
+   * oncoming traffic. Such time does not count as lack of progress. Confined to the planner's
+   * thread.
+   */
+  static final class TrafficHold {
+    /** Maximum hold; longer blockage by traffic counts as permanent [s]. */
+    private static final double PATIENCE_S = 300.0;
+
+    private long lastMicros;
+    private long heldMicros;
+
+    TrafficHold(long micros) {
+      lastMicros = micros;
+    }
+
+    /**
+     * Updates the hold at a new time.
+     *
+     * @return part of the time since the last call that was lost to traffic [µs]
+     */
+    long pass(ArcChoice.Kind kind, boolean isNear, long micros) {
+      long since = micros - lastMicros;
+      lastMicros = micros;
+      boolean holds =
+          isNear && kind != ArcChoice.Kind.FOLLOW && heldMicros < Clock.micros(PATIENCE_S);
+      long held = holds ? since : 0L;
+      heldMicros += held;
+      return held;
+    }
+
+    /**
+     * Whether traffic can reach the vehicle within a time.
+     *
+     * @param keptM clearance beyond the traffic's own radius [m]
+     */
+    static boolean isNear(
+        List<Mover> movers, Pose at, double keptM, double withinS, long nowMicros) {
+      for (Mover mover : movers) {
+        double age = mover.ageS(nowMicros);
+        double away = at.distanceM(mover.northAfterM(age), mover.eastAfterM(age));
+        double reach = Math.hypot(mover.northMps(), mover.eastMps()) * withinS;
+        if (away < mover.radiusM() + keptM + reach) {
+          return true;
+        }
+      }
+      return false;
+    }
   }
 }

@@ -22,7 +22,6 @@ final class PassSides {
   /** Dead band of a mark's position [m]. */
   private static final double MOVED_M = 0.1;
 
-  /** Side on which a vehicle passes. */
   enum Side {
     LEFT(-1.0),
     RIGHT(1.0);
@@ -34,7 +33,6 @@ final class PassSides {
     }
   }
 
-  /** A mark ahead of the vehicle. */
   private static final class Mark {
     final double courseRad;
     final Side side;
@@ -99,7 +97,6 @@ final class PassSides {
     return sides;
   }
 
-  /** Shapes of the closed sides. */
   List<PlanarShape> shapes() {
     return closed;
   }

@@ -13,23 +13,13 @@ final class Passages {
   private final Supplier<AvoidanceVariables> settings;
   private final BooleanSupplier turnsOnTheSpot;
   private boolean isNarrow;
-  private SeenWorld.Reading reading; // for the current settings
-  private AvoidanceVariables readBy;
-  private boolean isReadOnTheSpot;
-  private boolean isReadNarrow;
 
-  /**
-   * @param turnsOnTheSpot whether the vehicle can turn in place
-   */
   Passages(Supplier<AvoidanceVariables> settings, BooleanSupplier turnsOnTheSpot) {
     this.settings = settings;
     this.turnsOnTheSpot = turnsOnTheSpot;
   }
 
-  /**
-   * Restricts routes to wide passages, because the goal changed or the vehicle got stuck in a
-   * narrow one.
-   */
+  /** Restricts routes to wide passages: the goal changed, or a narrow one held the vehicle. */
   void widen() {
     isNarrow = false;
   }
@@ -41,16 +31,7 @@ final class Passages {
     return begins;
   }
 
-  /** How the world is read; recomputed only on changes. */
   SeenWorld.Reading reading() {
-    AvoidanceVariables now = settings.get();
-    boolean onTheSpot = turnsOnTheSpot.getAsBoolean();
-    if (now != readBy || onTheSpot != isReadOnTheSpot || isNarrow != isReadNarrow) {
-      readBy = now;
-      isReadOnTheSpot = onTheSpot;
-      isReadNarrow = isNarrow;
-      reading = now.reading(onTheSpot, isNarrow);
-    }
-    return reading;
+    return settings.get().reading(turnsOnTheSpot.getAsBoolean(), isNarrow);
   }
 }

@@ -28,7 +28,6 @@ final class PathNews {
     this.say = say;
   }
 
-  /** Called when another goal is started. */
   void begin() {
     status = PathStatus.FOLLOWED;
   }

@@ -6,8 +6,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * Monitors the vehicle's progress toward its goal. Every new route looks promising, even through a
- * gap that is a sensor error, so only the remaining distance to the goal counts. Confined to the
- * planner's thread.
+ * gap that is a sensor error, so only the remaining distance to the goal counts.
  */
 final class ProgressWatch {
   /** Without progress, a goal is given up after the time to travel the route this many times. */
@@ -17,11 +16,8 @@ final class ProgressWatch {
   private double longestM; // longest remaining route since then [m]
   private long nearestMicros;
 
-  /**
-   * @param micros time at which the goal is begun [µs]
-   */
-  ProgressWatch(long micros) {
-    nearestMicros = micros;
+  ProgressWatch(long beginsMicros) {
+    nearestMicros = beginsMicros;
   }
 
   /** Excludes time in which something else held the vehicle up. */
@@ -29,24 +25,17 @@ final class ProgressWatch {
     nearestMicros += micros;
   }
 
-  /**
-   * Reason for giving up a goal without progress, or empty.
-   *
-   * @param remainingM remaining length of the route [m]
-   * @param progressM minimum progress [m]
-   * @param speedMps unobstructed speed [m/s]
-   * @param heldUpS allowance for being held up [s]
-   */
-  Optional<String> circles(
-      double remainingM, double progressM, double speedMps, double heldUpS, long micros) {
+  /** Reason for giving up a goal without progress, or empty. */
+  Optional<String> circles(double remainingM, Situation now) {
     longestM = Math.max(longestM, remainingM);
-    if (remainingM < nearestM - progressM) {
+    if (remainingM < nearestM - now.progressM()) {
       nearestM = remainingM;
       longestM = remainingM;
-      nearestMicros = micros;
+      nearestMicros = now.micros();
     }
-    double seconds = Clock.seconds(micros - nearestMicros);
-    return seconds > MAX_ROUTES * longestM / speedMps + heldUpS
+    double seconds = Clock.seconds(now.micros() - nearestMicros);
+    double allowedS = MAX_ROUTES * longestM / now.limits().speedMps() + now.settings().stuckAfter();
+    return seconds > allowedS
         ? Optional.of(String.format(Locale.ROOT, "no nearer to the goal for %.0f s", seconds))
         : Optional.empty();
   }

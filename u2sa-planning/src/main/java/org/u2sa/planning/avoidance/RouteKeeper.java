@@ -4,10 +4,10 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import org.u2sa.planning.local.RouteTrack;
-import org.u2sa.planning.route.Mobility;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RouteRequest;
+import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.SeenWorld;
 
@@ -16,10 +16,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * better one may exist. Confined to the planner's thread.
  */
 final class RouteKeeper {
-  /**
-   * Hysteresis: a new route replaces the old one if it costs no more than this share of the old
-   * one's remainder.
-   */
+  /** Hysteresis: a new route must cost no more than this share of the old one's remainder. */
   private static final double BETTER = 0.9;
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
@@ -54,7 +51,6 @@ final class RouteKeeper {
     this.say = say;
   }
 
-  /** Called when another goal is started. */
   void begin() {
     dropUntil(Long.MIN_VALUE / 2);
     obstacle = "";
@@ -78,12 +74,10 @@ final class RouteKeeper {
     return track;
   }
 
-  /** Reason why there is no route, or empty. */
   String obstacle() {
     return obstacle;
   }
 
-  /** Whether a search for a route goes on. */
   boolean isSearching() {
     return searches;
   }

@@ -5,9 +5,12 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.RouteTrack;
+import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
@@ -21,9 +24,6 @@ final class VirtualObstacles {
   private final PassSides sides = new PassSides();
   private List<PlanarShape> wayBack = List.of();
 
-  /**
-   * @param world world to which they are added
-   */
   VirtualObstacles(SeenWorld world) {
     this.world = world;
   }
@@ -72,5 +72,133 @@ final class VirtualObstacles {
     all.addAll(gaps.shapes());
     all.addAll(sides.shapes());
     world.guess(all);
+  }
+
+  /**
+   * Gaps that appear open only from a distance. Scanner errors widen obstacles where they are seen
+   * best, so a gap may close as the vehicle approaches and open again as it leaves. Two such gaps
+   * would make it oscillate; so a gap that closed twice counts as closed while another route
+   * exists. Confined to the planner's thread.
+   */
+  static final class FalseGaps {
+    /** Maximum distance at which a gap is seen reliably [radii of the vehicle with clearance]. */
+    private static final double NEAR_RADII = 5.0;
+
+    /** Minimum distance: nearer, the vehicle would be inside the closed region. */
+    private static final double MIN_RADII = 1.5;
+
+    /** Sooner closures belong to the same attempt. */
+    private static final long AGAIN_MICROS = 3 * Clock.MICROS_PER_SECOND;
+
+    private record Closure(double northM, double eastM, long micros) {
+      boolean isAt(double north, double east, double withinM) {
+        return Math.hypot(north - northM, east - eastM) <= withinM;
+      }
+    }
+
+    private final List<Closure> closures = new ArrayList<>();
+    private List<PlanarShape> closed = List.of();
+
+    List<PlanarShape> shapes() {
+      return closed;
+    }
+
+    /** Resets, such as for another goal or if no other route exists. */
+    void forget() {
+      closures.clear();
+      closed = List.of();
+    }
+
+    /** Called when the vehicle's route has just been blocked. */
+    void blocked(RouteTrack route, CostGrid costs, long micros) {
+      double radius = costs.inflation().radiusM();
+      OptionalDouble ahead = firstClosedM(route, costs, NEAR_RADII * radius);
+      if (ahead.isEmpty() || ahead.getAsDouble() < MIN_RADII * radius) {
+        return;
+      }
+      double north = route.northAheadM(ahead.getAsDouble());
+      double east = route.eastAheadM(ahead.getAsDouble());
+      boolean again = false;
+      for (Closure before : closures) {
+        boolean same = before.isAt(north, east, radius);
+        if (same && micros - before.micros() < AGAIN_MICROS) {
+          return;
+        }
+        again |= same;
+      }
+      closures.add(new Closure(north, east, micros));
+      if (again) {
+        List<PlanarShape> more = new ArrayList<>(closed);
+        more.add(PlanarShape.disc("gap", north, east, costs.frame().cellM()));
+        closed = List.copyOf(more);
+      }
+    }
+
+    /** Distance along the route to the first closed cell [m]; empty if none is near enough. */
+    private static OptionalDouble firstClosedM(RouteTrack route, CostGrid costs, double withinM) {
+      double step = 0.5 * costs.frame().cellM();
+      double farthest = Math.min(withinM, route.remainingM());
+      for (double ahead = 0.0; ahead <= farthest; ahead += step) {
+        if (costs.cost(route.northAheadM(ahead), route.eastAheadM(ahead))
+            == Double.POSITIVE_INFINITY) {
+          return OptionalDouble.of(ahead);
+        }
+      }
+      return OptionalDouble.empty();
+    }
+  }
+
+  /**
+   * Closes the way back between two lines, such as those of a lane, behind a vehicle that has
+   * reached a waypoint: the way ahead is not seen yet and may be longer, but leads to the next
+   * waypoint.
+   */
+  static final class WayBack {
+    private static final double MARGIN_M = 1.0; // leaves room to turn and to back out
+
+    private WayBack() {}
+
+    /**
+     * Chain from the nearest line on the left, behind the vehicle, to the nearest on the right;
+     * empty unless both sides have a line.
+     *
+     * @param shapes static obstacles; chains among them are lines
+     * @param circleM turning radius of the vehicle
+     * @param reachM maximum distance of a line
+     */
+    static Optional<PlanarShape> closed(
+        List<PlanarShape> shapes, Pose pose, double circleM, double reachM) {
+      double[] left = nearest(shapes, pose, reachM, -1.0);
+      double[] right = nearest(shapes, pose, reachM, 1.0);
+      if (left.length == 0 || right.length == 0) {
+        return Optional.empty();
+      }
+      Pose behind = pose.along(-circleM - MARGIN_M, 0.0);
+      return Optional.of(
+          PlanarShape.wall(
+              "way back",
+              new double[] {left[0], behind.northM(), right[0]},
+              new double[] {left[1], behind.eastM(), right[1]}));
+    }
+
+    /** Nearest point of a chain on one side (1: right), north and east; an empty array if none. */
+    private static double[] nearest(
+        List<PlanarShape> shapes, Pose pose, double reachM, double side) {
+      double[] found = {};
+      double least = reachM;
+      for (PlanarShape shape : shapes) {
+        for (int i = 0; shape.kind() == PlanarShape.Kind.CHAIN && i < shape.count(); i++) {
+          double north = shape.northM(i) - pose.northM();
+          double east = shape.eastM(i) - pose.eastM();
+          double right = east * Math.cos(pose.headingRad()) - north * Math.sin(pose.headingRad());
+          double away = Math.sqrt(north * north + east * east);
+          if (side * right > 0.0 && away < least) {
+            least = away;
+            found = new double[] {shape.northM(i), shape.eastM(i)};
+          }
+        }
+      }
+      return found;
+    }
   }
 }

@@ -17,7 +17,6 @@ public record Curve(List<Piece> pieces) {
    */
   public record Piece(double lengthM, double curvature) {}
 
-  /** Copies the pieces. */
   public Curve {
     pieces = List.copyOf(pieces);
   }
@@ -42,7 +41,6 @@ public record Curve(List<Piece> pieces) {
     return sum;
   }
 
-  /** End pose. */
   public Pose end(Pose start) {
     Pose pose = start;
     for (Piece piece : pieces) {

@@ -18,7 +18,6 @@ public final class Dubins {
 
   private Dubins() {}
 
-  /** Shortest path between two poses. */
   public static Curve shortest(Pose from, Pose to, double radiusM) {
     Pose rel = from.relative(to);
     double dx = rel.northM() / radiusM;
@@ -32,79 +31,57 @@ public final class Dubins {
     double ca = Math.cos(alpha);
     double cb = Math.cos(beta);
     double cab = Math.cos(alpha - beta);
-    double[] best = null;
-    int[] senses = null;
-    double length = Double.POSITIVE_INFINITY;
-    for (int word = 0; word < 6; word++) {
-      double[] tpq = null;
-      int[] turns;
-      switch (word) {
-        case 0: // eq. 1
-          turns = LSL;
-          double lsl = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sa - sb);
-          if (lsl >= -ROUNDING) {
-            double towards = lsl < ROUNDING * ROUNDING ? alpha : Math.atan2(cb - ca, d + sa - sb);
-            tpq =
-                new double[] {
-                  mod(towards - alpha), Math.sqrt(Math.max(0.0, lsl)), mod(beta - towards)
-                };
-          }
-          break;
-        case 1: // eq. 2
-          turns = RSR;
-          double rsr = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sb - sa);
-          if (rsr >= -ROUNDING) {
-            double towards = rsr < ROUNDING * ROUNDING ? alpha : Math.atan2(ca - cb, d - sa + sb);
-            tpq =
-                new double[] {
-                  mod(alpha - towards), Math.sqrt(Math.max(0.0, rsr)), mod(towards - beta)
-                };
-          }
-          break;
-        case 2: // eq. 3
-          turns = LSR;
-          double lsr = -2.0 + d * d + 2.0 * cab + 2.0 * d * (sa + sb);
-          if (lsr >= -ROUNDING) {
-            double p = Math.sqrt(Math.max(0.0, lsr));
-            double towards = Math.atan2(-ca - cb, d + sa + sb) - Math.atan2(-2.0, p);
-            tpq = new double[] {mod(towards - alpha), p, mod(towards - beta)};
-          }
-          break;
-        case 3: // eq. 4
-          turns = RSL;
-          double rsl = -2.0 + d * d + 2.0 * cab - 2.0 * d * (sa + sb);
-          if (rsl >= -ROUNDING) {
-            double p = Math.sqrt(Math.max(0.0, rsl));
-            double towards = Math.atan2(ca + cb, d - sa - sb) - Math.atan2(2.0, p);
-            tpq = new double[] {mod(alpha - towards), p, mod(beta - towards)};
-          }
-          break;
-        case 4: // eq. 5
-          turns = RLR;
-          double rlr = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sa - sb)) / 8.0;
-          if (Math.abs(rlr) <= 1.0) {
-            double p = mod(TURN - Math.acos(rlr));
-            double t = mod(alpha - Math.atan2(ca - cb, d - sa + sb) + p / 2.0);
-            tpq = new double[] {t, p, mod(alpha - beta - t + p)};
-          }
-          break;
-        default: // eq. 6
-          turns = LRL;
-          double lrl = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sb - sa)) / 8.0;
-          if (Math.abs(lrl) <= 1.0) {
-            double p = mod(TURN - Math.acos(lrl));
-            double t = mod(-alpha + Math.atan2(cb - ca, d + sa - sb) + p / 2.0);
-            tpq = new double[] {t, p, mod(beta - alpha - t + p)};
-          }
-          break;
-      }
-      if (tpq != null && tpq[0] + tpq[1] + tpq[2] < length) {
-        length = tpq[0] + tpq[1] + tpq[2];
-        best = tpq;
-        senses = turns;
+    Best best = new Best();
+    double lsl = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sa - sb); // eq. 1
+    if (lsl >= -ROUNDING) {
+      double towards = lsl < ROUNDING * ROUNDING ? alpha : Math.atan2(cb - ca, d + sa - sb);
+      best.offer(LSL, mod(towards - alpha), Math.sqrt(Math.max(0.0, lsl)), mod(beta - towards));
+    }
+    double rsr = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sb - sa); // eq. 2
+    if (rsr >= -ROUNDING) {
+      double towards = rsr < ROUNDING * ROUNDING ? alpha : Math.atan2(ca - cb, d - sa + sb);
+      best.offer(RSR, mod(alpha - towards), Math.sqrt(Math.max(0.0, rsr)), mod(towards - beta));
+    }
+    double lsr = -2.0 + d * d + 2.0 * cab + 2.0 * d * (sa + sb); // eq. 3
+    if (lsr >= -ROUNDING) {
+      double p = Math.sqrt(Math.max(0.0, lsr));
+      double towards = Math.atan2(-ca - cb, d + sa + sb) - Math.atan2(-2.0, p);
+      best.offer(LSR, mod(towards - alpha), p, mod(towards - beta));
+    }
+    double rsl = -2.0 + d * d + 2.0 * cab - 2.0 * d * (sa + sb); // eq. 4
+    if (rsl >= -ROUNDING) {
+      double p = Math.sqrt(Math.max(0.0, rsl));
+      double towards = Math.atan2(ca + cb, d - sa - sb) - Math.atan2(2.0, p);
+      best.offer(RSL, mod(alpha - towards), p, mod(beta - towards));
+    }
+    double rlr = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sa - sb)) / 8.0; // eq. 5
+    if (Math.abs(rlr) <= 1.0) {
+      double p = mod(TURN - Math.acos(rlr));
+      double t = mod(alpha - Math.atan2(ca - cb, d - sa + sb) + p / 2.0);
+      best.offer(RLR, t, p, mod(alpha - beta - t + p));
+    }
+    double lrl = (6.0 - d * d + 2.0 * cab + 2.0 * d * (sb - sa)) / 8.0; // eq. 6
+    if (Math.abs(lrl) <= 1.0) {
+      double p = mod(TURN - Math.acos(lrl));
+      double t = mod(-alpha + Math.atan2(cb - ca, d + sa - sb) + p / 2.0);
+      best.offer(LRL, t, p, mod(beta - alpha - t + p));
+    }
+    return Curve.of(radiusM, best.lengths, best.word);
+  }
+
+  /** The shortest of some words. */
+  private static final class Best {
+    private double length = Double.POSITIVE_INFINITY;
+    private double[] lengths;
+    private int[] word;
+
+    void offer(int[] offered, double t, double p, double q) {
+      if (t + p + q < length) {
+        length = t + p + q;
+        lengths = new double[] {t, p, q};
+        word = offered;
       }
     }
-    return Curve.of(radiusM, best, senses);
   }
 
   /**

@@ -22,7 +22,6 @@ public final class ReedsShepp {
 
   private ReedsShepp() {}
 
-  /** Shortest path between two poses. */
   public static Curve shortest(Pose from, Pose to, double radiusM) {
     return search(from, to, radiusM, 0.0);
   }

@@ -49,10 +49,7 @@ public final class ChosenGuidance implements WaypointGuidance {
             settings, (leg, lookAheadM) -> laws.get(lawName()).pointAhead(leg, lookAheadM));
   }
 
-  /**
-   * Line law used for legs and turns, even while DIRECT is selected, because that can change en
-   * route.
-   */
+  /** Line law used for legs and turns, even while DIRECT is selected: that can change en route. */
   private String lawName() {
     return name.get().equals(DIRECT) ? LINE : name.get();
   }

@@ -25,10 +25,7 @@ public record Leg(double startNorthM, double startEastM, double endNorthM, doubl
     return isPoint() ? 0.0 : Math.atan2(endEastM - startEastM, endNorthM - startNorthM);
   }
 
-  /**
-   * Along-track distance of a point [m]; negative before the start, more than the length past the
-   * end.
-   */
+  /** Along-track distance of a point [m]; negative before the start. */
   public double alongM(double northM, double eastM) {
     double bearing = bearingRad();
     return (northM - startNorthM) * Math.cos(bearing) + (eastM - startEastM) * Math.sin(bearing);

@@ -3,6 +3,7 @@ package org.u2sa.planning.guidance;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -23,10 +24,7 @@ public final class LineGuidance implements WaypointGuidance {
   /** … so the vehicle moves away until it is farther than this (hysteresis). */
   private static final double OUTSIDE_CIRCLE = 1.6;
 
-  /**
-   * In an anticipated turn the waypoint is passed when its distance has grown by this share of its
-   * threshold, or …
-   */
+  /** In an anticipated turn, passed when the distance has grown by this share of the threshold … */
   private static final double PASSED_SHARE = 0.2;
 
   /** … by the distance travelled in this time, whichever is more [s]. */
@@ -44,12 +42,10 @@ public final class LineGuidance implements WaypointGuidance {
   private double distanceM; // to the target
   private boolean passed;
 
-  /** Uses the carrot law. */
   public LineGuidance(Supplier<LineSettings> settings) {
     this(settings, GuidanceLaw.carrot());
   }
 
-  /** Follows lines by the given guidance law. */
   public LineGuidance(Supplier<LineSettings> settings, GuidanceLaw law) {
     this.settings = settings;
     this.law = law;
@@ -153,10 +149,7 @@ public final class LineGuidance implements WaypointGuidance {
     return turnsOnTheSpot() || Math.abs(Leg.wrapped(bearing - vehicle.courseRad())) < ALIGNED_RAD;
   }
 
-  /**
-   * Guidance without a leg: to the target, or straight on while the target is inside the turning
-   * circle.
-   */
+  /** Without a leg: to the target, or straight on while it is inside the turning circle. */
   private Point straightTo(Vehicle vehicle, Point to) {
     double radius = settings.get().turns().radiusM(vehicle.speedMps());
     double course = vehicle.courseRad();

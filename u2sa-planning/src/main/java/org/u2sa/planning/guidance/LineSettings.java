@@ -14,4 +14,39 @@ public record LineSettings(
   public double lookAheadM(double speedMps) {
     return Math.max(leastLookAheadM, lookAheadS * speedMps);
   }
+
+  /** How altitude changes along a leg. */
+  public enum AltitudeProfile {
+    /** At once to the altitude of the leg's end. */
+    IMMEDIATE {
+      @Override
+      Slope along(Place start, Place end, Vehicle vehicle, double targetDownM) {
+        return share -> targetDownM;
+      }
+    },
+    /** In proportion to the distance along the leg if both ends have an altitude, else at once. */
+    LINEAR {
+      @Override
+      Slope along(Place start, Place end, Vehicle vehicle, double targetDownM) {
+        if (start.upM().isEmpty() || end.upM().isEmpty()) {
+          return share -> targetDownM;
+        }
+        double from = vehicle.nedOf(start).z();
+        double to = vehicle.nedOf(end).z();
+        return share -> from + Math.max(0.0, Math.min(1.0, share)) * (to - from);
+      }
+    };
+
+    interface Slope {
+      /** Depth of the path below the vehicle [m], at a share of the leg's length. */
+      double downM(double share);
+    }
+
+    /**
+     * Altitudes between two places.
+     *
+     * @param targetDownM depth of the current target below the vehicle [m]
+     */
+    abstract Slope along(Place start, Place end, Vehicle vehicle, double targetDownM);
+  }
 }

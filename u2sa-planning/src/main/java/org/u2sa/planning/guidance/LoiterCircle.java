@@ -16,9 +16,6 @@ public final class LoiterCircle {
   private final double radiusM;
   private final double sense; // 1 clockwise, -1 counter-clockwise
 
-  /**
-   * @param vehicle vehicle at the start of the loiter
-   */
   public LoiterCircle(Place centre, double radiusM, Vehicle vehicle) {
     this.centre = centre;
     this.radiusM = radiusM;
@@ -52,10 +49,7 @@ public final class LoiterCircle {
         : Optional.empty();
   }
 
-  /**
-   * Point on the circle, one look-ahead ahead of the vehicle's projection: north, east, down [m]
-   * from the vehicle.
-   */
+  /** Point on the circle, one look-ahead ahead: north, east, down from the vehicle [m]. */
   public Point ahead(Vehicle vehicle, double lookAheadM) {
     Point to = vehicle.nedOf(centre);
     if (radiusM == 0.0) {

@@ -97,7 +97,6 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
     return upM.isPresent() ? this : new Place(onEarth, x, y, other.upM);
   }
 
-  /** Whether both horizontal coordinates are known. */
   public boolean isHorizontal() {
     return x.isPresent() && y.isPresent();
   }

@@ -18,10 +18,7 @@ public record TurnAnticipation(double accelerationMps2, double lagS, double corn
     return accelerationMps2 > 0.0 ? speedMps * speedMps / accelerationMps2 : 0.0;
   }
 
-  /**
-   * Distance to a waypoint within which a vehicle may turn to the next [m]: the threshold, or the
-   * corner-cutting limit.
-   */
+  /** Distance within which to turn to the next waypoint [m]: threshold or corner limit. */
   public double nearM(double thresholdM) {
     double share = accelerationMps2 == 0.0 ? 1.0 : CORNER_SHARE;
     return Math.min(share * thresholdM, cornerM);

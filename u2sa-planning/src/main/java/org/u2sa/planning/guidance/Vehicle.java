@@ -24,10 +24,7 @@ public final class Vehicle {
     this.place = Place.of(state);
   }
 
-  /**
-   * Creates the view of a state; empty if the state lacks position or heading, or is in a frame of
-   * the vehicle itself.
-   */
+  /** View of a state; empty if it lacks position or heading, or is in a frame of the vehicle. */
   public static Optional<Vehicle> of(StateInformation state) {
     if (state.x().isEmpty() || state.y().isEmpty() || state.psi().isEmpty()) {
       return Optional.empty();
@@ -57,7 +54,6 @@ public final class Vehicle {
     return state.timestamp().orElse(0L);
   }
 
-  /** Position. */
   public Place place() {
     return place;
   }
@@ -121,10 +117,7 @@ public final class Vehicle {
         : "on a local plane (LOCAL_ENU, LOCAL_NED)";
   }
 
-  /**
-   * Rotates a vector from north, east, down to the thesis's BODY axes: forward, left, down. Unknown
-   * attitude counts as level.
-   */
+  /** Rotates north, east, down to BODY: forward, left, down. Unknown attitude counts as level. */
   public Point body(Point ned) {
     return body(ned, state.phi().orElse(0.0), state.theta().orElse(0.0));
   }

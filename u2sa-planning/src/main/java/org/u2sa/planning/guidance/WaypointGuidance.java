@@ -21,10 +21,7 @@ public interface WaypointGuidance {
    */
   Point towards(Vehicle vehicle, Place target, double threshold, Optional<Place> after);
 
-  /**
-   * Converts a vector north, east, down [m] to the point this guidance passes to control, in BODY
-   * axes.
-   */
+  /** Converts north, east, down [m] to the point passed to control, in BODY axes. */
   Point bodyPoint(Vehicle vehicle, Point ned);
 
   /** Whether the vehicle had finally passed the target at the last call of {@link #towards}. */

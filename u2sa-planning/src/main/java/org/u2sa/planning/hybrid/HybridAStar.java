@@ -2,9 +2,13 @@ package org.u2sa.planning.hybrid;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.PriorityQueue;
 import org.u2sa.planning.curve.Curve;
 import org.u2sa.planning.curve.Dubins;
 import org.u2sa.planning.curve.Pose;
@@ -26,16 +30,13 @@ import org.u2sa.planning.search.GridFrame;
  * change; expanded nodes are not revisited. In one part or many, it expands the same nodes in the
  * same order.
  *
- * <p>Not thread-safe; memory is reused for successive searches.
+ * <p>Not thread-safe.
  */
 public final class HybridAStar {
   private static final int HEADINGS = 72;
   private static final double STEP_CELLS = 2.0;
 
-  /**
-   * Turn limits enter the heuristic within this many radii of the goal; farther away they matter
-   * little.
-   */
+  /** Radii from the goal within which turn limits matter to the heuristic. */
   private static final double TURNING_MATTERS = 6.0;
 
   /**
@@ -78,7 +79,28 @@ public final class HybridAStar {
   /** Poses on the path, including the start, and its cost [m]. */
   public record Way(Pose start, List<Curve.Sample> samples, double cost) {}
 
-  private final SearchNodes nodes = new SearchNodes();
+  /** A pose, and how it was reached; a better path replaces it until the node is closed. */
+  private static final class Node {
+    private Pose pose;
+    private double cost; // [m]
+    private Node parent; // null at the start
+    private int move; // from the parent: steering, or a curve to the goal
+    private boolean closed;
+
+    Node reach(Pose to, double costM, Node from, int by) {
+      pose = to;
+      cost = costM;
+      parent = from;
+      move = by;
+      return this;
+    }
+  }
+
+  private record Queued(Node node, double priority) {}
+
+  private final Map<Long, Node> nodes = new HashMap<>(); // by cell of the pose
+  private final PriorityQueue<Queued> open =
+      new PriorityQueue<>(Comparator.comparingDouble(Queued::priority));
   private final CostToGo toGo = new CostToGo();
   private CostGrid grid;
   private BodyDiscs body;
@@ -121,12 +143,14 @@ public final class HybridAStar {
     goalOutside = !grid.frame().contains(to.northM(), to.eastM());
     toGo.search(grid, to.northM(), to.eastM());
     nodes.clear();
+    open.clear();
     shots.clear();
     looked = 0;
     nextShot = 0;
     found = Optional.empty();
-    int first = nodes.add(key(start, false), start, 0.0, SearchNodes.NONE, 0);
-    nodes.push(first, GREED * heuristic(start));
+    Node first = new Node().reach(start, 0.0, null, 0);
+    nodes.put(key(start, false), first);
+    open.add(new Queued(first, GREED * heuristic(start)));
   }
 
   /**
@@ -137,14 +161,13 @@ public final class HybridAStar {
    */
   public boolean search(int most) {
     int until = (int) Math.min(motion.expansions(), (long) looked + most);
-    while (found.isEmpty() && !nodes.isEmpty() && looked < until) {
-      int node = nodes.pop();
-      if (nodes.isClosed(node)) {
+    while (found.isEmpty() && !open.isEmpty() && looked < until) {
+      Node node = open.remove().node();
+      if (node.closed) {
         continue;
       }
-      nodes.close(node);
-      Pose pose = nodes.pose(node);
-      if (nodes.move(node) >= 2 * HEADINGS || isGoal(pose)) {
+      node.closed = true;
+      if (node.move >= 2 * HEADINGS || isGoal(node.pose)) {
         found = Optional.of(way(node));
         return true;
       }
@@ -152,11 +175,11 @@ public final class HybridAStar {
       if (looked > nextShot && !goalOutside) {
         shoot(node);
         // the nearer, the more often (section 2.2)
-        nextShot = looked + (int) (heuristic(pose) / (4.0 * stepM));
+        nextShot = looked + (int) (heuristic(node.pose) / (4.0 * stepM));
       }
       expand(node);
     }
-    return found.isPresent() || nodes.isEmpty() || isExhausted();
+    return found.isPresent() || open.isEmpty() || isExhausted();
   }
 
   /** Path found by the search; empty until found, and if there is none. */
@@ -164,10 +187,7 @@ public final class HybridAStar {
     return found;
   }
 
-  /**
-   * Whether the search has reached its node limit, so that a path may exist although none was
-   * found.
-   */
+  /** Whether the node limit was reached, so that a path may exist although none was found. */
   public boolean isExhausted() {
     return looked >= motion.expansions();
   }
@@ -185,9 +205,8 @@ public final class HybridAStar {
                 < ALIGNED_RAD);
   }
 
-  private void expand(int node) {
-    Pose from = nodes.pose(node);
-    int before = nodes.move(node);
+  private void expand(Node node) {
+    Pose from = node.pose;
     for (int move = 0; move < (motion.reverses() ? 2 : 1) * STEERING.length; move++) {
       boolean backwards = move >= STEERING.length;
       double curvature = STEERING[move % STEERING.length] / motion.radiusM();
@@ -197,30 +216,30 @@ public final class HybridAStar {
       if (metres == Double.POSITIVE_INFINITY) {
         continue;
       }
-      boolean turnsBack =
-          nodes.parent(node) != SearchNodes.NONE && backwards != before >= STEERING.length;
-      double total = nodes.cost(node) + metres + (turnsBack ? motion.switchPenaltyM() : 0.0);
+      boolean turnsBack = node.parent != null && backwards != node.move >= STEERING.length;
+      double total = node.cost + metres + (turnsBack ? motion.switchPenaltyM() : 0.0);
       offer(end, total, node, move, backwards);
     }
   }
 
-  private void offer(Pose to, double total, int from, int move, boolean backwards) {
+  private void offer(Pose to, double total, Node from, int move, boolean backwards) {
     long key = key(to, backwards);
-    int known = nodes.find(key);
-    if (known == SearchNodes.NONE) {
-      double rest = heuristic(to);
-      if (rest < Double.POSITIVE_INFINITY) {
-        nodes.push(nodes.add(key, to, total, from, move), total + GREED * rest);
-      }
-    } else if (!nodes.isClosed(known) && total < nodes.cost(known) - 1.0e-9) {
-      nodes.set(known, to, total, from, move);
-      nodes.push(known, total + GREED * heuristic(to));
+    Node known = nodes.get(key);
+    if (known != null && (known.closed || total >= known.cost - 1.0e-9)) {
+      return;
     }
+    double rest = heuristic(to);
+    if (known == null && rest == Double.POSITIVE_INFINITY) {
+      return;
+    }
+    Node node = known == null ? new Node() : known;
+    nodes.put(key, node);
+    open.add(new Queued(node.reach(to, total, from, move), total + GREED * rest));
   }
 
   /** Tries the shortest curve to the goal (section 2.2). */
-  private void shoot(int node) {
-    Pose from = nodes.pose(node);
+  private void shoot(Node node) {
+    Pose from = node.pose;
     Curve curve =
         goal.headingRad().isEmpty()
             ? Dubins.shortest(from, goal.northM(), goal.eastM(), motion.radiusM())
@@ -238,7 +257,8 @@ public final class HybridAStar {
     }
     int move = 2 * HEADINGS + shots.size();
     shots.add(curve);
-    nodes.push(nodes.add(0L, at, nodes.cost(node) + metres, node, move), nodes.cost(node) + metres);
+    double total = node.cost + metres;
+    open.add(new Queued(new Node().reach(at, total, node, move), total));
   }
 
   private Curve shortest(Pose from) {
@@ -308,26 +328,25 @@ public final class HybridAStar {
     double turns = pose.headingRad() / (2.0 * Math.PI);
     int heading = (int) ((turns - Math.floor(turns)) * HEADINGS) % HEADINGS;
     long cell = (long) frame.index(row, column) * HEADINGS + heading;
-    return 2L * cell + (backwards ? 1L : 0L) + 2L;
+    return 2L * cell + (backwards ? 1L : 0L);
   }
 
-  private Way way(int end) {
-    List<Integer> chain = new ArrayList<>();
-    for (int node = end; nodes.parent(node) != SearchNodes.NONE; node = nodes.parent(node)) {
+  private Way way(Node end) {
+    List<Node> chain = new ArrayList<>();
+    for (Node node = end; node.parent != null; node = node.parent) {
       chain.add(node);
     }
     Collections.reverse(chain);
     List<Curve.Sample> samples = new ArrayList<>();
     Pose from = start;
-    for (int node : chain) {
-      int move = nodes.move(node);
-      if (move >= 2 * HEADINGS) {
-        samples.addAll(shots.get(move - 2 * HEADINGS).sampled(from, stepM));
+    for (Node node : chain) {
+      if (node.move >= 2 * HEADINGS) {
+        samples.addAll(shots.get(node.move - 2 * HEADINGS).sampled(from, stepM));
       } else {
-        samples.add(new Curve.Sample(nodes.pose(node), move >= STEERING.length));
+        samples.add(new Curve.Sample(node.pose, node.move >= STEERING.length));
       }
-      from = nodes.pose(node);
+      from = node.pose;
     }
-    return new Way(start, samples, nodes.cost(end));
+    return new Way(start, samples, end.cost);
   }
 }

@@ -25,7 +25,6 @@ public record ArcChoice(
     BRAKE
   }
 
-  /** Copy with another kind. */
   ArcChoice as(Kind other) {
     return new ArcChoice(northM, eastM, speedMps, backwards, other);
   }

@@ -57,7 +57,6 @@ public final class ArcChooser {
         new Evasion(forecast, limits, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
   }
 
-  /** Chooses the next motion along a route. */
   public ArcChoice along(RouteTrack track) {
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
@@ -138,10 +137,7 @@ public final class ArcChooser {
     return out.kind() == ArcChoice.Kind.EVADE ? out.as(ArcChoice.Kind.MAKE_ROOM) : out;
   }
 
-  /**
-   * Clearance for turning in place at the stopping point, including the corners [m]; negative if
-   * insufficient.
-   */
+  /** Clearance for turning in place where it stops, corners included [m]; negative: too little. */
   private double spareM() {
     double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
     Pose there = pose.along(stopping, 0.0);
@@ -153,10 +149,7 @@ public final class ArcChooser {
     return spareM() >= limits.slipM(Math.abs(speedMps));
   }
 
-  /**
-   * Maximum speed from which it can still stop straight ahead [m/s], because a new route may demand
-   * a turn in place at any time.
-   */
+  /** Maximum speed to stop straight ahead [m/s]: a new route may demand a turn in place. */
   private double straightMps() {
     if (!limits.turnsOnTheSpot()) {
       return limits.speedMps();

@@ -35,9 +35,6 @@ final class Evasion {
   private ArcChoice freest; // best of those blocked by static obstacles
   private double freestM = -1.0;
 
-  /**
-   * @param keptM clearance to static obstacles ahead [m]
-   */
   Evasion(
       MotionForecast forecast,
       MotionLimits limits,
@@ -58,10 +55,7 @@ final class Evasion {
     consider(onRoute, outcome);
   }
 
-  /**
-   * Chooses the best motion toward a place, or waiting; if all come too near to something, the one
-   * that stays farthest.
-   */
+  /** Chooses the best motion toward a place, or waiting; else the one that stays farthest away. */
   ArcChoice choose(double northM, double eastM, ArcChoice stand) {
     goalNorthM = northM;
     goalEastM = eastM;
@@ -93,10 +87,7 @@ final class Evasion {
     return lastResort(standing, stand);
   }
 
-  /**
-   * Considers turns to directions of the plane, not of the vehicle, so that they are stable while
-   * it turns.
-   */
+  /** Turns to directions of the plane, not of the vehicle: stable while it turns. */
   private void turns() {
     for (int k = 0; k < DIRECTIONS; k++) {
       double turn = Pose.wrapped(2.0 * Math.PI * k / DIRECTIONS - pose.headingRad());

@@ -38,7 +38,6 @@ record Motion(
     return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, track);
   }
 
-  /** Copy that ends in a stop. */
   Motion endingAt(double metres) {
     return new Motion(turnRad, curvature, backwards, speedMps, arcM, metres, track);
   }

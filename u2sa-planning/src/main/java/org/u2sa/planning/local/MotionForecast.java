@@ -34,9 +34,6 @@ final class MotionForecast {
    */
   record Outcome(double freeM, double meetsS, double gapM, double roomM, double lacksM) {}
 
-  /**
-   * @param startMps speed along its heading [m/s]; negative in reverse
-   */
   MotionForecast(
       CostGrid costs,
       BodyDiscs body,
@@ -75,7 +72,6 @@ final class MotionForecast {
     return tally.outcome(NEVER);
   }
 
-  /** Simulates a motion. */
   Outcome play(Motion motion) {
     if (!limits.stops()) {
       return play(motion, NEVER, true);

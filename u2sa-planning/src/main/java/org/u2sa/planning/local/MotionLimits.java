@@ -36,7 +36,6 @@ public record MotionLimits(
   /** Bearing up to which a vehicle that turns in place drives arcs [rad]. */
   static final double SPOT_TURN_RAD = Math.toRadians(30.0);
 
-  /** Whether it turns in place. */
   boolean turnsOnTheSpot() {
     return turnRadiusM == 0.0;
   }

@@ -19,7 +19,6 @@ public final class RouteTrack {
   private double alongM;
   private int segment = 1; // end point of the vehicle's current segment
 
-  /** Creates a track along an existing route. */
   public RouteTrack(Route route) {
     List<Route.Point> points = route.points();
     int count = Math.max(2, points.size());
@@ -42,7 +41,6 @@ public final class RouteTrack {
     return cost;
   }
 
-  /** Number of points. */
   public int count() {
     return north.length;
   }
@@ -57,7 +55,6 @@ public final class RouteTrack {
     return east[point];
   }
 
-  /** Whether the vehicle is reversing now. */
   public boolean goesBackwards() {
     return backwards[segment];
   }

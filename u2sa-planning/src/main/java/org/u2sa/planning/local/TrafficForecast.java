@@ -22,9 +22,6 @@ final class TrafficForecast {
   private final Pose now;
   private final long nowMicros;
 
-  /**
-   * @param now where the vehicle is
-   */
   TrafficForecast(
       List<Mover> movers, BodyDiscs body, MotionLimits limits, Pose now, long nowMicros) {
     this.body = body;
@@ -53,10 +50,7 @@ final class TrafficForecast {
     return movers.isEmpty();
   }
 
-  /**
-   * Minimum distance between the vehicle at a pose and traffic at a time [m]; negative if they
-   * overlap.
-   */
+  /** Gap between the vehicle at a pose and traffic at a time [m]; negative if they overlap. */
   double gapM(Pose at, double seconds) {
     double gap = Double.POSITIVE_INFINITY;
     for (Mover mover : movers) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.planning.air.TangentGraph;
 import org.u2sa.planning.curve.Curve;
+import org.u2sa.planning.route.RouteRequest.Mobility;
 
 /**
  * The planner AIR: the shortest path around cylinders and keep-out zones and inside corridors, by

@@ -6,6 +6,8 @@ import java.util.Optional;
 import org.u2sa.planning.curve.Curve;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.hybrid.HybridAStar;
+import org.u2sa.planning.route.GridRoutes.Entrances;
+import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 
@@ -79,7 +81,6 @@ final class HybridRoutes implements RoutePlanner {
             GOAL_SHARE * request.toleranceM()));
   }
 
-  /** Whether the search in progress is for this request. */
   private boolean goesOn(RouteRequest now) {
     if (begun == null || begun.costs() != now.costs()) {
       return false;

@@ -20,12 +20,10 @@ public record Route(List<Point> points, double cost, String obstacle, boolean go
    */
   public record Point(double northM, double eastM, boolean backwards) {}
 
-  /** Copies the points. */
   public Route {
     points = List.copyOf(points);
   }
 
-  /** Creates a route. */
   public static Route of(List<Point> points, double cost) {
     return new Route(points, cost, "", false);
   }
@@ -41,7 +39,6 @@ public record Route(List<Point> points, double cost, String obstacle, boolean go
         List.of(), Double.POSITIVE_INFINITY, "searching for a route to the goal", true);
   }
 
-  /** Whether a route exists. */
   public boolean exists() {
     return !points.isEmpty();
   }

@@ -3,6 +3,7 @@ package org.u2sa.planning.route;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.PlanarShape;
 
@@ -32,4 +33,15 @@ public record RouteRequest(
     CostGrid costs,
     List<PlanarShape> shapes,
     List<PlanarShape> corridors,
-    int effort) {}
+    int effort) {
+
+  /**
+   * Shape and mobility of a vehicle for planners. Immutable.
+   *
+   * @param body its shape
+   * @param clearanceM clearance to keep from obstacles [m]
+   * @param turnRadiusM minimum turn radius at its current speed [m]; 0 if it turns in place
+   * @param reverses whether it can reverse
+   */
+  public record Mobility(BodyDiscs body, double clearanceM, double turnRadiusM, boolean reverses) {}
+}

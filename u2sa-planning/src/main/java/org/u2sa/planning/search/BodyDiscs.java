@@ -43,7 +43,6 @@ public final class BodyDiscs {
     return new BodyDiscs(frontM, rearM, widthM, close);
   }
 
-  /** Number of discs. */
   public int count() {
     return ahead.length;
   }
@@ -63,10 +62,7 @@ public final class BodyDiscs {
     return circleM;
   }
 
-  /**
-   * Distance between the discs and the nearest occupied cell [m], possibly underestimated if more
-   * than a cell; negative if they touch.
-   */
+  /** Clearance of the discs [m], possibly underestimated above a cell; negative if they touch. */
   public double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
     return clearanceM(grid, northM, eastM, headingRad, grid.frame().cellM());
   }
@@ -89,5 +85,44 @@ public final class BodyDiscs {
       least = Math.min(least, grid.distanceM(northM + along * cos, eastM + along * sin));
     }
     return least - radiusM;
+  }
+
+  /** A rectangular vehicle covered closely by small discs: exact to a few centimetres all round. */
+  static final class CloseCover {
+    private final double[] ahead; // of the reference point [m]
+    private final double[] aside;
+    private final double radiusM;
+
+    CloseCover(double frontM, double rearM, double widthM, double spacingM) {
+      double length = frontM + rearM;
+      ahead = middles(-rearM, length, spacingM);
+      aside = middles(-0.5 * widthM, widthM, spacingM);
+      radiusM = Math.hypot(0.5 * length / ahead.length, 0.5 * widthM / aside.length);
+    }
+
+    /** Centres of equal parts that are no longer than the spacing. */
+    private static double[] middles(double from, double length, double spacingM) {
+      int count = Math.max(1, (int) Math.ceil(length / spacingM));
+      double[] middles = new double[count];
+      for (int i = 0; i < count; i++) {
+        middles[i] = from + length * (i + 0.5) / count;
+      }
+      return middles;
+    }
+
+    /** Distance between the discs and the nearest occupied cell [m]; negative if they touch. */
+    double clearanceM(CostGrid grid, double northM, double eastM, double headingRad) {
+      double cos = Math.cos(headingRad);
+      double sin = Math.sin(headingRad);
+      double least = Double.POSITIVE_INFINITY;
+      for (double forward : ahead) {
+        for (double right : aside) {
+          double north = northM + forward * cos - right * sin;
+          double east = eastM + forward * sin + right * cos;
+          least = Math.min(least, grid.distanceM(north, east));
+        }
+      }
+      return least - radiusM;
+    }
   }
 }

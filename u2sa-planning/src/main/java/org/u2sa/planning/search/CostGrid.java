@@ -35,7 +35,6 @@ public final class CostGrid {
   private final int[] changedAt; // by row: newest revision that may have changed a cost
   private int revision;
 
-  /** Creates a grid with all cells seen free. */
   public CostGrid(GridFrame frame, Inflation inflation) {
     this.frame = frame;
     this.inflation = inflation;
@@ -51,12 +50,10 @@ public final class CostGrid {
     }
   }
 
-  /** Frame of its cells. */
   public GridFrame frame() {
     return frame;
   }
 
-  /** Inflation of obstacles. */
   public Inflation inflation() {
     return inflation;
   }
@@ -162,7 +159,6 @@ public final class CostGrid {
     }
   }
 
-  /** A rectangle around cells. */
   private static final class Span {
     private int top = Integer.MAX_VALUE;
     private int left = Integer.MAX_VALUE;
@@ -181,7 +177,6 @@ public final class CostGrid {
     }
   }
 
-  /** Whether a cell is occupied. */
   public boolean isOccupied(int index) {
     return (states[index] & OCCUPIED) != 0;
   }
@@ -196,10 +191,7 @@ public final class CostGrid {
     return cost[index] < Float.POSITIVE_INFINITY;
   }
 
-  /**
-   * Whether the step between two neighbouring cells leads diagonally between two where the vehicle
-   * would collide.
-   */
+  /** Whether a step leads diagonally between two cells where the vehicle would collide. */
   boolean isClosed(int from, int to) {
     int columns = frame.columns();
     int aside = to % columns - from % columns;
@@ -214,7 +206,6 @@ public final class CostGrid {
     return cost[index];
   }
 
-  /** Grows with each update. */
   int revision() {
     return revision;
   }
@@ -229,10 +220,7 @@ public final class CostGrid {
     return FloatBuffer.wrap(cost, from, length);
   }
 
-  /**
-   * Distance from a cell's centre to the edge of the nearest occupied cell [m]; at most a little
-   * more than the inflation's reach.
-   */
+  /** From a cell's centre to the nearest occupied cell's edge [m], up to about the reach. */
   public double distanceM(int index) {
     return metres(distances.cells(index));
   }
@@ -241,9 +229,7 @@ public final class CostGrid {
     return Math.max(0.0, cells - 0.5) * frame.cellM();
   }
 
-  /**
-   * Distance of a point to the nearest occupied cell [m]; the inflation's reach outside the grid.
-   */
+  /** Distance of a point to the nearest occupied cell [m]; the reach outside the grid. */
   public double distanceM(double northM, double eastM) {
     int index = frame.indexAt(northM, eastM);
     return index < 0 ? inflation.reachM() : distanceM(index);
@@ -254,10 +240,7 @@ public final class CostGrid {
     return costIn(frame.indexAt(northM, eastM));
   }
 
-  /**
-   * Cost of a straight path: its length in metres weighted by the local cost; infinite if
-   * impassable.
-   */
+  /** Length of a straight path weighted by the local cost [m]; infinite if impassable. */
   public double straightCost(double north, double east, double toNorth, double toEast) {
     double length =
         Math.sqrt((toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));

@@ -25,8 +25,8 @@ public final class DStarLite {
 
   private final CostGrid grid;
   private final GridFrame frame;
-  private final double goalNorthM;
-  private final double goalEastM;
+  final double goalNorthM;
+  final double goalEastM;
   private final int goal; // −1: outside
   private final float[] cost; // as of the last search
   private final double[] g;
@@ -65,24 +65,12 @@ public final class DStarLite {
     return grid == costs && isThere;
   }
 
-  double goalNorthM() {
-    return goalNorthM;
-  }
-
-  double goalEastM() {
-    return goalEastM;
-  }
-
   /** Number of cells expanded by the last search. */
   public int expanded() {
     return expanded;
   }
 
-  /**
-   * Finds the cheapest path in the current grid.
-   *
-   * @param from index of a free cell
-   */
+  /** Finds the cheapest path in the current grid from a free cell. */
   public Optional<GridPath> plan(int from) {
     expanded = 0;
     boolean first = last < 0;

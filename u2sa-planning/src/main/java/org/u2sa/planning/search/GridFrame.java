@@ -10,7 +10,6 @@ package org.u2sa.planning.search;
  * @param columns at least 1
  */
 public record GridFrame(double northM, double eastM, double cellM, int rows, int columns) {
-  /** Checks the sizes. */
   public GridFrame {
     if (!(cellM > 0.0) || rows < 1 || columns < 1) {
       throw new IllegalArgumentException(
@@ -18,14 +17,12 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     }
   }
 
-  /** Creates a grid centred on a point. */
   public static GridFrame around(double northM, double eastM, double cellM, double spanM) {
     int cells = Math.max(1, (int) Math.ceil(spanM / cellM));
     double half = 0.5 * cells * cellM;
     return new GridFrame(northM - half, eastM - half, cellM, cells, cells);
   }
 
-  /** Number of cells. */
   public int cells() {
     return rows * columns;
   }
@@ -40,17 +37,14 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     return (int) Math.floor((pointEastM - eastM) / cellM);
   }
 
-  /** Whether a cell is inside the grid. */
   public boolean contains(int row, int column) {
     return row >= 0 && row < rows && column >= 0 && column < columns;
   }
 
-  /** Whether a point lies on the grid. */
   public boolean contains(double pointNorthM, double pointEastM) {
     return contains(row(pointNorthM), column(pointEastM));
   }
 
-  /** Index of a cell in arrays of the grid. */
   public int index(int row, int column) {
     return row * columns + column;
   }

@@ -12,7 +12,6 @@ public record GridPath(List<Corner> corners, double cost) {
   /** A point of the path [m]. */
   public record Corner(double northM, double eastM) {}
 
-  /** Copies the corners. */
   public GridPath {
     corners = List.copyOf(corners);
   }

@@ -14,7 +14,6 @@ package org.u2sa.planning.search;
 public record Inflation(double radiusM, double reachM, double weight) {
   private static final double FALLS = 3.0; // e^-3: a twentieth is left at the reach
 
-  /** Checks the distances. */
   public Inflation {
     if (!(radiusM >= 0.0) || !(reachM > radiusM) || !(weight >= 0.0)) {
       throw new IllegalArgumentException(
@@ -28,9 +27,7 @@ public record Inflation(double radiusM, double reachM, double weight) {
     }
   }
 
-  /**
-   * Cost per metre at a distance from the nearest obstacle [m], at least 1; infinite if impassable.
-   */
+  /** Cost per metre at a distance from an obstacle [m], at least 1; infinite if impassable. */
   double cost(double distanceM) {
     if (distanceM < radiusM) {
       return Double.POSITIVE_INFINITY;

@@ -21,6 +21,13 @@ final class PairHeap {
     return size == 0;
   }
 
+  void clear() {
+    for (int i = 0; i < size; i++) {
+      place[heap[i]] = 0;
+    }
+    size = 0;
+  }
+
   int first() {
     return heap[0];
   }
@@ -31,10 +38,13 @@ final class PairHeap {
 
   /** Whether the least pair comes before another. */
   boolean isBefore(double one, double other) {
-    return first[0] < one || (first[0] == one && second[0] < other);
+    return isBefore(first[0], second[0], one, other);
   }
 
-  /** Adds a cell or changes its keys. */
+  private static boolean isBefore(double a1, double a2, double b1, double b2) {
+    return a1 < b1 || (a1 == b1 && a2 < b2);
+  }
+
   void put(int cell, double one, double other) {
     int at = place[cell] - 1;
     if (at < 0) {
@@ -44,7 +54,7 @@ final class PairHeap {
         second = Arrays.copyOf(second, 2 * size);
       }
       rise(size++, cell, one, other);
-    } else if (one < first[at] || (one == first[at] && other < second[at])) {
+    } else if (isBefore(one, other, first[at], second[at])) {
       rise(at, cell, one, other);
     } else {
       sink(at, cell, one, other);
@@ -65,9 +75,7 @@ final class PairHeap {
     double one = first[size];
     double other = second[size];
     int parent = (at - 1) / 2;
-    boolean rises =
-        at > 0 && (one < first[parent] || (one == first[parent] && other < second[parent]));
-    if (rises) {
+    if (at > 0 && isBefore(one, other, first[parent], second[parent])) {
       rise(at, moved, one, other);
     } else {
       sink(at, moved, one, other);
@@ -78,7 +86,7 @@ final class PairHeap {
     int at = from;
     while (at > 0) {
       int parent = (at - 1) / 2;
-      if (first[parent] < one || (first[parent] == one && second[parent] <= other)) {
+      if (!isBefore(one, other, first[parent], second[parent])) {
         break;
       }
       set(at, heap[parent], first[parent], second[parent]);
@@ -95,12 +103,10 @@ final class PairHeap {
         break;
       }
       int right = child + 1;
-      if (right < size
-          && (first[right] < first[child]
-              || (first[right] == first[child] && second[right] < second[child]))) {
+      if (right < size && isBefore(first[right], second[right], first[child], second[child])) {
         child = right;
       }
-      if (first[child] > one || (first[child] == one && second[child] >= other)) {
+      if (!isBefore(first[child], second[child], one, other)) {
         break;
       }
       set(at, heap[child], first[child], second[child]);

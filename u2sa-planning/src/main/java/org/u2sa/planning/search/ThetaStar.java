@@ -25,17 +25,15 @@ public final class ThetaStar {
   private int[] parent = new int[0];
   private int[] closed = new int[0]; // number of the search that has closed it
   private int[] known = new int[0]; // number of the search that has given it a g
-  private CellHeap open = new CellHeap(0);
+  private PairHeap open = new PairHeap(0);
   private int search;
 
-  /** Creates an any-angle search. */
   public ThetaStar() {
     this(true);
   }
 
   /**
-   * @param anyAngle false for legs between neighbouring cells, plain A* (Hart, Nilsson, Raphael
-   *     1968)
+   * @param anyAngle false: legs between neighbouring cells, plain A* (Hart, Nilsson, Raphael 1968)
    */
   ThetaStar(boolean anyAngle) {
     this.anyAngle = anyAngle;
@@ -60,8 +58,9 @@ public final class ThetaStar {
         length(frame.centreNorthM(start) - goalNorthM, frame.centreEastM(start) - goalEastM));
     double best = Double.POSITIVE_INFINITY; // cost to a goal outside
     int exit = OUTSIDE;
-    while (!open.isEmpty() && open.leastKey() < best) {
-      int cell = open.poll();
+    while (!open.isEmpty() && open.firstKey() < best) {
+      int cell = open.first();
+      open.remove(cell);
       if (settle(grid, cell, goalNorthM, goalEastM)) {
         continue; // costs more than assumed; it was requeued
       }
@@ -94,7 +93,7 @@ public final class ThetaStar {
       parent = new int[cells];
       closed = new int[cells];
       known = new int[cells];
-      open = new CellHeap(cells);
+      open = new PairHeap(cells);
       search = 0;
     }
     open.clear();
@@ -105,7 +104,7 @@ public final class ThetaStar {
     known[cell] = search;
     g[cell] = cost;
     parent[cell] = from;
-    open.put(cell, cost + rest);
+    open.put(cell, cost + rest, 0.0);
   }
 
   /**
@@ -146,8 +145,8 @@ public final class ThetaStar {
     g[cell] = cost;
     parent[cell] = from;
     double rest = length(frame.centreNorthM(cell) - goalNorth, frame.centreEastM(cell) - goalEast);
-    if (grown > 1.0e-9 && !open.isEmpty() && cost + rest > open.leastKey()) {
-      open.put(cell, cost + rest);
+    if (grown > 1.0e-9 && !open.isEmpty() && cost + rest > open.firstKey()) {
+      open.put(cell, cost + rest, 0.0);
       return true;
     }
     return false;
@@ -177,10 +176,7 @@ public final class ThetaStar {
             a / frame.columns() - b / frame.columns(), a % frame.columns() - b % frame.columns());
   }
 
-  /**
-   * Length of a vector. Math.hypot guards against overflow, which is unnecessary here, and is many
-   * times slower.
-   */
+  /** Length of a vector; Math.hypot also guards against overflow, but is many times slower. */
   private static double length(double north, double east) {
     return Math.sqrt(north * north + east * east);
   }

@@ -5,6 +5,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.RowChange;
+import org.u2sa.planning.seen.GridPlacement.Spans;
 
 /**
  * State of the planner's cells by the World Modeler's grid: free, occupied or unknown. Not
@@ -28,7 +29,7 @@ final class GridLayer {
     this.occupiedAbove = occupiedAbove;
     this.said = said;
     cells = grid.cells();
-    frame = placement.frame();
+    frame = placement.frame;
     threshold = threshold(occupiedAbove);
   }
 
@@ -67,26 +68,23 @@ final class GridLayer {
     return said;
   }
 
-  /**
-   * Draws runs of equal cells as one; skips cells outside the plan, of which a grid from elsewhere
-   * may have millions.
-   */
+  /** Draws runs of equal cells as one; skips the cells outside the plan, possibly millions. */
   private void draw() {
-    Spans northward = placement.northward();
-    Spans eastward = placement.eastward();
-    int west = placement.columns();
+    Spans northward = placement.northward;
+    Spans eastward = placement.eastward;
+    int west = placement.columns;
     int east = -1;
     for (int planned = 0; planned < frame.columns(); planned++) {
-      west = Math.min(west, eastward.firstOver(planned));
-      east = Math.max(east, eastward.lastOver(planned));
+      west = Math.min(west, eastward.firstOver[planned]);
+      east = Math.max(east, eastward.lastOver[planned]);
     }
-    for (int row = 0; row < placement.rows(); row++) {
-      if (northward.last(row) < northward.first(row)) {
+    for (int row = 0; row < placement.rows; row++) {
+      if (northward.last[row] < northward.first[row]) {
         continue;
       }
-      int base = row * placement.columns();
+      int base = row * placement.columns;
       for (int from = west, to; from <= east; from = to + 1) {
-        to = northward.fits(row) ? lastAlike(row, from, east) : from;
+        to = northward.fits[row] ? lastAlike(row, from, east) : from;
         if (cells[base + from] != OccupancyGrid.UNKNOWN) {
           fill(
               placement.firstRow(from, row),
@@ -101,7 +99,7 @@ final class GridLayer {
 
   /** Last column of the run of equal cells that starts at a column. */
   private int lastAlike(int row, int from, int east) {
-    int base = row * placement.columns();
+    int base = row * placement.columns;
     byte first = cells[base + from];
     boolean isKnown = first != OccupancyGrid.UNKNOWN;
     boolean isFull = first >= threshold;
@@ -120,18 +118,18 @@ final class GridLayer {
     byte[] before = cells;
     grid = newGrid;
     cells = newGrid.cells();
-    Spans northward = placement.northward();
-    Spans eastward = placement.eastward();
+    Spans northward = placement.northward;
+    Spans eastward = placement.eastward;
     int[] from = new int[frame.rows()]; // changed column range, by row of the plan
     int[] to = new int[frame.rows()];
     Arrays.fill(from, frame.columns());
     Arrays.fill(to, -1);
     RowChange change = new RowChange();
-    for (int row = 0; row < placement.rows(); row++) {
-      if (change.find(before, cells, row * placement.columns(), placement.columns())) {
-        int west = eastward.first(change.first());
-        int east = eastward.last(change.last());
-        for (int planned = northward.first(row); planned <= northward.last(row); planned++) {
+    for (int row = 0; row < placement.rows; row++) {
+      if (change.find(before, cells, row * placement.columns, placement.columns)) {
+        int west = eastward.first[change.first()];
+        int east = eastward.last[change.last()];
+        for (int planned = northward.first[row]; planned <= northward.last[row]; planned++) {
           from[planned] = Math.min(from[planned], west);
           to[planned] = Math.max(to[planned], east);
         }
@@ -145,26 +143,26 @@ final class GridLayer {
   }
 
   private void redraw(int planned, int from, int to) {
-    Spans northward = placement.northward();
-    Spans eastward = placement.eastward();
+    Spans northward = placement.northward;
+    Spans eastward = placement.eastward;
     Arrays.fill(said, frame.index(planned, from), frame.index(planned, to) + 1, CostGrid.UNKNOWN);
-    int left = placement.columns();
+    int left = placement.columns;
     int right = -1;
     for (int i = from; i <= to; i++) {
-      left = Math.min(left, eastward.firstOver(i));
-      right = Math.max(right, eastward.lastOver(i));
+      left = Math.min(left, eastward.firstOver[i]);
+      right = Math.max(right, eastward.lastOver[i]);
     }
     if (left > right) {
       return;
     }
     byte[] fullest = new byte[right - left + 1]; // by column of the grid
     Arrays.fill(fullest, OccupancyGrid.UNKNOWN);
-    for (int row = northward.firstOver(planned); row <= northward.lastOver(planned); row++) {
-      int base = row * placement.columns();
-      boolean fits = northward.fits(row);
+    for (int row = northward.firstOver[planned]; row <= northward.lastOver[planned]; row++) {
+      int base = row * placement.columns;
+      boolean fits = northward.fits[row];
       for (int column = left; column <= right; column++) {
         byte cell = cells[base + column];
-        if (fits && eastward.fits(column)) {
+        if (fits && eastward.fits[column]) {
           fullest[column - left] = (byte) Math.max(fullest[column - left], cell);
         } else if (cell != OccupancyGrid.UNKNOWN) {
           redraw(planned, from, to, row, column);
@@ -182,7 +180,7 @@ final class GridLayer {
           planned,
           Math.max(from, placement.firstColumn(column, row)),
           Math.min(to, placement.lastColumn(column, row)),
-          state(cells[row * placement.columns() + column]));
+          state(cells[row * placement.columns + column]));
     }
   }
 
@@ -191,10 +189,10 @@ final class GridLayer {
    * of the plan, the fullest decides, as unknown ones have the least value.
    */
   private void redraw(int planned, int from, int to, int left, byte[] fullest) {
-    Spans eastward = placement.eastward();
+    Spans eastward = placement.eastward;
     for (int i = from; i <= to; i++) {
       byte most = OccupancyGrid.UNKNOWN;
-      for (int column = eastward.firstOver(i); column <= eastward.lastOver(i); column++) {
+      for (int column = eastward.firstOver[i]; column <= eastward.lastOver[i]; column++) {
         most = (byte) Math.max(most, fullest[column - left]);
       }
       if (most != OccupancyGrid.UNKNOWN) {

@@ -1,5 +1,8 @@
 package org.u2sa.planning.seen;
 
+import java.util.Arrays;
+import java.util.function.DoubleToIntFunction;
+import java.util.function.IntToDoubleFunction;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.search.GridFrame;
@@ -16,17 +19,17 @@ final class GridPlacement {
 
   private final OccupancyGrid grid;
   private final PlanningPlane plane;
-  private final GridFrame frame;
-  private final int columns;
-  private final int rows;
+  final GridFrame frame;
+  final int columns;
+  final int rows;
   private final Point corner;
   private final double northByColumn;
   private final double northByRow;
   private final double eastByColumn;
   private final double eastByRow;
   private final double half;
-  private final Spans northward;
-  private final Spans eastward;
+  final Spans northward; // rows of the plan that rows of the grid cover
+  final Spans eastward; // the same for columns
 
   GridPlacement(OccupancyGrid grid, PlanningPlane plane, GridFrame frame) {
     this.grid = grid;
@@ -60,7 +63,6 @@ final class GridPlacement {
             frame.columns());
   }
 
-  /** Whether the placement is for the given plan. */
   boolean isOn(PlanningPlane otherPlane, GridFrame otherFrame) {
     return plane == otherPlane && frame.equals(otherFrame);
   }
@@ -77,61 +79,36 @@ final class GridPlacement {
             && other.resolution() == grid.resolution();
   }
 
-  /** The plan's cells. */
-  GridFrame frame() {
-    return frame;
-  }
-
-  /** Columns of the grid. */
-  int columns() {
-    return columns;
-  }
-
-  /** Rows of the grid. */
-  int rows() {
-    return rows;
-  }
-
-  /** Rows of the plan that rows of the grid cover. */
-  Spans northward() {
-    return northward;
-  }
-
-  /** Columns of the plan that columns of the grid cover. */
-  Spans eastward() {
-    return eastward;
-  }
-
   /** Whether both have about the same axes. */
   boolean isAligned() {
-    return northward.isAligned() && eastward.isAligned();
+    return northward.isAligned && eastward.isAligned;
   }
 
   /** First row of the plan that a cell covers. */
   int firstRow(int column, int row) {
-    return northward.fits(row)
-        ? northward.first(row)
+    return northward.fits[row]
+        ? northward.first[row]
         : Math.max(0, frame.row(north(column, row) - half));
   }
 
   /** The last one. */
   int lastRow(int column, int row) {
-    return northward.fits(row)
-        ? northward.last(row)
+    return northward.fits[row]
+        ? northward.last[row]
         : Math.min(frame.rows() - 1, frame.row(north(column, row) + half));
   }
 
   /** First column of the plan that a cell covers. */
   int firstColumn(int column, int row) {
-    return eastward.fits(column)
-        ? eastward.first(column)
+    return eastward.fits[column]
+        ? eastward.first[column]
         : Math.max(0, frame.column(east(column, row) - half));
   }
 
   /** The last one. */
   int lastColumn(int column, int row) {
-    return eastward.fits(column)
-        ? eastward.last(column)
+    return eastward.fits[column]
+        ? eastward.last[column]
         : Math.min(frame.columns() - 1, frame.column(east(column, row) + half));
   }
 
@@ -143,8 +120,62 @@ final class GridPlacement {
     return corner.y() + column * eastByColumn + row * eastByRow;
   }
 
-  /** Centre of a cell on the plane. */
   private Point middle(int column, int row) {
     return plane.ned(grid.referenceFrame(), grid.centerOf(column, row));
+  }
+
+  /**
+   * Maps each row (or column) of the World Modeler's grid to the rows (or columns) of a plan that
+   * it covers from end to end, and back. Immutable.
+   */
+  static final class Spans {
+    final int[] first; // row of the plan that a row of the grid covers
+    final int[] last; // less than first if outside
+    final boolean[] fits; // whether all cells of a line cover the same rows
+    final int[] firstOver; // row of the grid that may cover a row of the plan
+    final int[] lastOver; // less than first if not covered
+    final boolean isAligned; // whether every line spans at most one row boundary of the plan
+
+    /**
+     * @param lines number of rows or columns of the grid
+     * @param begin centre of the first cell of a line [m]
+     * @param end centre of the last cell of a line; all others lie in between
+     * @param half half the edge of a cell [m]
+     * @param index row or column of the plan at a position
+     * @param limit number of rows or columns of the plan
+     */
+    Spans(
+        int lines,
+        IntToDoubleFunction begin,
+        IntToDoubleFunction end,
+        double half,
+        DoubleToIntFunction index,
+        int limit) {
+      first = new int[lines];
+      last = new int[lines];
+      fits = new boolean[lines];
+      firstOver = new int[limit];
+      lastOver = new int[limit];
+      Arrays.fill(firstOver, lines);
+      Arrays.fill(lastOver, -1);
+      boolean aligned = true;
+      for (int i = 0; i < lines; i++) {
+        double from = begin.applyAsDouble(i);
+        double to = end.applyAsDouble(i);
+        int low = index.applyAsInt(from - half);
+        int high = index.applyAsInt(from + half);
+        int endLow = index.applyAsInt(to - half);
+        int endHigh = index.applyAsInt(to + half);
+        fits[i] = low == endLow && high == endHigh;
+        aligned &= Math.abs(endLow - low) <= 1 && Math.abs(endHigh - high) <= 1;
+        first[i] = Math.max(0, Math.min(low, endLow));
+        last[i] = Math.min(limit - 1, Math.max(high, endHigh));
+        for (int k = first[i]; k <= last[i]; k++) {
+          firstOver[k] = Math.min(firstOver[k], i);
+          lastOver[k] = Math.max(lastOver[k], i);
+        }
+      }
+      isAligned = aligned;
+    }
   }
 }

@@ -9,7 +9,6 @@ final class GridRaster {
   private final GridFrame frame;
   private final byte[] states;
 
-  /** Creates a raster with all cells free. */
   GridRaster(GridFrame frame) {
     this.frame = frame;
     states = new byte[frame.cells()];
@@ -21,7 +20,6 @@ final class GridRaster {
     states = seen.states().clone();
   }
 
-  /** State of each cell, as in {@link CostGrid}. */
   byte[] states() {
     return states;
   }
@@ -98,7 +96,6 @@ final class GridRaster {
     return e1 + share * (e2 - e1);
   }
 
-  /** Marks cells outside all corridors. */
   void drawOutside(List<PlanarShape> corridors) {
     for (int i = 0; i < states.length; i++) {
       double north = frame.centreNorthM(i);

@@ -26,7 +26,6 @@ public record Mover(
   /** Below this speed an object counts as stationary [m/s]. */
   private static final double STANDS_MPS = 0.05;
 
-  /** Whether it is stationary. */
   boolean stands() {
     return Math.hypot(northMps, eastMps) < STANDS_MPS;
   }

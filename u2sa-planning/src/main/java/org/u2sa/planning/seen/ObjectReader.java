@@ -18,23 +18,16 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 
-/** Converts objects to shapes and traffic on the planning plane. Immutable. */
-final class ObjectReader {
+/**
+ * Converts objects to shapes and traffic on the planning plane. Immutable.
+ *
+ * @param vehicle state of the vehicle, for objects in its own axes
+ */
+record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
   /** Radius of an object that is only a point [m]. */
   private static final double POINT_RADIUS_M = 0.1;
 
   private static final double SKY = Double.POSITIVE_INFINITY;
-
-  private final PlanningPlane plane;
-  private final StateInformation vehicle;
-
-  /**
-   * @param vehicle state of the vehicle, for objects in its own axes
-   */
-  ObjectReader(PlanningPlane plane, StateInformation vehicle) {
-    this.plane = plane;
-    this.vehicle = vehicle;
-  }
 
   /** Converts an object to a frame of the plane. */
   private ObjectDescription placed(ObjectDescription object) {
@@ -53,8 +46,7 @@ final class ObjectReader {
     Point here = plane.ned(object.referenceFrame(), object.center());
     List<Point> points = new ArrayList<>(List.of(here));
     double stepS = 0.0;
-    if (object instanceof MovingSphere) {
-      MovingSphere sphere = (MovingSphere) object;
+    if (object instanceof MovingSphere sphere) {
       stepS = sphere.timeStep();
       for (Point point : sphere.trajectory()) {
         points.add(plane.ned(object.referenceFrame(), point));
@@ -100,48 +92,34 @@ final class ObjectReader {
     return plane.ned(object.referenceFrame(), object.center());
   }
 
-  /** Object as a static shape. */
   PlanarShape shape(ObjectDescription raw) {
     ObjectDescription object = placed(raw);
     return shape(object, plane.ned(object.referenceFrame(), object.center()));
   }
 
   private PlanarShape shape(ObjectDescription object, Point centre) {
-    if (object instanceof Sphere) {
-      double radius = ((Sphere) object).radius();
-      return points(object, List.of(object.center()), radius, 2.0 * radius, centre);
-    }
-    if (object instanceof Cylinder) {
-      Cylinder cylinder = (Cylinder) object;
-      return points(object, List.of(object.center()), cylinder.radius(), cylinder.height(), centre);
-    }
-    if (object instanceof Circle) {
-      return points(object, List.of(object.center()), ((Circle) object).radius(), 0.0, centre);
-    }
-    if (object instanceof Box) {
-      Box box = (Box) object;
+    List<Point> middle = List.of(object.center());
+    if (object instanceof Sphere sphere) {
+      return points(object, middle, sphere.radius(), 2.0 * sphere.radius(), centre);
+    } else if (object instanceof Cylinder cylinder) {
+      return points(object, middle, cylinder.radius(), cylinder.height(), centre);
+    } else if (object instanceof Circle circle) {
+      return points(object, middle, circle.radius(), 0.0, centre);
+    } else if (object instanceof Box box) {
       return turned(object, box.length(), box.width(), box.psi(), box.height(), centre);
-    }
-    if (object instanceof Rectangle) {
-      Rectangle flat = (Rectangle) object;
+    } else if (object instanceof Rectangle flat) {
       return turned(object, flat.length(), flat.width(), flat.psi(), 0.0, centre);
-    }
-    if (object instanceof Polygon) {
-      Polygon polygon = (Polygon) object;
+    } else if (object instanceof Polygon polygon) {
       return joined(object, PlanarShape.Kind.AREA, polygon.points(), 0.0, polygon.height(), centre);
-    }
-    if (object instanceof PolyLine) {
-      PolyLine band = (PolyLine) object;
+    } else if (object instanceof PolyLine band) {
       return joined(
           object, PlanarShape.Kind.CHAIN, band.points(), 0.5 * band.width(), band.height(), centre);
+    } else if (object instanceof Line line) {
+      return joined(object, PlanarShape.Kind.CHAIN, line.points(), 0.0, 0.0, centre);
+    } else if (object instanceof PointCloud cloud) {
+      return points(object, cloud.points(), 0.0, 0.0, centre);
     }
-    if (object instanceof Line) {
-      return joined(object, PlanarShape.Kind.CHAIN, ((Line) object).points(), 0.0, 0.0, centre);
-    }
-    if (object instanceof PointCloud) {
-      return points(object, ((PointCloud) object).points(), 0.0, 0.0, centre);
-    }
-    return points(object, List.of(object.center()), POINT_RADIUS_M, 0.0, centre);
+    return points(object, middle, POINT_RADIUS_M, 0.0, centre);
   }
 
   private PlanarShape points(

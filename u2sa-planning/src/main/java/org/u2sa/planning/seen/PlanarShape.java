@@ -5,7 +5,6 @@ package org.u2sa.planning.seen;
  * or of an area. Immutable.
  */
 public final class PlanarShape {
-  /** What the points mean. */
   public enum Kind {
     /** Isolated points. */
     POINTS,
@@ -66,17 +65,14 @@ public final class PlanarShape {
         name, Kind.CHAIN, norths, easts, 0.0, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
   }
 
-  /** UID of the object. */
   public String name() {
     return name;
   }
 
-  /** What the points mean. */
   public Kind kind() {
     return kind;
   }
 
-  /** Number of points. */
   public int count() {
     return norths.length;
   }

@@ -18,10 +18,7 @@ public final class PlanningPlane {
     this.origin = origin;
   }
 
-  /**
-   * Plane for a vehicle: that of the local frames if its state is in one, otherwise tangent to the
-   * earth at its position.
-   */
+  /** Plane of the local frames if the state is in one, else tangent to the earth at the vehicle. */
   public static PlanningPlane at(StateInformation state) {
     if (state.referenceFrame().isLocal()) {
       return new PlanningPlane(null);

@@ -69,7 +69,6 @@ public final class SeenWorld {
   private boolean overlooks;
   private List<PlanarShape> guessed = List.of();
 
-  /** An empty world. */
   public SeenWorld(Supplier<Reading> reading) {
     this.reading = reading;
   }
@@ -89,11 +88,7 @@ public final class SeenWorld {
     guessed = List.copyOf(closed);
   }
 
-  /**
-   * Updates the objects.
-   *
-   * @param nowMicros time of arrival [us]
-   */
+  /** Updates the objects, which arrive now [µs]. */
   public void see(ObjectList list, long nowMicros) {
     objects = list;
     age.see(list, nowMicros);
@@ -107,10 +102,7 @@ public final class SeenWorld {
     changed = true;
   }
 
-  /**
-   * Sets whether only what is given in the vehicle's own axes counts, since its position is
-   * unknown.
-   */
+  /** Counts only what is given in the vehicle's own axes, since its position is unknown. */
   public void onlyFromVehicle(boolean only) {
     changed |= only != bodyOnly;
     bodyOnly = only;
@@ -129,7 +121,6 @@ public final class SeenWorld {
     return bodyOnly && seenGrid != null && !seenGrid.referenceFrame().isBody() ? null : seenGrid;
   }
 
-  /** Age of what was received. */
   public WorldAge age() {
     return age;
   }
@@ -145,7 +136,6 @@ public final class SeenWorld {
     return plane;
   }
 
-  /** Static obstacles. */
   public List<PlanarShape> shapes() {
     return shapes;
   }
@@ -155,7 +145,6 @@ public final class SeenWorld {
     return corridors;
   }
 
-  /** Traffic. */
   public List<Mover> movers() {
     return movers;
   }

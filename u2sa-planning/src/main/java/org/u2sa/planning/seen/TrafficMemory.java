@@ -21,10 +21,7 @@ final class TrafficMemory {
       return Math.hypot(northMps, eastMps);
     }
 
-    /**
-     * Updates with the current observation; the velocity is replaced only if it is faster or the
-     * old one has expired.
-     */
+    /** Updates with an observation; the velocity only if it is faster or the old one expired. */
     Motion and(Motion now) {
       boolean isOld = now.micros - micros > PARKED_AFTER_MICROS;
       return isOld || now.mps() >= mps()
@@ -35,10 +32,7 @@ final class TrafficMemory {
 
   private final Map<String, Motion> moved = new HashMap<>();
 
-  /**
-   * Records a moving object. The fastest velocity of the last seconds counts, because the estimate
-   * decays while an object stops.
-   */
+  /** Records the fastest velocity of the last seconds: the estimate decays as an object stops. */
   void moves(Mover mover) {
     long seen = mover.seenMicros();
     if (moved.size() >= MAX_MOVERS && !moved.containsKey(mover.name())) {

@@ -26,7 +26,6 @@ public final class WorldAge {
     newestMicros = Math.max(newestMicros, Math.min(micros, nowMicros));
   }
 
-  /** Whether anything was ever received. */
   public boolean isKnown() {
     return newestMicros != Long.MIN_VALUE;
   }

@@ -22,7 +22,7 @@ import org.u2sa.planning.seen.SeenWorld;
 
 /** A rover on a plane with a planner that answers as told. Its goal is 8 m north of the origin. */
 final class AvoidanceBench {
-  private static final double RADIUS_M = 0.6;
+  static final double RADIUS_M = 0.6;
   private static final double GOAL_M = 8.0;
   private static final double CELL_M = 0.1;
 
@@ -48,7 +48,7 @@ final class AvoidanceBench {
       new RouteKeeper(world, new VirtualObstacles(world), passages, () -> this::plan, this::say);
   boolean turnsOnTheSpot; // narrower passages exist only for vehicles that do
   Route answer = northward(GOAL_M, GOAL_M);
-  private final StateInformation state =
+  final StateInformation state =
       new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).z(0.0).psi(0.0);
 
   AvoidanceBench() {

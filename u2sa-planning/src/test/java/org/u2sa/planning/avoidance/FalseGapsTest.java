@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.planning.avoidance.VirtualObstacles.FalseGaps;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.search.CostGrid;

@@ -6,6 +6,7 @@ import static org.assertj.core.data.Offset.offset;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.planning.avoidance.VirtualObstacles.WayBack;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanarShape;
 

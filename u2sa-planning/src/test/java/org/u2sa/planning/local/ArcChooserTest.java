@@ -273,13 +273,17 @@ class ArcChooserTest {
     assertThat(choice.speedMps()).isEqualTo(1.0);
   }
 
+  private MotionForecast forecast(MotionLimits limits, double speedMps, Mover mover) {
+    TrafficForecast traffic = new TrafficForecast(List.of(mover), BODY, limits, ORIGIN, 0L);
+    return new MotionForecast(costs, BODY, traffic, limits, ORIGIN, speedMps);
+  }
+
   /** The wall ends the motion, and there the vehicle stands when traffic comes. */
   @Test
   void play_endsBeforeAWallThatTrafficPasses_meetsItAsItStands() {
     wall(1.3, 1.5, -3.0, 3.0);
     Mover passing = mover(0.8, -3.0, 0.0, 0.9);
-    TrafficForecast traffic = new TrafficForecast(List.of(passing), BODY, rover(), ORIGIN, 0L);
-    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 0.0);
+    MotionForecast forecast = forecast(rover(), 0.0, passing);
     MotionForecast.Outcome outcome = forecast.play(Motion.arc(0.0, false, 1.0, 1.0));
 
     assertThat(outcome.freeM()).isBetween(0.4, 0.9);
@@ -292,8 +296,7 @@ class ArcChooserTest {
   void play_wallBeyondTheArcThatTrafficPasses_meetsItAsItStands() {
     wall(3.0, 3.2, -4.0, 4.0);
     Mover passing = mover(2.5, -4.0, 0.0, 1.0);
-    TrafficForecast traffic = new TrafficForecast(List.of(passing), BODY, rover(), ORIGIN, 0L);
-    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 1.0);
+    MotionForecast forecast = forecast(rover(), 1.0, passing);
     MotionForecast.Outcome outcome = forecast.play(Motion.arc(0.0, false, 1.0, 1.0));
 
     assertThat(outcome.freeM()).isBetween(2.1, 2.6);
@@ -308,8 +311,7 @@ class ArcChooserTest {
     Route.Point to = new Route.Point(10.0, 6.0, false);
     RouteTrack track = new RouteTrack(Route.of(List.of(from, to), 10.0));
     Mover between = mover(2.3, 1.2, 0.0, 0.0);
-    TrafficForecast traffic = new TrafficForecast(List.of(between), BODY, aeroplane(), ORIGIN, 0L);
-    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, aeroplane(), ORIGIN, 1.0);
+    MotionForecast forecast = forecast(aeroplane(), 1.0, between);
     MotionForecast.Outcome outcome = forecast.play(Motion.along(track, 0.0, false, 1.0, 0.5));
 
     assertThat(outcome.meetsS()).isBetween(1.0, 3.0);
@@ -321,8 +323,7 @@ class ArcChooserTest {
   void play_arcOnTheRoute_isSlowerThanStraightOn() {
     double round = 3.9; // rad on the circle of 1 m radius, which full speed reaches in time
     Mover there = mover(Math.sin(round), 1.0 - Math.cos(round), 0.0, 0.0);
-    TrafficForecast traffic = new TrafficForecast(List.of(there), BODY, rover(), ORIGIN, 0L);
-    MotionForecast forecast = new MotionForecast(costs, BODY, traffic, rover(), ORIGIN, 1.0);
+    MotionForecast forecast = forecast(rover(), 1.0, there);
     double tight = rover().tightest();
 
     double full = forecast.play(Motion.arc(tight, false, 1.0, 10.0)).gapM();

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.route.GridRoutes.Entrances;
+import org.u2sa.planning.route.RouteRequest.Mobility;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;

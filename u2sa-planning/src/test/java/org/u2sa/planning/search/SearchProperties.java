@@ -196,7 +196,7 @@ class SearchProperties {
           search.isFor(grid, FRAME.centreNorthM(goal), FRAME.centreEastM(goal))
               ? bellmanFord(grid, start)[goal]
               : new ThetaStar(false)
-                  .plan(grid, start, search.goalNorthM(), search.goalEastM())
+                  .plan(grid, start, search.goalNorthM, search.goalEastM)
                   .map(GridPath::cost)
                   .orElse(Double.POSITIVE_INFINITY);
       assertThat(path.isPresent()).as("round %d", round).isEqualTo(expected < 1e9);

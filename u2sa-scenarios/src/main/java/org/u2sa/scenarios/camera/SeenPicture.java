@@ -17,8 +17,8 @@ import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
 import org.u2sa.vision.lens.LensCalibration.Spot;
-import org.u2sa.vision.line.PaintedDisc;
-import org.u2sa.vision.line.PaintedLine;
+import org.u2sa.vision.line.PaintFinder.PaintedDisc;
+import org.u2sa.vision.line.PaintFinder.PaintedLine;
 import org.u2sa.vision.object.ObjectKind;
 import org.u2sa.vision.object.SeenObject;
 

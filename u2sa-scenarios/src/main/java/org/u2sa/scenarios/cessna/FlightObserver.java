@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.u2sa.control.fixedwing.ControlStatus;
 import org.u2sa.control.fixedwing.FlightPhase;
-import org.u2sa.flightgear.link.FlightChannels;
+import org.u2sa.flightgear.link.Simulator;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.schema.U2SAData;
@@ -42,7 +42,7 @@ final class FlightObserver extends EventDrivenService implements RunObserver {
   FlightObserver(ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) {
     super(context, ServiceRole.OBSERVER, "FlightObserver");
     record = new RunRecord(plan, screen);
-    registerSubscriber(FlightChannels.TRUTH);
+    registerSubscriber(Simulator.TRUTH);
     registerSubscriber(Channels.GOALS);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(ControlStatus.CHANNEL);

@@ -4,9 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.control.fixedwing.law.EnergyLaw;
-import org.u2sa.control.fixedwing.law.EnergyVariables;
-import org.u2sa.control.fixedwing.law.FlightState;
 
 class EnergyLawTest {
   private static final double DT_S = 0.05;
@@ -38,7 +35,7 @@ class EnergyLawTest {
 
   @Test
   void step_tooLowAndTooFastByTheSameEnergyRate_movesPitchAndLeavesThrottle() {
-    EnergyVariables p = TestTuning.standard().energy();
+    EnergyLaw.Variables p = TestTuning.standard().energy();
     double climb = 1.0; // demanded climb that equals the demanded loss of speed in energy
     double up = climb * p.altitudeTimeConstant();
     double slower = climb / 43.0 * 9.80665 * p.speedTimeConstant();

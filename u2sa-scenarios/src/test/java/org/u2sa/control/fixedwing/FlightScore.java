@@ -1,6 +1,5 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.sim.aircraft.AircraftMotion;
 
 /** What a flight was worth, by truth. */

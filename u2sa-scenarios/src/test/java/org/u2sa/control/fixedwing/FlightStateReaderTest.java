@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateInformation;
 

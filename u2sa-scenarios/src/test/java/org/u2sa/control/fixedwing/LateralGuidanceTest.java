@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.LateralGuidance;
 
 /** Against Park, Deyst and How, AIAA 2004-4900. */
 class LateralGuidanceTest {

@@ -1,8 +1,6 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.OptionalDouble;
-import org.u2sa.control.fixedwing.law.FlightState;
-import org.u2sa.control.fixedwing.law.Limit;
 import org.u2sa.messages.frame.Gravity;
 
 /**

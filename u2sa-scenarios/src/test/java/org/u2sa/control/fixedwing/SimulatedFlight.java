@@ -2,7 +2,6 @@ package org.u2sa.control.fixedwing;
 
 import java.util.ArrayDeque;
 import java.util.Optional;
-import org.u2sa.control.fixedwing.law.FlightState;
 import org.u2sa.sim.aircraft.AircraftMotion;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;

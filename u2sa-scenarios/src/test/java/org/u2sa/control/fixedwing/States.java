@@ -1,7 +1,5 @@
 package org.u2sa.control.fixedwing;
 
-import org.u2sa.control.fixedwing.law.FlightState;
-
 /** Flight states for tests: level flight to the east, changed one value at a time. */
 final class States {
   private double timeS;

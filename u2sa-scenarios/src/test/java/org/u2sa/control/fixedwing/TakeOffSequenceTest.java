@@ -3,7 +3,6 @@ package org.u2sa.control.fixedwing;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.control.fixedwing.law.FlightState;
 
 class TakeOffSequenceTest {
   private static final double ROTATION_MPS = 28.3;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.u2sa.control.fixedwing.ControlStatus;
-import org.u2sa.flightgear.link.FlightChannels;
+import org.u2sa.flightgear.link.Simulator;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
@@ -61,7 +61,7 @@ final class FlightWitness extends PeriodicService {
   FlightWitness(ServiceContext context, Geodetic home) {
     super(context, ServiceRole.OBSERVER, "FlightWitness", STEPS_PER_S);
     this.home = home;
-    registerSubscriber(FlightChannels.TRUTH);
+    registerSubscriber(Simulator.TRUTH);
     registerSubscriber(ControlStatus.CHANNEL);
     registerSubscriber(Channels.GOAL_REPORTS);
     registerSubscriber(Channels.FAILSAFE);

@@ -11,7 +11,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.flightgear.link.EmbeddedStart;
-import org.u2sa.flightgear.link.FlightChannels;
+import org.u2sa.flightgear.link.Simulator;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
@@ -48,7 +48,7 @@ class HonestFlightTest {
       super(context, ServiceRole.OBSERVER, "Comparison", 1.0);
       this.errors = errors;
       registerSubscriber(Channels.STATE);
-      registerSubscriber(FlightChannels.TRUTH);
+      registerSubscriber(Simulator.TRUTH);
     }
 
     @Override

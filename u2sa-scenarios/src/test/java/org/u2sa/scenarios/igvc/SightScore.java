@@ -16,7 +16,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.lens.LensCalibration.Spot;
-import org.u2sa.vision.line.PaintedLine;
+import org.u2sa.vision.line.PaintFinder.PaintedLine;
 import org.u2sa.vision.object.SeenObject;
 
 /** Compares what was seen in rendered pictures with what is there. */

@@ -11,7 +11,6 @@ import org.u2sa.vision.lens.LensCalibration.Spot;
  * @param errorPx mean reprojection error of the corners [px]
  */
 public record BoardPicture(String name, List<Spot> corners, double errorPx) {
-  /** Whether a complete board was found. */
   public boolean hasBoard() {
     return !corners.isEmpty();
   }

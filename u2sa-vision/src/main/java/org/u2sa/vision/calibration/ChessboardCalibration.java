@@ -47,7 +47,6 @@ public final class ChessboardCalibration {
    */
   public record Result(LensCalibration lens, List<BoardPicture> pictures) {}
 
-  /** Uses this board. */
   public ChessboardCalibration(Chessboard board) {
     this.board = board;
     detector =

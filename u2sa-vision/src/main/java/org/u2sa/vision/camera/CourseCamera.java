@@ -7,6 +7,7 @@ import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.vision.camera.CourseSight.Seen;
@@ -21,14 +22,9 @@ import org.u2sa.vision.ground.AttitudeHistory;
  */
 public final class CourseCamera extends CameraSensor {
   private record Showing(
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 3600,
-              ifAbsent = 0,
-              text =
-                  "Time from one picture published on images as JPEG to the next, for recordings"
-                      + " and screens; 0: none are published.")
+      @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
+          @Description(
+              "Time from one picture published on images as JPEG to the next, for recordings and screens; 0: none are published.")
           double imageEvery) {}
 
   private final AttitudeHistory attitudes = new AttitudeHistory();

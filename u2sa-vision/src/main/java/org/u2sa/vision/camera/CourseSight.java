@@ -9,9 +9,9 @@ import org.u2sa.vision.ground.TopView;
 import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.line.PaintFinder;
 import org.u2sa.vision.line.PaintFinder.Paint;
-import org.u2sa.vision.line.PaintSettings;
-import org.u2sa.vision.line.PaintedDisc;
-import org.u2sa.vision.line.PaintedLine;
+import org.u2sa.vision.line.PaintFinder.PaintSettings;
+import org.u2sa.vision.line.PaintFinder.PaintedDisc;
+import org.u2sa.vision.line.PaintFinder.PaintedLine;
 import org.u2sa.vision.object.ObjectFinder;
 import org.u2sa.vision.object.ObjectSettings;
 import org.u2sa.vision.object.SeenObject;
@@ -43,7 +43,6 @@ public final class CourseSight {
       List<PaintedDisc> discs,
       List<SeenObject> objects) {}
 
-  /** Creates a detector with these settings. */
   public CourseSight(CourseVariables settings) {
     this.settings = settings;
     top =

@@ -37,7 +37,6 @@ public final class LensChoice {
         .orElseGet(() -> LensCalibration.ofView(frame.width(), frame.height(), viewRad));
   }
 
-  /** Short description for health reports. */
   @Override
   public String toString() {
     return calibrated

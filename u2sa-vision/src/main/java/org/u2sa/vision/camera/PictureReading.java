@@ -13,7 +13,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.CameraMount;
-import org.u2sa.vision.ground.SlopeSigma;
+import org.u2sa.vision.ground.GroundSigma.SlopeSigma;
 import org.u2sa.vision.lens.CalibrationFile;
 import org.u2sa.vision.lens.LensCalibration;
 import org.u2sa.vision.picture.JpegDecoder;
@@ -86,7 +86,6 @@ public final class PictureReading {
     return messages.of(seen, sight.sigma(seen.view().lens()).tilted(slope), micros);
   }
 
-  /** Decoded copy of the frame. */
   public CameraFrame unpacked(CameraFrame frame) {
     if (frame.format() != PixelFormat.JPEG) {
       return frame;
@@ -101,7 +100,6 @@ public final class PictureReading {
     return sight;
   }
 
-  /** Lens geometry in use. */
   public LensChoice lens() {
     return lenses;
   }

@@ -14,17 +14,19 @@ import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;
-import org.u2sa.vision.line.PaintedDisc;
-import org.u2sa.vision.line.PaintedLine;
+import org.u2sa.vision.line.PaintFinder.PaintedDisc;
+import org.u2sa.vision.line.PaintFinder.PaintedLine;
 import org.u2sa.vision.object.ObjectKind;
 import org.u2sa.vision.object.SeenObject;
 
-/** Converts detections to Object Descriptions in BODY. */
-public final class SeenMessages {
-  /** Type of a painted line. */
+/**
+ * Converts detections to Object Descriptions in BODY.
+ *
+ * @param sensorName detecting sensor; prefix of each UID
+ */
+public record SeenMessages(String sensorName, double lineWidthM) {
   public static final String LINE = "white line";
 
-  /** Type of a pothole marking. */
   public static final String POTHOLE = "pothole";
 
   /** Type reported for an image without detections. */
@@ -32,17 +34,6 @@ public final class SeenMessages {
 
   private static final double POLE_M = 0.05; // radius kept clear around a flag's pole
   private static final double DISC_CONFIDENCE = 0.8;
-
-  private final String sensorName;
-  private final double lineWidthM;
-
-  /**
-   * @param sensorName detecting sensor; prefix of each UID
-   */
-  public SeenMessages(String sensorName, double lineWidthM) {
-    this.sensorName = sensorName;
-    this.lineWidthM = lineWidthM;
-  }
 
   /**
    * All detections, with the image's time [µs]. An image without detections yields one object of

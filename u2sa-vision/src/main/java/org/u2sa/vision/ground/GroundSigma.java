@@ -40,14 +40,34 @@ public record GroundSigma(double pixelRad, double tiltRad, double yawRad, double
     return turned(way, alongM(range, heightM), acrossM(range));
   }
 
-  /**
-   * Rotates standard deviations along and across a direction to the axes forward, right, down [m].
-   */
+  /** Rotates deviations along and across a direction to the axes forward, right, down [m]. */
   public Point turned(Point way, double along, double across) {
     double range = Math.max(1e-9, Math.hypot(way.x(), way.y()));
     double cos = way.x() / range;
     double sin = way.y() / range;
     return Point.of(
         Math.hypot(along * cos, across * sin), Math.hypot(along * sin, across * cos), ownM);
+  }
+
+  /**
+   * Uncertainty of the tilt of the ground ahead while the vehicle is on a slope: the slope may
+   * continue or end anywhere, so the tilt lies between level and the vehicle's own.
+   */
+  public static final class SlopeSigma {
+    private static final double UNIFORM = Math.sqrt(3.0); // range over standard deviation
+
+    private SlopeSigma() {}
+
+    /**
+     * RMS tilt of the ground ahead [rad]; 0 on level ground.
+     *
+     * @param slopeAboveRad tilt below which the vehicle is taken to sway on level ground; counts
+     *     fully from twice this value
+     */
+    public static double rad(double slopeAboveRad, double rollRad, double pitchRad) {
+      double tilt = Math.hypot(rollRad, pitchRad);
+      double share = Math.max(0.0, Math.min(1.0, (tilt - slopeAboveRad) / slopeAboveRad));
+      return share * tilt / UNIFORM;
+    }
   }
 }

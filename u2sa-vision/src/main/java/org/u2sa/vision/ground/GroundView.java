@@ -48,7 +48,6 @@ public final class GroundView {
     return new double[] {point.x(), point.y(), point.z()};
   }
 
-  /** The camera's geometry. */
   public LensCalibration lens() {
     return lens;
   }
@@ -68,10 +67,7 @@ public final class GroundView {
     return atHeight(column, row, 0.0);
   }
 
-  /**
-   * Intersection of a pixel's ray with a plane at a height above the ground [m], LEVEL; empty if
-   * none.
-   */
+  /** A pixel's ray at a height above the ground [m], LEVEL; empty if it does not get there. */
   public Optional<Point> atHeight(double column, double row, double heightM) {
     Optional<Spot> seen = lens.place(column, row);
     if (!seen.isPresent()) {
@@ -117,7 +113,6 @@ public final class GroundView {
         : Optional.of(lens.pixel(across, below));
   }
 
-  /** A ground position, LEVEL. */
   public Point onGround(double forward, double toRight) {
     return Point.of(forward, toRight, groundZ);
   }
@@ -128,7 +123,6 @@ public final class GroundView {
     return Point.of(frd.x(), -frd.y(), frd.z());
   }
 
-  /** Converts from BODY to LEVEL. */
   public Point toLevel(Point body) {
     return levelFromBody.times(Point.of(body.x(), -body.y(), body.z()));
   }

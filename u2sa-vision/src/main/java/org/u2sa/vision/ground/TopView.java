@@ -9,7 +9,6 @@ import org.u2sa.vision.picture.Shades;
  * Row 0 is nearest, column 0 leftmost. Reuses its buffers.
  */
 public final class TopView {
-  /** Area of the grid, LEVEL. */
   public record Area(double nearM, double farM, double sideM, double cellM) {
     /**
      * @throws IllegalArgumentException if it is empty or has more than four million cells
@@ -24,12 +23,10 @@ public final class TopView {
       }
     }
 
-    /** Number of rows. */
     public int rows() {
       return (int) Math.round((farM - nearM) / cellM);
     }
 
-    /** Number of columns. */
     public int columns() {
       return (int) Math.round(2.0 * sideM / cellM);
     }
@@ -42,7 +39,6 @@ public final class TopView {
   private final byte[] tint;
   private final boolean[] seen;
 
-  /** Creates an empty view of an area. */
   public TopView(Area area) {
     this.area = area;
     int cells = area.rows() * area.columns();
@@ -134,7 +130,6 @@ public final class TopView {
     return -area.sideM() + (column + 0.5) * area.cellM();
   }
 
-  /** Area of the grid. */
   public Area area() {
     return area;
   }
@@ -144,7 +139,6 @@ public final class TopView {
     return white;
   }
 
-  /** Like {@link Shades#tint}. */
   public byte[] tint() {
     return tint;
   }

@@ -90,11 +90,7 @@ final class DrivenLane {
     return List.of();
   }
 
-  /**
-   * Inferred sides of the lane, where no line is certain.
-   *
-   * @param known known lines
-   */
+  /** Inferred sides of the lane, where no line is certain. */
   List<Inferred> sides(List<Known> known, LineGaps.Reach reach) {
     int from = Math.max(0, places.size() - LOOKED_AT);
     follow(from, known, reach);

@@ -19,7 +19,6 @@ final class DrivenWay {
     places.clear();
   }
 
-  /** Adds the vehicle's current position. */
   void at(Point place) {
     Point last = places.peekLast();
     if (last == null || Math.hypot(place.x() - last.x(), place.y() - last.y()) >= STEP_M) {
@@ -30,7 +29,6 @@ final class DrivenWay {
     }
   }
 
-  /** Whether the vehicle has passed between two points. */
   boolean passesBetween(Point a, Point b) {
     Iterator<Point> each = places.iterator();
     Point from = each.hasNext() ? each.next() : null;

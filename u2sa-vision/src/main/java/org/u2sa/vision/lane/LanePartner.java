@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.Point;
  * Extends a line parallel to the other line of its lane, because a lane keeps its width.
  * Coordinates in metres from the map's anchor.
  */
-final class LanePartner {
+record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Driven driven) {
   private static final double FACING = Math.cos(Math.toRadians(50.0));
   private static final double PARALLEL = Math.cos(Math.toRadians(30.0));
   private static final double SHARE_BESIDE = 0.6; // fraction of a lane side's points
@@ -22,18 +22,8 @@ final class LanePartner {
   private static final int LANE_STEP = 4;
   private static final int LANE_PLACES = 4; // minimum steps (2.4 m) of the driven lane
 
-  private final List<List<Point>> lines;
-  private final LineGaps.Reach reach;
-  private final LineGaps.Driven driven;
-
   /** A continuation beside another line, and whether the vehicle has driven between the two. */
   record Beside(List<Point> points, boolean driven) {}
-
-  LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Driven driven) {
-    this.lines = lines;
-    this.reach = reach;
-    this.driven = driven;
-  }
 
   /**
    * Finds the continuation beside the other line of the lane, at the same distance as at the end.
@@ -56,10 +46,7 @@ final class LanePartner {
     return best;
   }
 
-  /**
-   * Finds the continuation of an inferred side of the vehicle's lane, beside the other line of that
-   * lane.
-   */
+  /** Continuation of an inferred side of the vehicle's lane, beside the lane's other line. */
   List<Point> onward(LineEnd end, Point vehicle) {
     List<Point> best = List.of();
     for (List<Point> other : lines) {
@@ -128,9 +115,7 @@ final class LanePartner {
     return points;
   }
 
-  /**
-   * Where the same side of the lane resumes: the nearest line end on that side of the other line.
-   */
+  /** Where the same side of the lane resumes: the nearest line end on that side of the other. */
   private Optional<Point> meeting(Point from, List<Point> own, List<Point> other, double left) {
     return lines.stream()
         .filter(line -> line != own && line != other)

@@ -15,14 +15,11 @@ final class LanePlace {
     this.begins = begins;
   }
 
-  /** Left (1) or right (−1) side. */
   Side side(double sign) {
     return sign > 0.0 ? left : right;
   }
 
-  /**
-   * Sets both sides. An unseen side follows from the lane's width, or keeps its previous distance.
-   */
+  /** Sets both sides; an unseen one follows from the lane's width or keeps its distance. */
   void set(double widthM, LanePlace before) {
     boolean inLane = !Double.isNaN(widthM) && before != null;
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
@@ -64,7 +61,6 @@ final class LanePlace {
     return !Double.isNaN(left.awayM + right.awayM);
   }
 
-  /** One side of the lane at a position. */
   static final class Side {
     double seenM = Double.NaN; // distance of the seen line
     boolean sure; // whether that line is certain

@@ -10,19 +10,11 @@ import java.util.Set;
 import org.u2sa.messages.frame.Point;
 
 /** Links samples to lines. Coordinates in metres from the map's anchor. */
-final class LineChains {
+record LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
   private static final double LINK_M = 0.5; // maximum step between samples
   private static final double ASIDE = 0.7; // sine of the maximum angle between step and line
   private static final double SHORTEST_M = 0.5; // minimum length of a line
   private static final double VIEWS = 2.5; // minimum mean number of viewpoints of a sure line
-
-  private final List<List<Point>> lines;
-  private final Set<List<Point>> sure;
-
-  private LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
-    this.lines = lines;
-    this.sure = sure;
-  }
 
   static LineChains of(List<LineSamples.Sample> samples) {
     int[][] next = new int[samples.size()][];
@@ -71,12 +63,6 @@ final class LineChains {
     return line;
   }
 
-  /** Lines that were seen. */
-  List<List<Point>> lines() {
-    return lines;
-  }
-
-  /** Whether a line was seen from several viewpoints. */
   boolean isSure(List<Point> line) {
     return sure.contains(line);
   }

@@ -72,7 +72,6 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
     return Math.max(-MAX_BEND, Math.min(MAX_BEND, turned / Math.max(0.1, way)));
   }
 
-  /** Stop condition of an extension. */
   interface Stop {
     boolean isAt(Point place);
   }

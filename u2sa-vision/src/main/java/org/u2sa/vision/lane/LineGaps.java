@@ -1,6 +1,7 @@
 package org.u2sa.vision.lane;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
@@ -34,18 +35,15 @@ final class LineGaps {
    * @param widestM widest lane [m]
    */
   record Reach(double gapM, double aloneM, double besideM, double narrowestM, double widestM) {
-    /** Whether a lane may be this wide. */
     boolean isLane(double widthM) {
       return widthM >= narrowestM && widthM <= widestM;
     }
   }
 
-  /** Ground that was observed. */
   interface Looked {
     boolean isKnown(double x, double y);
   }
 
-  /** Path the vehicle has driven. */
   interface Driven {
     boolean passesBetween(Point a, Point b);
   }
@@ -78,11 +76,10 @@ final class LineGaps {
     }
     strings = new JoinedLines(lines);
     join(ends);
-    partner = new LanePartner(strings.all(), reach, driven);
+    partner = new LanePartner(strings.all, reach, driven);
     ends.forEach(this::extend);
   }
 
-  /** Closed gaps between two ends. */
   List<Joint> joined() {
     return joined;
   }
@@ -178,9 +175,7 @@ final class LineGaps {
     return places > 0 && gone >= KNOWN * reach.gapM() && known >= KNOWN * places;
   }
 
-  /**
-   * Whether an end belongs to a longer line that was seen twice at slightly different positions.
-   */
+  /** Whether an end belongs to a longer line that was seen twice, slightly apart. */
   private boolean isBesideLonger(LineEnd end) {
     for (List<Point> line : lines) {
       boolean longer = line != end.line() && line.size() > end.line().size();
@@ -191,5 +186,49 @@ final class LineGaps {
       }
     }
     return false;
+  }
+
+  /** Merges lines whose gaps were closed: dashes and remains of worn paint. */
+  static final class JoinedLines {
+    private final List<List<Point>> all = new ArrayList<>();
+    private final List<List<Point>> parts;
+    private final List<List<Point>> with; // joined line of each part
+
+    JoinedLines(List<List<Point>> lines) {
+      parts = lines;
+      with = new ArrayList<>(lines);
+      all.addAll(lines);
+    }
+
+    /** Joins two lines with a curve between two of their ends. */
+    void join(LineEnd one, List<Point> curve, LineEnd other) {
+      List<Point> first = with(one.line());
+      List<Point> second = with(other.line());
+      if (first == second) {
+        return; // closing a ring does not extend the line
+      }
+      List<Point> joined = new ArrayList<>(first);
+      if (joined.get(0) == one.at()) {
+        Collections.reverse(joined);
+      }
+      joined.addAll(curve.subList(1, Math.max(1, curve.size() - 1)));
+      List<Point> rest = new ArrayList<>(second);
+      if (rest.get(0) != other.at()) {
+        Collections.reverse(rest);
+      }
+      joined.addAll(rest);
+      all.removeIf(line -> line == first || line == second);
+      all.add(joined);
+      with.replaceAll(line -> line == first || line == second ? joined : line);
+    }
+
+    /** Joined line that contains this line. */
+    List<Point> with(List<Point> line) {
+      int part = 0;
+      while (parts.get(part) != line) {
+        part++;
+      }
+      return with.get(part);
+    }
   }
 }

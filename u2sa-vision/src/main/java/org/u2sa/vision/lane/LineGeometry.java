@@ -9,14 +9,12 @@ final class LineGeometry {
 
   private LineGeometry() {}
 
-  /** Distance between two points. */
   static double metres(Point a, Point b) {
     double x = a.x() - b.x();
     double y = a.y() - b.y();
     return Math.sqrt(x * x + y * y); // hypot is ten times slower
   }
 
-  /** Length along a line. */
   static double lengthM(List<Point> line) {
     double length = 0.0;
     for (int i = 1; i < line.size(); i++) {
@@ -43,10 +41,7 @@ final class LineGeometry {
     return new double[] {(to.x() - from.x()) / length, (to.y() - from.y()) / length};
   }
 
-  /**
-   * Signed distance of a place from a line at one of its points, positive to the left of its
-   * direction.
-   */
+  /** Distance of a place from a line at one of its points, positive to the direction's left. */
   static double leftM(Point place, List<Point> line, int at) {
     double[] way = direction(line, at);
     return way[0] * (place.y() - line.get(at).y()) - way[1] * (place.x() - line.get(at).x());

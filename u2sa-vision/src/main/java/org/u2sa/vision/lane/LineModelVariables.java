@@ -3,132 +3,69 @@ package org.u2sa.vision.lane;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.Set;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Settings of the {@link LineModeller}. */
 record LineModelVariables(
-    @Variable(
-            ifAbsentText = "white line",
-            text = "LINES: types of objects that are painted lines, separated by commas.")
+    @Variable(ifAbsentText = "white line")
+        @Description("LINES: types of objects that are painted lines, separated by commas.")
         String lineTypes,
-    @Variable(
-            unit = "m",
-            min = 0.01,
-            max = 5,
-            ifAbsent = 0.35,
-            text = "LINES: distance up to which a sighting beside a known line is that line.")
+    @Variable(unit = "m", min = 0.01, max = 5, ifAbsent = 0.35)
+        @Description("LINES: distance up to which a sighting beside a known line is that line.")
         double lineGate,
     @Variable(min = 1, max = 20, ifAbsent = 3, text = "LINES: sightings that make a line certain.")
         int lineHits,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text =
-                "LINES: maximum gap in a line that is closed, between two ends that face each other; 0: none.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
+        @Description(
+            "LINES: maximum gap in a line that is closed, between two ends that face each other; 0: none.")
         double joinGap,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text = "LINES: assumed continuation of a line beyond its seen end.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
+        @Description("LINES: assumed continuation of a line beyond its seen end.")
         double lineExtension,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text =
-                "LINES: assumed continuation of a line beyond its seen end where the other line of its lane runs beside; 0: as LINE EXTENSION.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
+        @Description(
+            "LINES: assumed continuation of a line beyond its seen end where the other line of its lane runs beside; 0: as LINE EXTENSION.")
         double laneExtension,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 6.1,
-            text = "LINES: maximum width of a lane, for LANE EXTENSION.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 6.1)
+        @Description("LINES: maximum width of a lane, for LANE EXTENSION.")
         double widestLane,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 10,
-            ifAbsent = 0,
-            text =
-                "LINES: drift of the vehicle's position against the ground in one second, growing with the square root of time. Lines that were not seen for a while are searched for that much farther away.")
+    @Variable(unit = "m", min = 0, max = 10, ifAbsent = 0)
+        @Description(
+            "LINES: drift of the vehicle's position against the ground in one second, growing with the square root of time. Lines that were not seen for a while are searched for that much farther away.")
         double lineWander,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 1.5,
-            text =
-                "LINES: minimum distance of such an extension from other lines: the minimum width of a lane.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 1.5)
+        @Description(
+            "LINES: minimum distance of such an extension from other lines: the minimum width of a lane.")
         double laneWidth,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 2.5,
-            text =
-                "LINES: distance ahead within which an existing line is seen; one that is not seen there is doubted.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 2.5)
+        @Description(
+            "LINES: distance ahead within which an existing line is seen; one that is not seen there is doubted.")
         double doubtReach,
-    @Variable(
-            unit = "deg",
-            min = 0,
-            max = 360,
-            ifAbsent = 50,
-            text = "LINES: width of the sector ahead in which lines are doubted.")
+    @Variable(unit = "deg", min = 0, max = 360, ifAbsent = 50)
+        @Description("LINES: width of the sector ahead in which lines are doubted.")
         double doubtAngle,
-    @Variable(
-            unit = "m",
-            min = 1,
-            max = 1000,
-            ifAbsent = 15,
-            text = "LINES: distance from the vehicle up to which lines are published.")
+    @Variable(unit = "m", min = 1, max = 1000, ifAbsent = 15)
+        @Description("LINES: distance from the vehicle up to which lines are published.")
         double lineReach,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 10,
-            ifAbsent = 0,
-            text =
-                "LINES: nothing that closes a gap comes nearer to the vehicle's reference point,"
-                    + " as it would not stand there: about half its width.")
+    @Variable(unit = "m", min = 0, max = 10, ifAbsent = 0)
+        @Description(
+            "LINES: nothing that closes a gap comes nearer to the vehicle's reference point, as it would not stand there: about half its width.")
         double clearOfVehicle,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 1000,
-            ifAbsent = 0,
-            text =
-                "LINES: how far behind what a scanner sees a camera does not see the ground: what"
-                    + " looks like a line there is part of what stands before it.")
+    @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 0)
+        @Description(
+            "LINES: how far behind what a scanner sees a camera does not see the ground: what looks like a line there is part of what stands before it.")
         double hiddenBehind,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text =
-                "LINES: reach within which a camera sees all paint; where a line ends, and the ground beyond was seen as far as JOIN GAP, no continuation is assumed; 0: it always is.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
+        @Description(
+            "LINES: reach within which a camera sees all paint; where a line ends, and the ground beyond was seen as far as JOIN GAP, no continuation is assumed; 0: it always is.")
         double lookReach,
-    @Variable(
-            unit = "deg",
-            min = 0,
-            max = 360,
-            ifAbsent = 80,
-            text = "LINES: width of the sector ahead for LOOK REACH.")
+    @Variable(unit = "deg", min = 0, max = 360, ifAbsent = 80)
+        @Description("LINES: width of the sector ahead for LOOK REACH.")
         double lookAngle,
-    @Variable(
-            unit = "rad/s",
-            min = 0,
-            max = 100,
-            ifAbsent = 100,
-            text =
-                "LINES: pictures taken while the vehicle turns faster are not entered: rolling"
-                    + " shutters bend lines.")
+    @Variable(unit = "rad/s", min = 0, max = 100, ifAbsent = 100)
+        @Description(
+            "LINES: pictures taken while the vehicle turns faster are not entered: rolling shutters bend lines.")
         double steadyTurn) {
   Set<String> types() {
     Set<String> types = new HashSet<>();
@@ -136,7 +73,6 @@ record LineModelVariables(
     return types;
   }
 
-  /** Limits of inferred lines. */
   LineGaps.Reach reach() {
     return new LineGaps.Reach(
         joinGap, lineExtension, Math.max(laneExtension, lineExtension), laneWidth, widestLane);

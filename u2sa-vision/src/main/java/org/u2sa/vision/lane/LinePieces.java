@@ -49,7 +49,6 @@ final class LinePieces {
     this.clearM = clearM;
   }
 
-  /** All pieces so far. */
   List<ObjectDescription> all() {
     return all;
   }

@@ -31,7 +31,6 @@ final class LineSamples {
   private static final double REFUTED = 0.5; // of a sighting, if the line was seen elsewhere
   private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
 
-  /** A sample point on a line. */
   static final class Sample {
     double x;
     double y;

@@ -1,64 +1,34 @@
 package org.u2sa.vision.laser;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Settings of {@link ScanClusters}. */
 record ClusterVariables(
-    @Variable(
-            unit = "m",
-            min = 0.01,
-            max = 10,
-            ifAbsent = 0.25,
-            text = "Maximum distance between neighbouring echoes of one object.")
+    @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.25)
+        @Description("Maximum distance between neighbouring echoes of one object.")
         double gap,
-    @Variable(
-            min = 1,
-            max = 1000,
-            ifAbsent = 3,
-            text = "Minimum number of echoes of an object; fewer are noise.")
+    @Variable(min = 1, max = 1000, ifAbsent = 3)
+        @Description("Minimum number of echoes of an object; fewer are noise.")
         int minEchoes,
-    @Variable(
-            unit = "m",
-            min = 0.05,
-            max = 100,
-            ifAbsent = 1.5,
-            text =
-                "Maximum extent of an object; anything larger is a wall, which is left to the grid.")
+    @Variable(unit = "m", min = 0.05, max = 100, ifAbsent = 1.5)
+        @Description(
+            "Maximum extent of an object; anything larger is a wall, which is left to the grid.")
         double largest,
-    @Variable(
-            unit = "m",
-            min = 0.01,
-            max = 10,
-            ifAbsent = 0.05,
-            text = "Minimum radius of a fitted circle.")
+    @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.05)
+        @Description("Minimum radius of a fitted circle.")
         double minRadius,
-    @Variable(
-            unit = "m",
-            min = 0.01,
-            max = 10,
-            ifAbsent = 0.5,
-            text = "Maximum radius of a fitted circle.")
+    @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.5)
+        @Description("Maximum radius of a fitted circle.")
         double maxRadius,
-    @Variable(
-            unit = "m",
-            min = 0.001,
-            max = 1,
-            ifAbsent = 0.02,
-            text = "Standard deviation of an echo's range.")
+    @Variable(unit = "m", min = 0.001, max = 1, ifAbsent = 0.02)
+        @Description("Standard deviation of an echo's range.")
         double rangeSigma,
-    @Variable(
-            unit = "m",
-            min = -10,
-            max = 10,
-            ifAbsent = 0,
-            text = "How far below the vehicle's reference point the ground is.")
+    @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0)
+        @Description("How far below the vehicle's reference point the ground is.")
         double groundBelow,
-    @Variable(
-            unit = "m",
-            min = -10,
-            max = 10,
-            ifAbsent = 0.1,
-            text = "Height above level ground below which an echo is the ground itself.")
+    @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0.1)
+        @Description("Height above level ground below which an echo is the ground itself.")
         double lowest) {
   /**
    * @throws IllegalArgumentException if the radius range is empty

@@ -1,7 +1,9 @@
 package org.u2sa.vision.laser;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.RangeScan;
@@ -28,7 +30,6 @@ public final class ScanClusters extends EventDrivenService {
   private final AttitudeHistory attitudes = new AttitudeHistory();
   private long scans;
 
-  /** Launcher constructor. */
   public ScanClusters(ServiceContext context) {
     super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, "ScanClusters");
     settings = settings(ClusterVariables.class).get();
@@ -90,10 +91,7 @@ public final class ScanClusters extends EventDrivenService {
     return Optional.of(fit.isPresent() ? round(fit.get(), height) : around(group, extent, height));
   }
 
-  /**
-   * Whether a fit has a plausible size, a small residual, and its centre behind the echoes as seen
-   * from the vehicle.
-   */
+  /** Whether a fit has a plausible size, a small residual, and its centre behind the echoes. */
   private boolean isRound(CircleFit circle, List<Point> group) {
     Point middle = group.get(group.size() / 2);
     return circle.radius() >= settings.minRadius()
@@ -119,5 +117,69 @@ public final class ScanClusters extends EventDrivenService {
     circle.x(x).y(y).z(height);
     circle.motion().sigma(Point.of(sigma, sigma, 0.0));
     return circle;
+  }
+
+  /**
+   * Clusters the echoes of a scan by distance (Rusu, Semantic 3D Object Maps, 2009, Euclidean
+   * clustering; along the beams, since a scan is ordered). Beams without an echo between two close
+   * echoes do not split a cluster.
+   */
+  static final class Clusters {
+    private static final int BEAMS_PAST = 2; // missing beams within a cluster
+
+    private final ClusterVariables settings;
+
+    Clusters(ClusterVariables settings) {
+      this.settings = settings;
+    }
+
+    /**
+     * Clusters of echoes, as points in BODY in beam order; the last is joined to the first if the
+     * scan covers a full circle.
+     *
+     * @param isGround points to ignore as ground
+     */
+    List<List<Point>> of(RangeScan scan, Predicate<Point> isGround) {
+      Rotation frd = Rotation.nedFromFrd(-scan.phi(), scan.theta(), -scan.psi());
+      List<List<Point>> groups = new ArrayList<>();
+      List<Point> group = new ArrayList<>();
+      int past = 0;
+      for (RangeScan.Beam beam : scan.beams()) {
+        double range = beam.range().orElse(-1.0);
+        if (range < scan.minRange() || range > scan.maxRange()) {
+          past++;
+          continue;
+        }
+        Point turned = frd.times(Point.polar(-beam.angle(), 0.0, range));
+        Point point = Point.of(scan.x() + turned.x(), scan.y() - turned.y(), scan.z() + turned.z());
+        if (isGround.test(point)) {
+          past++;
+          continue;
+        }
+        if (!group.isEmpty()
+            && (past > BEAMS_PAST || !isNear(group.get(group.size() - 1), point))) {
+          groups.add(group);
+          group = new ArrayList<>();
+        }
+        group.add(point);
+        past = 0;
+      }
+      if (!group.isEmpty()) {
+        groups.add(group);
+      }
+      if (groups.size() > 1) {
+        List<Point> first = groups.get(0);
+        List<Point> last = groups.get(groups.size() - 1);
+        if (isNear(last.get(last.size() - 1), first.get(0))) {
+          groups.remove(groups.size() - 1);
+          first.addAll(0, last);
+        }
+      }
+      return groups;
+    }
+
+    private boolean isNear(Point a, Point b) {
+      return a.distanceTo(b) <= settings.gap();
+    }
   }
 }

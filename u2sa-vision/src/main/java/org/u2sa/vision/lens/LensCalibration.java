@@ -143,10 +143,7 @@ public record LensCalibration(
     return isFound ? Optional.of(new Spot(x, y)) : Optional.empty();
   }
 
-  /**
-   * Radius at depth 1 up to which the distortion is monotonic: beyond it, the polynomial folds back
-   * and would image points twice.
-   */
+  /** Radius at depth 1 up to which the distortion is monotonic and images no point twice. */
   public double reach() {
     double last = 0.0;
     for (double r = STEP; r <= WIDEST; r += STEP) {

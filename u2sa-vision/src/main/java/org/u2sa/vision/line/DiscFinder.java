@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
+import org.u2sa.vision.line.PaintFinder.PaintedDisc;
 import org.u2sa.vision.picture.Shades;
 
 /**
@@ -45,10 +46,7 @@ final class DiscFinder {
     return discs;
   }
 
-  /**
-   * Whether the centre is brighter and paler than the patches on four sides, at least two of them
-   * visible.
-   */
+  /** Whether the centre is brighter and paler than its four sides, of which two must be visible. */
   private boolean looksLike(PaintMap map, int row, int column) {
     int inner = (int) Math.round(0.5 * radiusM / area.cellM());
     double middle = mean(map.sums(), row, column, inner);

@@ -9,6 +9,8 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
+import org.u2sa.vision.line.PaintFinder.PaintSettings;
+import org.u2sa.vision.line.PaintFinder.PaintedLine;
 
 /**
  * Traces paint from its strongest spots, step by step in both directions and across gaps: curves of

@@ -1,6 +1,7 @@
 package org.u2sa.vision.line;
 
 import java.util.List;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.ground.TopView;
 
@@ -10,7 +11,6 @@ public final class PaintFinder {
   private final LineTracer tracer;
   private final DiscFinder discs;
 
-  /** Detections. */
   public record Paint(List<PaintedLine> lines, List<PaintedDisc> discs) {}
 
   /**
@@ -28,11 +28,52 @@ public final class PaintFinder {
     return new Paint(tracer.trace(map, top, view), discs.find(map, top, view));
   }
 
-  /**
-   * Paint strength of each cell in the last view, 0 for none; unsigned, row-major from the nearest
-   * row. For display.
-   */
+  /** Paint strength of each cell in the last view, 0 for none; unsigned, nearest row first. */
   public byte[] strength() {
     return map.strength();
   }
+
+  /**
+   * A white disc on the ground, IGVC's pothole marking.
+   *
+   * @param centre LEVEL
+   * @param radiusM radius of a disc of equal area [m]
+   */
+  public record PaintedDisc(Point centre, double radiusM) {}
+
+  /**
+   * A visible piece of a painted line.
+   *
+   * @param points centre line, LEVEL, in order; at least two
+   * @param support share of its length with visible paint, 0…1
+   */
+  public record PaintedLine(List<Point> points, double support) {
+    /** Length along the points [m]. */
+    public double lengthM() {
+      double length = 0.0;
+      for (int i = 1; i < points.size(); i++) {
+        length += points.get(i).distanceTo(points.get(i - 1));
+      }
+      return length;
+    }
+  }
+
+  /**
+   * Criteria for painted lines.
+   *
+   * @param widthM line width [m]; 0.0762 is 3 in
+   * @param contrast minimum contrast to the ground on both sides, as brightness ratio minus 1: 0.15
+   *     is 15 %
+   * @param noiseFactor minimum contrast in multiples of the ground's roughness
+   * @param shortestM minimum length of a line [m]
+   * @param longestGapM longest gap of worn or missing paint to bridge [m]
+   * @param pieceM maximum length of a piece; longer lines are cut [m]
+   */
+  public record PaintSettings(
+      double widthM,
+      double contrast,
+      double noiseFactor,
+      double shortestM,
+      double longestGapM,
+      double pieceM) {}
 }

@@ -2,6 +2,7 @@ package org.u2sa.vision.line;
 
 import java.util.Arrays;
 import org.u2sa.vision.ground.TopView;
+import org.u2sa.vision.line.PaintFinder.PaintSettings;
 import org.u2sa.vision.picture.Shades;
 
 /**
@@ -41,7 +42,6 @@ final class PaintMap {
     strength = new byte[area.rows() * area.columns()];
   }
 
-  /** Processes a view. */
   void look(TopView view) {
     sums.take(view.white(), view.seen());
     tints.take(view.tint(), view.seen());
@@ -147,12 +147,10 @@ final class PaintMap {
     return strength;
   }
 
-  /** Summed white shades of the last view. */
   SummedArea sums() {
     return sums;
   }
 
-  /** Summed tints of the last view. */
   SummedArea tints() {
     return tints;
   }

@@ -139,4 +139,82 @@ final class ColourPatches {
     }
     return patches;
   }
+
+  /**
+   * Bounding box of connected pixels of one colour in the image [px], inclusive.
+   *
+   * @param count number of pixels of the colour
+   */
+  record ColourPatch(ColourClass colour, int left, int top, int right, int bottom, int count) {
+    int width() {
+      return right - left + 1;
+    }
+
+    int height() {
+      return bottom - top + 1;
+    }
+
+    /** Overlap in columns, as a share of the narrower patch. */
+    double overlap(ColourPatch other) {
+      int common = Math.min(right, other.right) - Math.max(left, other.left) + 1;
+      return Math.max(0.0, (double) common / Math.min(width(), other.width()));
+    }
+
+    /** Vertical gap in rows; negative if they overlap. */
+    int rowsBetween(ColourPatch other) {
+      return Math.max(top, other.top) - Math.min(bottom, other.bottom) - 1;
+    }
+
+    ColourPatch with(ColourPatch other) {
+      return new ColourPatch(
+          colour,
+          Math.min(left, other.left),
+          Math.min(top, other.top),
+          Math.max(right, other.right),
+          Math.max(bottom, other.bottom),
+          count + other.count);
+    }
+  }
+
+  /** Colours that identify objects on a course. The ordinal is the class number. */
+  enum ColourClass {
+    OTHER,
+    /** Of barrels and sawhorses. */
+    ORANGE,
+    /** Of flags. */
+    RED,
+    /** Of flags. */
+    BLUE;
+
+    private static final double DARKEST = 35.0; // brightness below which hue is noise
+
+    /**
+     * The class of a colour by hue and saturation (Smith, Color gamut transform pairs, SIGGRAPH
+     * 1978), which are largely independent of illumination.
+     *
+     * @param red 0…255, like blue and green
+     */
+    static ColourClass of(double red, double green, double blue) {
+      double most = Math.max(red, Math.max(green, blue));
+      double least = Math.min(red, Math.min(green, blue));
+      if (most < DARKEST) {
+        return OTHER;
+      }
+      double range = most - least;
+      double saturation = range / most;
+      if (most == red) {
+        double hue =
+            60.0 * (green - blue) / Math.max(1.0, range); // [deg], -60 magenta to 60 yellow
+        if (hue >= 9.0 && hue <= 38.0 && saturation >= 0.55) {
+          return ORANGE;
+        }
+        return hue > -25.0 && hue < 9.0 && saturation >= 0.55 ? RED : OTHER;
+      }
+      if (most == blue) {
+        double hue = 240.0 + 60.0 * (red - green) / Math.max(1.0, range);
+        return hue >= 215.0 && hue <= 262.0 && saturation >= 0.5 ? BLUE : OTHER;
+      }
+      return OTHER;
+    }
+  }
 }

@@ -10,6 +10,8 @@ import org.u2sa.device.port.CameraFrame;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.vision.ground.GroundSigma;
 import org.u2sa.vision.ground.GroundView;
+import org.u2sa.vision.object.ColourPatches.ColourClass;
+import org.u2sa.vision.object.ColourPatches.ColourPatch;
 
 /**
  * Detects barrels, sawhorses and flags by colour and size, and locates them by the pixel where they
@@ -88,10 +90,7 @@ public final class ObjectFinder {
     }
   }
 
-  /**
-   * Merges the stripes of a plank into one patch, then the bands of a barrel and the planks of a
-   * trestle.
-   */
+  /** Merges the stripes of a plank, then the bands of a barrel and the planks of a trestle. */
   private static List<ColourPatch> joined(List<ColourPatch> single) {
     return joined(joined(single, ObjectFinder::areStripes), ObjectFinder::areBands);
   }
@@ -328,9 +327,7 @@ public final class ObjectFinder {
         .orElse(RangeEstimate.UNKNOWN);
   }
 
-  /**
-   * Distance from the apparent height; off-axis barrels lean in the image but keep their height.
-   */
+  /** Distance from the apparent height; off-axis barrels lean in the image but keep theirs. */
   private static RangeEstimate byHeight(
       double heightM, ColourPatch patch, double middle, GroundView view) {
     Optional<Point> top = view.ray(middle, patch.top() - 0.5);

@@ -21,10 +21,7 @@ record RangeEstimate(double range, double sigma) {
         || Math.abs(range - other.range) <= DISAGREE * Math.hypot(sigma, other.sigma);
   }
 
-  /**
-   * Inverse-variance fusion of both; if they disagree, this one with its uncertainty increased by
-   * half the difference.
-   */
+  /** Inverse-variance fusion; if they disagree, this one, less certain by half the difference. */
   RangeEstimate with(RangeEstimate other) {
     if (!other.isKnown()) {
       return this;

@@ -43,10 +43,7 @@ final class EntropyWriter {
     }
   }
 
-  /**
-   * Writes the run of zeros and the size as a symbol, then the number's bits (minus one if
-   * negative).
-   */
+  /** Writes zeros and size as a symbol, then the number's bits, minus one if negative. */
   private void number(HuffmanCode code, int zeros, int value) {
     int size = Integer.SIZE - Integer.numberOfLeadingZeros(Math.abs(value));
     symbol(code, zeros << RUN_SHIFT | size);
@@ -71,7 +68,6 @@ final class EntropyWriter {
     }
   }
 
-  /** Pads the last byte with ones. */
   void end() {
     int missing = (Byte.SIZE - count) % Byte.SIZE;
     put((1 << missing) - 1, missing);

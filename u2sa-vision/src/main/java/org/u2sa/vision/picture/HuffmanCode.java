@@ -63,14 +63,12 @@ final class HuffmanCode {
     return bytes;
   }
 
-  /** Number of codes with 1, 2, … 16 bits. */
   byte[] counts() {
-    return counts.clone();
+    return counts;
   }
 
-  /** Symbols in code order. */
   byte[] symbols() {
-    return symbols.clone();
+    return symbols;
   }
 
   int word(int symbol) {

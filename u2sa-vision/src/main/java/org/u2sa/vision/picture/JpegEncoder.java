@@ -1,6 +1,7 @@
 package org.u2sa.vision.picture;
 
 import java.io.ByteArrayOutputStream;
+import java.util.stream.IntStream;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.PixelFormat;
 
@@ -50,25 +51,30 @@ public final class JpegEncoder {
           frame + ": expected sides of at most " + LARGEST_SIDE + " pixels for JPEG");
     }
     boolean coloured = frame.format() == PixelFormat.RGB24;
+    int height = frame.height();
+    int width = frame.width();
+    int high = height >>> Byte.SIZE;
+    int wide = width >>> Byte.SIZE;
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     two(out, START);
     segment(out, APPLICATION_0, 'J', 'F', 'I', 'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0);
-    table(out, 0, luminance);
-    if (coloured) {
-      table(out, 1, chrominance);
+    segment(out, QUANTIZATION, with(0, luminance.steps()));
+    if (coloured) { // 2 x 2 luminance samples per chroma sample
+      segment(out, QUANTIZATION, with(1, chrominance.steps()));
+      segment(out, FRAME, 8, high, height, wide, width, 3, 1, 0x22, 0, 2, 0x11, 1, 3, 0x11, 1);
+    } else {
+      segment(out, FRAME, 8, high, height, wide, width, 1, 1, 0x11, 0);
     }
-    frame(out, frame, coloured);
     code(out, 0, HuffmanCode.LUMINANCE_DC);
     code(out, OTHERS_CLASS, HuffmanCode.LUMINANCE_AC);
     if (coloured) {
       code(out, 1, HuffmanCode.CHROMINANCE_DC);
       code(out, OTHERS_CLASS | 1, HuffmanCode.CHROMINANCE_AC);
       segment(out, SCAN, 3, 1, 0x00, 2, 0x11, 3, 0x11, 0, 63, 0);
-      colours(out, new PicturePlanes(frame));
     } else {
       segment(out, SCAN, 1, 1, 0x00, 0, 63, 0);
-      greys(out, new PicturePlanes(frame));
     }
+    blocks(out, frame, coloured);
     two(out, END);
     return out.toByteArray();
   }
@@ -86,63 +92,36 @@ public final class JpegEncoder {
     }
   }
 
-  private static void table(ByteArrayOutputStream out, int number, QuantizationTable table) {
-    int[] content = new int[1 + CosineTransform.SAMPLES];
-    content[0] = number;
-    for (int i = 0; i < CosineTransform.SAMPLES; i++) {
-      content[1 + i] = table.step(i);
-    }
-    segment(out, QUANTIZATION, content);
-  }
-
-  private static void frame(ByteArrayOutputStream out, CameraFrame frame, boolean coloured) {
-    int height = frame.height();
-    int width = frame.width();
-    int high = height >>> Byte.SIZE;
-    int wide = width >>> Byte.SIZE;
-    if (coloured) { // 2 x 2 luminance samples per chroma sample
-      segment(out, FRAME, 8, high, height, wide, width, 3, 1, 0x22, 0, 2, 0x11, 1, 3, 0x11, 1);
-    } else {
-      segment(out, FRAME, 8, high, height, wide, width, 1, 1, 0x11, 0);
-    }
+  private static int[] with(int first, int... others) {
+    return IntStream.concat(IntStream.of(first), IntStream.of(others)).toArray();
   }
 
   private static void code(ByteArrayOutputStream out, int which, HuffmanCode code) {
-    byte[] counts = code.counts();
-    byte[] symbols = code.symbols();
-    int[] content = new int[1 + counts.length + symbols.length];
-    content[0] = which;
-    for (int i = 0; i < counts.length; i++) {
-      content[1 + i] = counts[i];
-    }
-    for (int i = 0; i < symbols.length; i++) {
-      content[1 + counts.length + i] = symbols[i];
-    }
-    segment(out, HUFFMAN, content);
+    two(out, HUFFMAN);
+    two(out, 3 + code.counts().length + code.symbols().length);
+    out.write(which);
+    out.write(code.counts(), 0, code.counts().length);
+    out.write(code.symbols(), 0, code.symbols().length);
   }
 
-  private void greys(ByteArrayOutputStream out, PicturePlanes planes) {
-    EntropyWriter writer = new EntropyWriter(out);
-    int last = 0;
-    for (int row = 0; row < planes.height(); row += CosineTransform.SIDE) {
-      for (int column = 0; column < planes.width(); column += CosineTransform.SIDE) {
-        last = brightness(writer, planes, row, column, last);
-      }
-    }
-    writer.end();
-  }
-
-  private void colours(ByteArrayOutputStream out, PicturePlanes planes) {
+  /** Writes luminance blocks; those of colours by twos in both directions, then the chroma's. */
+  private void blocks(ByteArrayOutputStream out, CameraFrame frame, boolean coloured) {
+    PicturePlanes planes = new PicturePlanes(frame);
     EntropyWriter writer = new EntropyWriter(out);
     int side = CosineTransform.SIDE;
+    int unit = coloured ? 2 * side : side;
     int last = 0;
-    int[] lastColours = new int[2];
-    for (int row = 0; row < planes.height(); row += 2 * side) {
-      for (int column = 0; column < planes.width(); column += 2 * side) {
-        last = brightness(writer, planes, row, column, last);
-        last = brightness(writer, planes, row, column + side, last);
-        last = brightness(writer, planes, row + side, column, last);
-        last = brightness(writer, planes, row + side, column + side, last);
+    int[] lastColours = new int[coloured ? 2 : 0];
+    for (int row = 0; row < frame.height(); row += unit) {
+      for (int column = 0; column < frame.width(); column += unit) {
+        for (int y = row; y < row + unit; y += side) {
+          for (int x = column; x < column + unit; x += side) {
+            planes.brightness(y, x, samples);
+            quantize(luminance);
+            writer.block(coefficients, last, HuffmanCode.LUMINANCE_DC, HuffmanCode.LUMINANCE_AC);
+            last = coefficients[0];
+          }
+        }
         for (int colour = 0; colour < lastColours.length; colour++) {
           planes.colour(colour, row, column, samples);
           quantize(chrominance);
@@ -156,15 +135,6 @@ public final class JpegEncoder {
       }
     }
     writer.end();
-  }
-
-  /** Writes a luminance block; returns its DC coefficient. */
-  private int brightness(
-      EntropyWriter writer, PicturePlanes planes, int row, int column, int last) {
-    planes.brightness(row, column, samples);
-    quantize(luminance);
-    writer.block(coefficients, last, HuffmanCode.LUMINANCE_DC, HuffmanCode.LUMINANCE_AC);
-    return coefficients[0];
   }
 
   private void quantize(QuantizationTable table) {

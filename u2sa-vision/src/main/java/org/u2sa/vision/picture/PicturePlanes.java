@@ -21,14 +21,6 @@ final class PicturePlanes {
     bytesPerPixel = frame.format().bytesPerPixel();
   }
 
-  int width() {
-    return frame.width();
-  }
-
-  int height() {
-    return frame.height();
-  }
-
   /** Luminance of the block with this upper left pixel. */
   void brightness(int row, int column, double[] samples) {
     boolean grey = frame.format() == PixelFormat.GREY8;

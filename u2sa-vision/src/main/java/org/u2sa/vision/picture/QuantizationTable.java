@@ -67,9 +67,9 @@ final class QuantizationTable {
     return places;
   }
 
-  /** Step of a frequency by its zigzag index: 1…255. */
-  int step(int index) {
-    return steps[index];
+  /** Steps in zigzag order, each 1…255. */
+  int[] steps() {
+    return steps;
   }
 
   /**

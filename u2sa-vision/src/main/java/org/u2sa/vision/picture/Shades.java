@@ -21,7 +21,6 @@ public final class Shades {
   private int width;
   private int height;
 
-  /** Creates an empty buffer. */
   public Shades() {
     for (int i = 0; i < log.length; i++) {
       log[i] = (byte) Math.round(OCTAVE * Math.log((i + DARK) / DARK) / Math.log(2.0));

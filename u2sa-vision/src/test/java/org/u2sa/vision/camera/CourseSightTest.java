@@ -17,7 +17,7 @@ import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.vision.ground.GroundView;
 import org.u2sa.vision.lens.LensCalibration;
-import org.u2sa.vision.line.PaintedLine;
+import org.u2sa.vision.line.PaintFinder.PaintedLine;
 import org.u2sa.vision.object.ObjectKind;
 import org.u2sa.vision.object.SeenObject;
 

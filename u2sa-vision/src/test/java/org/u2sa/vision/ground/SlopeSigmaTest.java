@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.u2sa.vision.ground.GroundSigma.SlopeSigma;
 
 class SlopeSigmaTest {
   private static final double ABOVE = 0.035;

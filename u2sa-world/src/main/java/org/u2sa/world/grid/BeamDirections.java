@@ -44,12 +44,10 @@ public final class BeamDirections {
     }
   }
 
-  /** Cosine of the direction of a beam. */
   public double cos(int beam) {
     return cos[beam];
   }
 
-  /** Sine of the direction of a beam. */
   public double sin(int beam) {
     return sin[beam];
   }

@@ -90,10 +90,7 @@ final class FreeRanges {
     }
   }
 
-  /**
-   * Inverse distance from the scanner of the line between the ends of a beam and the previous one;
-   * 0 if they cannot lie on one surface.
-   */
+  /** Inverse distance of the line from the previous beam's end; 0: not one surface. */
   private double slant(int beam) {
     double one = ends[beam - 1];
     double two = ends[beam];

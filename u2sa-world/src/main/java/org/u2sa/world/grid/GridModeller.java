@@ -2,6 +2,7 @@ package org.u2sa.world.grid;
 
 import java.util.Optional;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.OccupancyGrid;
@@ -18,58 +19,33 @@ import org.u2sa.world.modeller.Sighting;
  * unknown, the grid covers the latest scans only.
  */
 public final class GridModeller implements Modeller {
-  /** Variables of the grid. */
   public record Variables(
-      @Variable(
-              unit = "m",
-              min = 0.01,
-              max = 100,
-              ifAbsent = 0.1,
-              text = "Side of a grid cell. A change clears the grid.")
+      @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 0.1)
+          @Description("Side of a grid cell. A change clears the grid.")
           double cellSize,
-      @Variable(
-              unit = "m",
-              min = 1,
-              max = 40_000,
-              ifAbsent = 60,
-              text = "Side of the grid around the vehicle; at most 4096 cells.")
+      @Variable(unit = "m", min = 1, max = 40_000, ifAbsent = 60)
+          @Description("Side of the grid around the vehicle; at most 4096 cells.")
           double gridSize,
-      @Variable(
-              min = 0,
-              minExcluded = true,
-              max = 6,
-              ifAbsent = 0.85,
-              text = "Log odds that a beam's end adds to its cell; 0.85 is a probability of 0.7.")
+      @Variable(min = 0, minExcluded = true, max = 6, ifAbsent = 0.85)
+          @Description("Log odds that a beam's end adds to its cell; 0.85 is a probability of 0.7.")
           double hitLogOdds,
-      @Variable(
-              min = 0,
-              minExcluded = true,
-              max = 6,
-              ifAbsent = 0.4,
-              text = "Log odds that a beam takes from the cells that it passes; 0.4 is 0.4.")
+      @Variable(min = 0, minExcluded = true, max = 6, ifAbsent = 0.4)
+          @Description("Log odds that a beam takes from the cells that it passes; 0.4 is 0.4.")
           double missLogOdds,
-      @Variable(
-              unit = "m",
-              ifAbsent = -0.1,
-              text =
-                  "Height relative to the vehicle's reference point below which an echo is the ground.")
+      @Variable(unit = "m", ifAbsent = -0.1)
+          @Description(
+              "Height relative to the vehicle's reference point below which an echo is the ground.")
           double lowest,
-      @Variable(
-              unit = "m",
-              ifAbsent = 2,
-              text =
-                  "Height above the reference point over which the vehicle passes under an echo.")
+      @Variable(unit = "m", ifAbsent = 2)
+          @Description(
+              "Height above the reference point over which the vehicle passes under an echo.")
           double highest,
-      @Variable(
-              unit = "m",
-              min = 0,
-              ifAbsent = 1000,
-              text =
-                  "Distance up to which a beam without an echo counts as free space, at most that of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
+      @Variable(unit = "m", min = 0, ifAbsent = 1000)
+          @Description(
+              "Distance up to which a beam without an echo counts as free space, at most that of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 
-    /** Validates the limits. */
     public Variables {
       if (gridSize / cellSize > MAX_CELLS) {
         throw new IllegalArgumentException(
@@ -103,12 +79,10 @@ public final class GridModeller implements Modeller {
   private long beams;
   private boolean fresh; // in BODY: published since the last scan, so reset next
 
-  /** Creates an empty grid. */
   public GridModeller(Configurator configuration) {
     settings = configuration.settings(Variables.class);
   }
 
-  /** Grid for the current configuration. */
   private void prepare() {
     if (!settings.get().equals(tuning)) {
       Variables before = tuning;

@@ -89,7 +89,6 @@ final class GridWindow {
     return resolution;
   }
 
-  /** Cells along each axis. */
   int side() {
     return side;
   }

@@ -19,9 +19,7 @@ final class MarkedCells {
     this.unchanged = unchanged;
   }
 
-  /**
-   * Marks the cell at a point, in fractional cells, unless already marked or outside the window.
-   */
+  /** Marks the cell at a point [fractional cells] if it is in the window and not yet marked. */
   void mark(double column, double row) {
     int side = window.side();
     if (!(column >= 0.0 && row >= 0.0 && column < side && row < side)) {
@@ -46,7 +44,6 @@ final class MarkedCells {
     all[cell] = LogOdds.MARK;
   }
 
-  /** Passes on each marked cell. */
   void forEach(IntConsumer action) {
     for (int i = 0; i < count; i++) {
       action.accept(cells[i]);

@@ -27,9 +27,6 @@ final class PolygonFill {
   private int low;
   private int high;
 
-  /**
-   * @param side columns and rows of the raster
-   */
   PolygonFill(int side) {
     this.side = side;
     first = new int[side];
@@ -96,9 +93,7 @@ final class PolygonFill {
     begin();
   }
 
-  /**
-   * Sorts a row's crossings from left to right and removes them from the row; returns their number.
-   */
+  /** Sorts a row's crossings from left to right, removes them and returns their number. */
   private int sort(int row) {
     int n = 0;
     for (int k = first[row]; k != NONE; k = next[k]) {

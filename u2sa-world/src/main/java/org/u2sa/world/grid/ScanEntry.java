@@ -98,15 +98,11 @@ public final class ScanEntry {
     return beams;
   }
 
-  /** Number of scanners remembered. */
   int scanners() {
     return scanners.size();
   }
 
-  /**
-   * Updates a span of cells that beams passed. Most are at their minimum already and stay
-   * unchanged.
-   */
+  /** Updates a span of cells that beams passed; most are at their minimum and stay there. */
   private void pass(int row, int from, int to) {
     byte[] cells = window.cells();
     byte[] passed = odds.passed();
@@ -189,9 +185,7 @@ public final class ScanEntry {
       }
     }
 
-    /**
-     * Outlines the free space between the beams, and marks the free cells along them farther away.
-     */
+    /** Outlines the free space between the beams, and marks the free cells along them beyond. */
     void enterFree() {
       double lastX = x;
       double lastY = y;

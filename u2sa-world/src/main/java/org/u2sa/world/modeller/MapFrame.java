@@ -39,7 +39,6 @@ public final class MapFrame {
         : new MapFrame(frame, Point.ORIGIN);
   }
 
-  /** Saves the frame for a successor. */
   public void handOver(HandOver state) {
     state
         .text("MAP FRAME", frame.name())
@@ -62,7 +61,6 @@ public final class MapFrame {
                         state.number("ANCHOR Z").orElse(0.0))));
   }
 
-  /** Reference frame of the map. */
   public ReferenceFrame frame() {
     return frame;
   }

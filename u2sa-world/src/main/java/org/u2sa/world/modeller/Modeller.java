@@ -20,7 +20,6 @@ public interface Modeller {
    */
   default void objects(List<ObjectDescription> seen, Sighting sighting) {}
 
-  /** Processes one scan. */
   default void scan(RangeScan scan, ScanPoses poses) {}
 
   /**

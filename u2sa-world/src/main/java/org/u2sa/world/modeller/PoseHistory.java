@@ -44,7 +44,6 @@ public final class PoseHistory {
     return true;
   }
 
-  /** Newest state; empty before the first. */
   public Optional<StateInformation> newest() {
     return states.isEmpty() ? Optional.empty() : Optional.of(states.lastEntry().getValue());
   }

@@ -7,28 +7,14 @@ import org.u2sa.messages.StateInformation;
 /**
  * Vehicle poses during one scan: states at the times of the first and last beam, interpolated in
  * between.
+ *
+ * @param first sighting at the time of the first beam
+ * @param last state at the time of the last beam; empty: same as at the first
  */
-public final class ScanPoses {
-  private final Sighting first;
-  private final Optional<StateInformation> last;
-
-  /**
-   * @param first sighting at the time of the first beam
-   * @param last state at the time of the last beam; empty: same as at the first
-   */
-  public ScanPoses(Sighting first, Optional<StateInformation> last) {
-    this.first = first;
-    this.last = last;
-  }
-
+public record ScanPoses(Sighting first, Optional<StateInformation> last) {
   /** Poses of a scan by a stationary vehicle, or with simultaneous beams. */
   public static ScanPoses still(Sighting sighting) {
     return new ScanPoses(sighting, Optional.empty());
-  }
-
-  /** Sighting at the time of the first beam. */
-  public Sighting first() {
-    return first;
   }
 
   /** Sensor pose at a fraction [0…1] of the scan. */
@@ -40,7 +26,6 @@ public final class ScanPoses {
     return SensorPose.of(scan, first.frame(), vehicle);
   }
 
-  /** Whether the vehicle moved during the scan. */
   public boolean moved() {
     return last.isPresent();
   }

@@ -54,7 +54,6 @@ public record SensorPose(Point place, Point vehicle, Point ahead, Point aside) {
     return Point.of(frd.x(), -frd.y(), frd.z());
   }
 
-  /** End point of a beam. */
   public Point at(double angle, double range) {
     double cos = range * Math.cos(angle);
     double sin = range * Math.sin(angle);

@@ -70,7 +70,6 @@ final class BeamEnds {
     return count;
   }
 
-  /** Whether a beam hit an obstacle. */
   boolean isEcho(int beam) {
     return echoes[beam];
   }

@@ -10,7 +10,6 @@ import org.u2sa.messages.frame.Point;
 final class MappedObject {
   /** Origin of an object. */
   enum Source {
-    /** The world file. */
     FILE,
     /** A sensor that detects objects. */
     SENSOR,
@@ -248,7 +247,6 @@ final class MappedObject {
     return confirmed;
   }
 
-  /** Whether it has ever moved. */
   boolean hasMoved() {
     return moved;
   }

@@ -60,10 +60,7 @@ final class MovingEchoes {
   private final BeamEnds ends = new BeamEnds();
   private int found;
 
-  /**
-   * Objects in a scan that move or moved recently, in the map's frame; scans must arrive in order
-   * of measurement.
-   */
+  /** Objects of a scan that move or moved recently, in the map's frame; scans come in order. */
   List<ObjectDescription> of(RangeScan scan, ScanPoses poses, ScanEntry.Band band) {
     MapFrame map = poses.first().frame();
     long micros = poses.first().micros();

@@ -51,7 +51,6 @@ public final class ObjectMapModeller implements Modeller {
   private long absurd;
   private long tooLong;
 
-  /** Creates an empty map. */
   public ObjectMapModeller(Configurator configuration) {
     settings = configuration.settings(ObjectMapVariables.class);
     heights = configuration.settings(GridModeller.Variables.class);
@@ -307,20 +306,10 @@ public final class ObjectMapModeller implements Modeller {
   public String remark() {
     long confirmed = tracks.stream().filter(MappedObject::isConfirmed).count();
     long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
-    return tracks.size()
-        + " objects, "
-        + confirmed
-        + " confirmed, "
-        + moving
-        + " moving, "
-        + sightings
-        + " sightings, "
-        + unplaced
-        + " without a way into "
-        + frame.frame()
-        + ", "
-        + misread
-        + " of a name in the wrong place"
+    return String.format(
+            "%s objects, %s confirmed, %s moving, %s sightings, %s without a way into %s, %s of a"
+                + " name in the wrong place",
+            tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread)
         + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values")
         + (tooLong == 0 ? "" : ", " + tooLong + " refused for their length");
   }

@@ -3,146 +3,90 @@ package org.u2sa.world.object;
 import java.util.Arrays;
 import java.util.Set;
 import java.util.TreeSet;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Variables of the {@link ObjectMapModeller}. */
 record ObjectMapVariables(
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "OBJECTS: types that other modellers keep, such as painted lines, separated by commas: they are not mapped.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "OBJECTS: types that other modellers keep, such as painted lines, separated by commas: they are not mapped.")
         String unmappedTypes,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "OBJECTS: types of objects flat on the ground, such as potholes, separated by commas. A camera cannot see them behind an object that a scanner sees; a sighting there is part of that object.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "OBJECTS: types of objects flat on the ground, such as potholes, separated by commas. A camera cannot see them behind an object that a scanner sees; a sighting there is part of that object.")
         String flatTypes,
-    @Variable(
-            unit = "m",
-            min = 0.001,
-            max = 10_000,
-            ifAbsent = 0.3,
-            text = "OBJECTS: standard deviation of a sighting that states none.")
+    @Variable(unit = "m", min = 0.001, max = 10_000, ifAbsent = 0.3)
+        @Description("OBJECTS: standard deviation of a sighting that states none.")
         double defaultSigma,
-    @Variable(
-            min = 1,
-            max = 100,
-            ifAbsent = 4,
-            text =
-                "OBJECTS: distance, in standard deviations of sighting and object together, beyond which a sighting is of something else.")
+    @Variable(min = 1, max = 100, ifAbsent = 4)
+        @Description(
+            "OBJECTS: distance, in standard deviations of sighting and object together, beyond which a sighting is of something else.")
         double gate,
-    @Variable(
-            ifAbsentText = "false",
-            text =
-                "OBJECTS: whether UIDs of sensors identify objects: the same UID always means the same object, another UID another object.")
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "OBJECTS: whether UIDs of sensors identify objects: the same UID always means the same object, another UID another object.")
         boolean trustUids,
-    @Variable(
-            min = 1,
-            max = 31,
-            ifAbsent = 3,
-            text = "OBJECTS: sightings out of CONFIRM WINDOW that make an object certain.")
+    @Variable(min = 1, max = 31, ifAbsent = 3)
+        @Description("OBJECTS: sightings out of CONFIRM WINDOW that make an object certain.")
         int confirmHits,
-    @Variable(
-            min = 1,
-            max = 31,
-            ifAbsent = 5,
-            text =
-                "OBJECTS: occasions to see an object, of which CONFIRM HITS must have been used, or it is dropped.")
+    @Variable(min = 1, max = 31, ifAbsent = 5)
+        @Description(
+            "OBJECTS: occasions to see an object, of which CONFIRM HITS must have been used, or it is dropped.")
         int confirmWindow,
-    @Variable(
-            min = 0.1,
-            max = 0.999,
-            ifAbsent = 0.9,
-            text =
-                "OBJECTS: probability that a sensor detects an object in its field of view; the higher, the sooner an unseen object there is dropped.")
+    @Variable(min = 0.1, max = 0.999, ifAbsent = 0.9)
+        @Description(
+            "OBJECTS: probability that a sensor detects an object in its field of view; the higher, the sooner an unseen object there is dropped.")
         double detectionProbability,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "OBJECTS: what sensors of objects see, such as Camera: 60 deg, 8 m; Radar: 120 deg, 150 m, 90 deg (width, reach, direction to the left). Without an entry a sensor that does not see an object says nothing against it.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "OBJECTS: what sensors of objects see, such as Camera: 60 deg, 8 m; Radar: 120 deg, 150 m, 90 deg (width, reach, direction to the left). Without an entry a sensor that does not see an object says nothing against it.")
         String fieldsOfView,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "OBJECTS: types of objects that scanners see, separated by commas, * for all: a scan through the place of such an object speaks against it.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "OBJECTS: types of objects that scanners see, separated by commas, * for all: a scan through the place of such an object speaks against it.")
         String scannersSee,
-    @Variable(
-            ifAbsentText = "true",
-            text =
-                "OBJECTS: whether echoes of scanners where earlier scans saw that nothing is are followed, and published once they are known to move.")
+    @Variable(ifAbsentText = "true")
+        @Description(
+            "OBJECTS: whether echoes of scanners where earlier scans saw that nothing is are followed, and published once they are known to move.")
         boolean moversInScans,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            max = 1000,
-            ifAbsent = 5,
-            text = "OBJECTS: usual speed of moving objects, 1 sigma; 0: nothing moves.")
+    @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 5)
+        @Description("OBJECTS: usual speed of moving objects, 1 sigma; 0: nothing moves.")
         double usualSpeed,
-    @Variable(
-            ifAbsentText = "*",
-            text =
-                "OBJECTS: types of objects that can move, separated by commas; * for all. What is of no known type always can.")
+    @Variable(ifAbsentText = "*")
+        @Description(
+            "OBJECTS: types of objects that can move, separated by commas; * for all. What is of no known type always can.")
         String movers,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            max = 100,
-            ifAbsent = 1,
-            text = "OBJECTS: acceleration of moving objects, in speed or direction, 1 sigma.")
+    @Variable(unit = "m/s^2", min = 0, max = 100, ifAbsent = 1)
+        @Description("OBJECTS: acceleration of moving objects, in speed or direction, 1 sigma.")
         double manoeuvres,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100,
-            ifAbsent = 0.05,
-            text =
-                "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
+    @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.05)
+        @Description(
+            "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
         double systematicSigma,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 5,
-            text = "OBJECTS: time after which an unseen moving object is dropped; 0: never.")
+    @Variable(unit = "s", min = 0, ifAbsent = 5)
+        @Description("OBJECTS: time after which an unseen moving object is dropped; 0: never.")
         double forgetMoving,
-    @Variable(
-            unit = "s",
-            min = 0,
-            ifAbsent = 0,
-            text = "OBJECTS: time after which an unseen stationary object is dropped; 0: never.")
+    @Variable(unit = "s", min = 0, ifAbsent = 0)
+        @Description("OBJECTS: time after which an unseen stationary object is dropped; 0: never.")
         double forgetStanding,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 10_000,
-            ifAbsent = 0.5,
-            text = "OBJECTS: distance within which two alike objects are merged.")
+    @Variable(unit = "m", min = 0, max = 10_000, ifAbsent = 0.5)
+        @Description("OBJECTS: distance within which two alike objects are merged.")
         double mergeWithin,
-    @Variable(
-            unit = "m",
-            min = 0,
-            max = 100_000,
-            ifAbsent = 1,
-            text =
-                "OBJECTS: distance to keep from a moving object, added to its own radius in the moving sphere.")
+    @Variable(unit = "m", min = 0, max = 100_000, ifAbsent = 1)
+        @Description(
+            "OBJECTS: distance to keep from a moving object, added to its own radius in the moving sphere.")
         double buffer,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 3600,
-            ifAbsent = 10,
-            text = "OBJECTS: time ahead for which the motion of an object is predicted.")
+    @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
+        @Description("OBJECTS: time ahead for which the motion of an object is predicted.")
         double horizon,
-    @Variable(
-            ifAbsentText = "false",
-            text =
-                "OBJECTS: whether objects of the world file are dropped too when they are not seen where they should be.")
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "OBJECTS: whether objects of the world file are dropped too when they are not seen where they should be.")
         boolean doubtFile,
-    @Variable(
-            min = 1,
-            max = 100_000,
-            ifAbsent = 1000,
-            text =
-                "OBJECTS: maximum number of objects besides those of WORLD; the least certain are dropped.")
+    @Variable(min = 1, max = 100_000, ifAbsent = 1000)
+        @Description(
+            "OBJECTS: maximum number of objects besides those of WORLD; the least certain are dropped.")
         int maxObjects) {
   ObjectMapVariables {
     if (confirmHits > confirmWindow) {
@@ -152,13 +96,11 @@ record ObjectMapVariables(
     FieldOfView.parse(fieldsOfView);
   }
 
-  /** Motion assumptions for an object type. */
   TrackFilter.Assumptions assumptions(String type) {
     boolean moves = type.isEmpty() || names(movers, type);
     return new TrackFilter.Assumptions(moves ? usualSpeed : 0.0, manoeuvres, systematicSigma);
   }
 
-  /** Whether scanners see objects of that type. */
   boolean scannerSees(String type) {
     return names(scannersSee, type);
   }

@@ -17,9 +17,6 @@ final class Panorama {
   private final double slopeY;
   private final float[] free = new float[SECTORS]; // [m]; 0 without a beam
 
-  /**
-   * @param pose pose of the scanner at mid-scan
-   */
   Panorama(BeamEnds ends, SensorPose pose, long micros) {
     this.micros = micros;
     from = pose.place();

@@ -9,17 +9,8 @@ import java.util.List;
  * minimum total distance. Groups without common candidates are solved separately, so that the cost
  * of a hundred objects is little more than a hundred times that of one.
  */
-final class SightingMatch {
-  /** No object. */
+record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
   static final int NONE = -1;
-
-  private final List<MappedObject> tracks;
-  private final ObjectMapVariables settings;
-
-  SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
-    this.tracks = tracks;
-    this.settings = settings;
-  }
 
   /** Index of each sighting's object in the list of tracks, or {@link #NONE}. */
   int[] of(List<Detection> detections) {

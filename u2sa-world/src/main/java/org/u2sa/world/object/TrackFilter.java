@@ -104,10 +104,7 @@ final class TrackFilter {
     seenAt = standing.place();
   }
 
-  /**
-   * Squared Mahalanobis distance of a measurement from the prediction, by the model that explains
-   * it best.
-   */
+  /** Squared Mahalanobis distance of a measurement from the best explaining model's prediction. */
   double distance(Point place, Point sigma) {
     double least = Double.POSITIVE_INFINITY;
     for (MotionHypothesis each : all) {
@@ -129,7 +126,6 @@ final class TrackFilter {
     return least;
   }
 
-  /** Updates with a measurement. */
   void update(Point place, Point sigma, Optional<Point> velocity, OptionalDouble velocitySigma) {
     weigh(place, sigma);
     standing.update(place, sigma);
@@ -171,7 +167,6 @@ final class TrackFilter {
     }
   }
 
-  /** Probability that it moves. */
   private double chance() {
     return steady.chance() + turning.chance();
   }

@@ -11,7 +11,6 @@ import org.u2sa.world.modeller.MapFrame;
 final class TrackReport {
   private static final double STEP_S = 1.0;
 
-  /** Creates the published message of a track. */
   ObjectDescription of(
       MappedObject track, MapFrame frame, ObjectMapVariables settings, long micros) {
     ObjectDescription object =

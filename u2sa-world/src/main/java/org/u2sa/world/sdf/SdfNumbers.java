@@ -42,7 +42,6 @@ final class SdfNumbers {
     return value;
   }
 
-  /** A required child. */
   static XmlElement required(XmlElement parent, String name) {
     return parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
   }

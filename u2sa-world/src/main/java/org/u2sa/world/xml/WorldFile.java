@@ -59,7 +59,6 @@ public final class WorldFile {
     return parse(XmlReader.read(file, "world"), types);
   }
 
-  /** Parses an element {@code <world>}. */
   public static WorldFile parse(XmlElement root, MessageTypes types) {
     root.refuseUnknownAttributes();
     ReferenceFrame frame =

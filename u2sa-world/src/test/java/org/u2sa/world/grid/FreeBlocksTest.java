@@ -13,6 +13,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.grid.BeamTrace.FreeBlocks;
 import org.u2sa.world.modeller.MapFrame;
 import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.Sighting;

@@ -1,9 +1,9 @@
 package org.u2sa.core.communication.access;
 
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.u2sa.core.communication.limit.RecentlyUsed;
 
 /**
  * Which sender runs the Health Monitor of a system: the first that publishes conditions, until
@@ -16,15 +16,7 @@ final class HealthMonitors {
   private static final int MAX_SYSTEMS = 1_024; // of others; the one unused for longest is dropped
 
   private final Set<String> ofVehicle = ConcurrentHashMap.newKeySet(); // system IDs
-  private final Map<String, Speaker> ofOthers =
-      new LinkedHashMap<>(16, 0.75f, true) { // by system ID
-        private static final long serialVersionUID = 1L;
-
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<String, Speaker> eldest) {
-          return size() > MAX_SYSTEMS;
-        }
-      };
+  private final Map<String, Speaker> ofOthers = new RecentlyUsed<>(MAX_SYSTEMS); // by system ID
 
   /** Notes a condition published by the vehicle. Thread-safe. */
   void hearVehicle(String systemId) {

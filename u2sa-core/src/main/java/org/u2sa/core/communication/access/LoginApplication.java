@@ -40,7 +40,6 @@ public record LoginApplication(
     this(name, password, SourceNetwork.of(from), answer);
   }
 
-  /** Key of name and address. */
   String key() {
     return from + " " + name;
   }

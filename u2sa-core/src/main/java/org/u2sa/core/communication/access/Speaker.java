@@ -45,7 +45,6 @@ public final class Speaker {
         || nowMicros - holder.spokeMicros > SILENT_MICROS;
   }
 
-  /** Keys of the names that it holds. */
   Set<String> held() {
     return held;
   }

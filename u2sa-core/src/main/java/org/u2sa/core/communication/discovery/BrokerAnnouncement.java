@@ -94,10 +94,9 @@ public final class BrokerAnnouncement implements AutoCloseable {
       dns.registerService(ServiceInfo.create(TYPE, "u2sa-" + systemId, port, 0, 0, properties));
     } catch (IOException | RuntimeException e) { // the latter e.g. when closed concurrently
       log.accept(
-          "the broker is not announced by mDNS through "
-              + address.getHostAddress()
-              + ": "
-              + e.getMessage());
+          String.format(
+              "the broker is not announced by mDNS through %s: %s",
+              address.getHostAddress(), e.getMessage()));
     }
   }
 

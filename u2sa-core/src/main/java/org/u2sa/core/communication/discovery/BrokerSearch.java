@@ -67,20 +67,16 @@ public final class BrokerSearch implements ServiceListener {
     String whose = systemId.map(id -> " of system \"" + id + "\"").orElse("");
     if (wanted.isEmpty()) {
       throw new CommunicationException(
-          "no broker"
-              + whose
-              + " announced itself by mDNS within "
-              + timeoutS
-              + " s"
-              + (all.isEmpty() ? "" : "; found: " + text(all))
-              + "; does it listen to this network, and is it running? Its address can be named instead");
+          String.format(
+              "no broker%s announced itself by mDNS within %s s%s; does it listen to this"
+                  + " network, and is it running? Its address can be named instead",
+              whose, timeoutS, all.isEmpty() ? "" : "; found: " + text(all)));
     }
     throw new BadInputException(
-        "several brokers"
-            + whose
-            + " announce themselves by mDNS: "
-            + text(wanted)
-            + "; name the system or the address of one");
+        String.format(
+            "several brokers%s announce themselves by mDNS: %s; name the system or the address"
+                + " of one",
+            whose, text(wanted)));
   }
 
   private static String text(Collection<FoundBroker> brokers) {

@@ -25,11 +25,11 @@ public record FoundBroker(String host, int port, Set<String> systems, boolean en
 
   @Override
   public String toString() {
-    return host
-        + ":"
-        + port
-        + " ("
-        + (systems.contains(ANY) ? "any system" : String.join(", ", systems))
-        + (encrypted ? ", TLS)" : ")");
+    return String.format(
+        "%s:%s (%s%s",
+        host,
+        port,
+        systems.contains(ANY) ? "any system" : String.join(", ", systems),
+        encrypted ? ", TLS)" : ")");
   }
 }

@@ -1,0 +1,273 @@
+package org.u2sa.control.fixedwing;
+
+import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.frame.Gravity;
+
+/**
+ * Controls altitude and airspeed together: the throttle sets the total energy rate γ + V̇/g, the
+ * pitch its distribution, γ − V̇/g (A. A. Lambregts, Vertical Flight Path and Speed Control
+ * Autopilot Design Using Total Energy Principles, AIAA 83-2239). When airspeed is low, pitch
+ * controls airspeed alone.
+ */
+final class EnergyLaw {
+  /**
+   * Gains and limits. Energy rates are angles, γ + V̇/g, so that the aircraft's weight does not
+   * appear.
+   */
+  record Variables(
+      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 4, text = "Altitude-error time constant.")
+          double altitudeTimeConstant,
+      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 6, text = "Airspeed-error time constant.")
+          double speedTimeConstant,
+      @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 3.5, text = "Maximum demanded climb.")
+          double climbLimit,
+      @Variable(
+              unit = "m/s",
+              min = 0.5,
+              max = 10,
+              ifAbsent = 4,
+              text = "Maximum demanded sink rate.")
+          double sinkLimit,
+      @Variable(
+              unit = "m/s^2",
+              min = 0.1,
+              max = 5,
+              ifAbsent = 0.8,
+              text = "Maximum rate of change of the demanded climb rate.")
+          double verticalAccelerationLimit,
+      @Variable(unit = "m/s^2", min = 0.1, max = 5, ifAbsent = 1, text = "Maximum acceleration.")
+          double accelerationLimit,
+      @Variable(
+              unit = "s",
+              min = 0.05,
+              max = 20,
+              ifAbsent = 1,
+              text = "Time constant of the airspeed low-pass; longer is calmer in gusts.")
+          double airspeedFilter,
+      @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Throttle of level cruise.")
+          double throttleTrim,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 20,
+              ifAbsent = 2.5,
+              text = "Throttle per energy rate.")
+          double throttleForwardGain,
+      @Variable(
+              unit = "1/rad",
+              min = 0,
+              max = 20,
+              ifAbsent = 0.7,
+              text = "Throttle per energy-rate error.")
+          double throttleDamping,
+      @Variable(
+              unit = "1/rad/s",
+              min = 0,
+              max = 20,
+              ifAbsent = 0.4,
+              text = "Throttle per integrated energy-rate error.")
+          double throttleIntegralGain,
+      @Variable(min = 0, max = 1, ifAbsent = 0, text = "Minimum throttle in flight.")
+          double throttleLowerLimit,
+      @Variable(min = 0, max = 1, ifAbsent = 1, text = "Maximum throttle in cruise.")
+          double throttleUpperLimit,
+      @Variable(unit = "1/s", min = 0.01, max = 5, ifAbsent = 0.3, text = "Maximum throttle rate.")
+          double throttleRateLimit,
+      @Variable(
+              unit = "rad",
+              min = 0,
+              max = 0.5,
+              ifAbsent = 0.037,
+              text =
+                  "Induced drag over weight in level flight; grows in turns with the square of the load factor.")
+          double turnDrag,
+      @Variable(min = 0, max = 5, ifAbsent = 0.8, text = "Pitch per energy-balance error.")
+          double energyBalanceGain,
+      @Variable(
+              unit = "1/s",
+              min = 0,
+              max = 5,
+              ifAbsent = 0.3,
+              text = "Pitch per integrated energy-balance error.")
+          double energyBalanceIntegralGain,
+      @Variable(
+              unit = "deg/s",
+              min = 0.5,
+              max = 20,
+              ifAbsent = 3,
+              text = "Maximum rate of the demanded pitch.")
+          double pitchDemandRateLimit,
+      @Variable(
+              unit = "m/s",
+              min = 2,
+              max = 40,
+              ifAbsent = 20,
+              text = "Minimum airspeed for computing flight-path angles.")
+          double minSpeed) {}
+
+  /** The law's output: pitch [rad] and throttle, 0…1. */
+  record Command(double pitchRad, double throttle) {}
+
+  /**
+   * Set points of the law.
+   *
+   * @param altitudeM altitude above mean sea level [m]
+   * @param airspeedMps true airspeed [m/s]
+   * @param priority what pitch controls
+   * @param least minimum pitch [rad]
+   * @param most maximum pitch [rad]
+   */
+  record Demand(
+      double altitudeM, double airspeedMps, Priority priority, double least, double most) {}
+
+  /** What pitch controls. */
+  enum Priority {
+    /** Airspeed alone, at full throttle: climb-out. */
+    SPEED(2.0),
+    /** Altitude and airspeed alike. */
+    BOTH(1.0),
+    /**
+     * Altitude alone, at full throttle, as long as there is speed to spare: close to the ground.
+     */
+    HEIGHT(0.0);
+
+    private final double speedShare; // of two that altitude and airspeed have together
+
+    Priority(double speedShare) {
+      this.speedShare = speedShare;
+    }
+  }
+
+  private final Variables parameters;
+  private double filteredAirspeed = Double.NaN;
+  private double climbDemand;
+  private double pitchIntegral;
+  private double throttleIntegral;
+  private double throttle;
+  private double pitch;
+
+  EnergyLaw(Variables parameters) {
+    this.parameters = parameters;
+  }
+
+  /** Starts bumplessly from a pitch and a throttle. */
+  void restart(FlightState state, double newPitch, double newThrottle) {
+    filteredAirspeed = state.trueAirspeedMps();
+    climbDemand = state.climbMps();
+    pitch = newPitch;
+    throttle = newThrottle;
+    pitchIntegral = newPitch - flightPath(state);
+    throttleIntegral = newThrottle;
+  }
+
+  /** Ends a descent at once instead of gradually. */
+  void levelOff() {
+    climbDemand = Math.max(0.0, climbDemand);
+  }
+
+  void transfer(Transfer state) {
+    filteredAirspeed = state.number("FILTERED AIRSPEED", filteredAirspeed, Double.NaN);
+    climbDemand = state.number("CLIMB DEMAND", climbDemand);
+    pitchIntegral = state.number("PITCH INTEGRAL OF ENERGY", pitchIntegral);
+    throttleIntegral = state.number("THROTTLE INTEGRAL", throttleIntegral);
+    throttle = state.number("THROTTLE OF ENERGY", throttle);
+    pitch = state.number("PITCH OF ENERGY", pitch);
+  }
+
+  /**
+   * @param urgency 0 with speed to spare … 1 at the minimum airspeed, by {@link
+   *     GuidanceVariables#urgency}
+   */
+  Command step(FlightState state, Demand demand, double urgency, double dtS) {
+    if (Double.isNaN(filteredAirspeed)) {
+      restart(state, state.pitchRad(), parameters.throttleTrim());
+    }
+    double speed = Math.max(parameters.minSpeed(), state.trueAirspeedMps());
+    double acceleration = acceleration(state, dtS);
+    double path = flightPath(state);
+
+    double climb =
+        Limit.within(
+            -parameters.sinkLimit(),
+            (demand.altitudeM() - state.altitudeM()) / parameters.altitudeTimeConstant(),
+            parameters.climbLimit());
+    climbDemand = Limit.approach(climbDemand, climb, parameters.verticalAccelerationLimit() * dtS);
+    double pathDemand = climbDemand / speed;
+    double accelerationDemand =
+        Limit.symmetric(
+                (demand.airspeedMps() - filteredAirspeed) / parameters.speedTimeConstant(),
+                parameters.accelerationLimit())
+            / Gravity.STANDARD_MPS2;
+
+    double usual = demand.priority().speedShare;
+    double speedShare = usual + (2.0 - usual) * urgency;
+    double heightShare = 2.0 - speedShare;
+    throttle =
+        throttle(
+            state,
+            pathDemand + accelerationDemand,
+            path + acceleration,
+            demand.priority() == Priority.BOTH ? urgency : 1.0,
+            dtS);
+    pitch =
+        pitch(
+            demand,
+            heightShare * pathDemand - speedShare * accelerationDemand,
+            heightShare * path - speedShare * acceleration,
+            dtS);
+    return new Command(pitch, throttle);
+  }
+
+  private double throttle(
+      FlightState state, double demanded, double measured, double urgency, double dtS) {
+    double cosine = Math.max(0.3, StrictMath.cos(state.rollRad()));
+    double turning = parameters.turnDrag() * (1.0 / (cosine * cosine) - 1.0);
+    double error = demanded - measured;
+    double direct =
+        parameters.throttleForwardGain() * (demanded + turning)
+            + parameters.throttleDamping() * error;
+    double next = throttleIntegral + parameters.throttleIntegralGain() * error * dtS;
+    double raw = direct + next;
+    boolean deeper =
+        (raw > parameters.throttleUpperLimit() && error > 0.0)
+            || (raw < parameters.throttleLowerLimit() && error < 0.0);
+    if (!deeper && urgency < 1.0) {
+      throttleIntegral = Limit.within(0.0, next, 1.0);
+    }
+    double wanted =
+        Limit.within(
+            parameters.throttleLowerLimit(),
+            direct + throttleIntegral,
+            parameters.throttleUpperLimit());
+    double urgent = wanted + urgency * (parameters.throttleUpperLimit() - wanted);
+    return Limit.approach(throttle, urgent, parameters.throttleRateLimit() * dtS);
+  }
+
+  private double pitch(Demand demand, double demanded, double measured, double dtS) {
+    // A change of the flight path moves the balance by twice as much, whatever the shares.
+    double error = 0.5 * (demanded - measured);
+    double direct = 0.5 * demanded + parameters.energyBalanceGain() * error;
+    double next = pitchIntegral + parameters.energyBalanceIntegralGain() * error * dtS;
+    double raw = direct + next;
+    boolean deeper = (raw > demand.most() && error > 0.0) || (raw < demand.least() && error < 0.0);
+    if (!deeper) {
+      pitchIntegral = Limit.within(demand.least() - 0.2, next, demand.most() + 0.2);
+    }
+    double wanted = Limit.within(demand.least(), direct + pitchIntegral, demand.most());
+    return Limit.approach(pitch, wanted, Math.toRadians(parameters.pitchDemandRateLimit()) * dtS);
+  }
+
+  /** V̇/g of a low-passed airspeed: gusts are faster than the aircraft can respond. */
+  private double acceleration(FlightState state, double dtS) {
+    double difference = state.trueAirspeedMps() - filteredAirspeed;
+    double share = dtS / (parameters.airspeedFilter() + dtS);
+    double change = share * difference;
+    filteredAirspeed += change;
+    return change / dtS / Gravity.STANDARD_MPS2;
+  }
+
+  private double flightPath(FlightState state) {
+    return state.climbMps() / Math.max(parameters.minSpeed(), state.trueAirspeedMps());
+  }
+}

@@ -1,0 +1,129 @@
+package org.u2sa.control.fixedwing;
+
+import java.util.Locale;
+import org.u2sa.interfaces.configuration.Variable;
+
+/**
+ * Speeds and limits within which the aircraft follows navigation, and its stall protection: stall
+ * speed grows with the root of the load factor, 1/cos φ in a level turn (14 CFR 23.2110; Cessna
+ * 172P handbook, figure 5-3).
+ */
+record GuidanceVariables(
+    @Variable(
+            unit = "m/s",
+            min = 5,
+            max = 100,
+            ifAbsent = 46,
+            text = "Calibrated airspeed at which the surface gains hold; they scale from there.")
+        double referenceSpeed,
+    @Variable(
+            unit = "m/s",
+            min = 6,
+            max = 60,
+            ifAbsent = 40,
+            text = "Calibrated airspeed unless navigation asks for another.")
+        double cruiseSpeed,
+    @Variable(
+            unit = "m/s",
+            min = 7,
+            max = 82,
+            ifAbsent = 60,
+            text = "Maximum demanded calibrated airspeed.")
+        double maxSpeed,
+    @Variable(unit = "deg", min = 5, max = 60, ifAbsent = 27.5, text = "Maximum demanded bank.")
+        double bankLimit,
+    @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 15, text = "Maximum bank rate.")
+        double bankRateLimit,
+    @Variable(
+            unit = "deg",
+            min = 0,
+            max = 20,
+            ifAbsent = 6.9,
+            text = "Pitch added per load factor above one.")
+        double turnPitch,
+    @Variable(unit = "deg", min = -30, max = 0, ifAbsent = -10, text = "Minimum demanded pitch.")
+        double pitchLowerLimit,
+    @Variable(unit = "deg", min = 5, max = 30, ifAbsent = 14, text = "Maximum demanded pitch.")
+        double pitchUpperLimit,
+    @Variable(
+            unit = "m",
+            min = 5,
+            max = 1000,
+            ifAbsent = 150,
+            text =
+                "Minimum L1 distance: nearer navigation points count as this far, which bounds the gain.")
+        double minLookAhead,
+    @Variable(
+            unit = "m/s",
+            min = 4,
+            max = 40,
+            ifAbsent = 26.2,
+            text = "Calibrated stall speed, wings level, flaps up.")
+        double stallSpeed,
+    @Variable(
+            min = 1.05,
+            max = 2,
+            ifAbsent = 1.2,
+            text = "Minimum airspeed over stall speed; bank is limited to keep it in turns.")
+        double stallMargin,
+    @Variable(
+            unit = "m/s",
+            min = 0.5,
+            max = 15,
+            ifAbsent = 4,
+            text = "Band above the minimum airspeed in which speed gains priority over altitude.")
+        double stallBand,
+    @Variable(
+            unit = "deg",
+            min = 5,
+            max = 18,
+            ifAbsent = 12,
+            text = "Maximum angle of attack; above it the nose is lowered by the excess.")
+        double angleOfAttackLimit,
+    @Variable(
+            min = 0,
+            max = 1,
+            ifAbsent = 0.3,
+            text =
+                "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
+        double gustShare) {
+  /** Validates the order of the speeds. */
+  GuidanceVariables {
+    if (cruiseSpeed > maxSpeed) {
+      throw new IllegalArgumentException(
+          "CRUISE SPEED " + cruiseSpeed + " m/s is above MAX SPEED " + maxSpeed + " m/s");
+    }
+    double least = stallSpeed * stallMargin;
+    if (least >= cruiseSpeed) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "STALL SPEED times STALL MARGIN is %.1f m/s, expected less than CRUISE SPEED %.1f m/s",
+              least,
+              cruiseSpeed));
+    }
+  }
+
+  /** Minimum calibrated airspeed at a bank [m/s]. */
+  double leastSpeedMps(double bankRad) {
+    double cosine = Math.max(0.1, StrictMath.cos(bankRad));
+    return stallMargin * stallSpeed / StrictMath.sqrt(cosine);
+  }
+
+  /** Urgency: 0 with speed to spare … 1 at the minimum airspeed. */
+  double urgency(FlightState state) {
+    double spare = state.calibratedAirspeedMps() - leastSpeedMps(state.rollRad());
+    return Limit.within(0.0, 1.0 - spare / stallBand, 1.0);
+  }
+
+  /** Maximum bank that keeps the margin at the current airspeed [rad]. */
+  double bankLimitRad(FlightState state) {
+    double ratio = stallMargin * stallSpeed / Math.max(1.0, state.calibratedAirspeedMps());
+    return StrictMath.acos(Math.min(1.0, ratio * ratio));
+  }
+
+  /** Maximum pitch that keeps the angle of attack within its limit [rad]. */
+  double pitchLimitRad(FlightState state) {
+    return state.pitchRad() + Math.toRadians(angleOfAttackLimit) - state.alphaRad();
+  }
+}
