@@ -13,6 +13,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
+import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Compass;
 import org.u2sa.device.port.DepthGauge;
@@ -24,18 +25,22 @@ import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.MotorController;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.device.port.PitotTube;
+import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.Pressure;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.device.port.Thruster;
+import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.device.port.WheelEncoder;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 import org.u2sa.testkit.ServiceKit;
@@ -183,6 +188,29 @@ class AbsurdReadingsTest {
                         absurd.random.nextBoolean(),
                         absurd.point(),
                         absurd.some()))));
+    this.<Anemometer.Wind>add(
+        "anemometer",
+        (context, device) -> new WindSensor(context, (Anemometer) device::read),
+        (absurd, now) -> new Anemometer.Wind(now, absurd.number(), absurd.number()));
+    this.<PointScanner.Cloud>add(
+        "3-D scanner",
+        (context, device) -> new PointCloudSensor(context, (PointScanner) device::read),
+        (absurd, now) -> new PointScanner.Cloud(now, absurd.point().stream().toList()));
+    this.<TrackingRadar.Tracks>add(
+        "radar",
+        (context, device) -> new RadarSensor(context, (TrackingRadar) device::read),
+        (absurd, now) ->
+            new TrackingRadar.Tracks(
+                now,
+                List.of(
+                    new TrackingRadar.Track(
+                        "1",
+                        now,
+                        absurd.number(),
+                        new TrackingRadar.Direction(absurd.number(), true),
+                        absurd.some(),
+                        absurd.some(),
+                        Optional.of(new TrackingRadar.Direction(absurd.number(), true))))));
     this.<WheelEncoder.Ticks>add(
         "wheel encoder",
         (context, device) -> new WheelEncoderSensor(context, (WheelEncoder) device::read),
@@ -258,6 +286,9 @@ class AbsurdReadingsTest {
   private static void survives(Function<ServiceContext, U2SAService> service) {
     try (ServiceKit kit = new ServiceKit()) {
       kit.start(service);
+      kit.publish( // a radar places its targets from there
+          Channels.STATE,
+          new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(8.0).y(47.0).psi(1.0));
       kit.advance(SECONDS);
       HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
       assertThat(health.exceptions()).as("exceptions; %s", health.lastError()).isZero();

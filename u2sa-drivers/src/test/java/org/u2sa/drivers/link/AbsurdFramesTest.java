@@ -18,12 +18,15 @@ import org.u2sa.device.CompassSensor;
 import org.u2sa.device.GpsSensor;
 import org.u2sa.device.ImuSensor;
 import org.u2sa.device.LidarSensor;
+import org.u2sa.device.PointCloudSensor;
+import org.u2sa.device.RadarSensor;
 import org.u2sa.device.RangeSensor;
 import org.u2sa.device.SonarSensor;
 import org.u2sa.device.ThrusterActuator;
 import org.u2sa.device.TrafficSensor;
 import org.u2sa.device.WaterSpeedSensor;
 import org.u2sa.device.WheelMotors;
+import org.u2sa.device.WindSensor;
 import org.u2sa.drivers.compass.LinkedCompass;
 import org.u2sa.drivers.gps.LinkedGps;
 import org.u2sa.drivers.gps.NmeaGps;
@@ -34,8 +37,11 @@ import org.u2sa.drivers.mavlink.MavlinkProximity;
 import org.u2sa.drivers.mavlink.MavlinkTraffic;
 import org.u2sa.drivers.motor.RoboClaw;
 import org.u2sa.drivers.motor.Vesc;
+import org.u2sa.drivers.radar.NmeaRadar;
 import org.u2sa.drivers.range.Hokuyo;
 import org.u2sa.drivers.range.Rplidar;
+import org.u2sa.drivers.range.Velodyne;
+import org.u2sa.drivers.range.VelodynePackets;
 import org.u2sa.drivers.sonar.NmeaDepth;
 import org.u2sa.drivers.sonar.Ping1d;
 import org.u2sa.drivers.sonar.Ping360;
@@ -43,9 +49,12 @@ import org.u2sa.drivers.sonar.SerialSonar;
 import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.drivers.traffic.Gdl90Receiver;
 import org.u2sa.drivers.water.SerialVelocityLog;
+import org.u2sa.drivers.wind.NmeaAnemometer;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 import org.u2sa.testkit.ServiceKit;
@@ -70,6 +79,7 @@ class AbsurdFramesTest {
           new byte[] {(byte) 0xff, (byte) 0xd8, (byte) 0xff}, // JPEG
           new byte[] {(byte) 0xfd, 0x20}, // MAVLink 2
           new byte[] {0x02, 0x10, 0x04}, // VESC
+          new byte[] {(byte) 0xff, (byte) 0xee, 0x10, 0x01}, // VLP-16
           "R123\rR9".getBytes(StandardCharsets.US_ASCII), // MaxBotix
           "MD0000000001000\n99b\n".getBytes(StandardCharsets.US_ASCII), // SCIP
           "wrz,0.1,".getBytes(StandardCharsets.US_ASCII)); // Water Linked
@@ -152,6 +162,14 @@ class AbsurdFramesTest {
             Frames.nmea(
                 random,
                 random.nextBoolean() ? "VDVBW,1.0,0.1,A,1.1,0.2,A" : "VWVHW,,T,,M,2.1,N,3.9,K"));
+    add(
+        "NMEA anemometer",
+        (context, link) -> new WindSensor(context, new NmeaAnemometer(link)),
+        random -> Frames.nmea(random, "WIMWV,214.8,R,10.1,K,A"));
+    add(
+        "NMEA radar",
+        (context, link) -> new RadarSensor(context, new NmeaRadar(link)),
+        random -> Frames.nmea(random, "RATTM,11,11.4,13.6,T,7.0,20.0,T,0.0,0.0,N,,T,,154125.82,A"));
   }
 
   private void addBinarySensors() {
@@ -181,7 +199,18 @@ class AbsurdFramesTest {
         Frames::waterLinked);
   }
 
-  private void addMaxBotix() {
+  private void addRangeFinders() {
+    byte[] revolutions = VelodynePackets.revolutions(3, (azimuth, elevation) -> 5.0);
+    int[] sent = {0};
+    add(
+        "VLP-16",
+        (context, link) -> new PointCloudSensor(context, new Velodyne(link)),
+        random -> {
+          byte[] packet = Arrays.copyOfRange(revolutions, sent[0], sent[0] + 1206);
+          sent[0] = (sent[0] + 1206) % revolutions.length;
+          random.ints(2, 0, 1200).forEach(at -> packet[at] = (byte) random.nextInt());
+          return packet;
+        });
     add(
         "MaxBotix",
         (context, link) -> new RangeSensor(context, new SerialSonar(link, SonarModel.LV)),
@@ -249,7 +278,7 @@ class AbsurdFramesTest {
     addMavlink();
     addNmea();
     addBinarySensors();
-    addMaxBotix();
+    addRangeFinders();
     addMotors();
     addLasers();
     return families.entrySet().stream()
@@ -272,6 +301,9 @@ class AbsurdFramesTest {
     link.with(request -> link.fromDevice(family.device().answer(random, request)));
     try (ServiceKit kit = new ServiceKit()) {
       kit.start(context -> family.service().apply(context, link));
+      kit.publish( // a radar places its targets from there
+          Channels.STATE,
+          new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(8.0).y(47.0).psi(1.0));
       for (double s = 0.0; s < SECONDS; s += 0.05) {
         for (int i = 0; i < 5; i++) {
           link.fromDevice(family.device().frame(random));

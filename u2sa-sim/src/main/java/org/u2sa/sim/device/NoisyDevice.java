@@ -23,7 +23,12 @@ public abstract class NoisyDevice<R extends Device.Reading> extends SimulatedDev
 
   /** Adds white noise to a value. */
   final double noisy(double exact) {
-    return exact + errors.sigma() * noise.nextGaussian();
+    return exact + errors.sigma() * gaussian();
+  }
+
+  /** Draws from the standard normal distribution. */
+  final double gaussian() {
+    return noise.nextGaussian();
   }
 
   @Override

@@ -2,10 +2,12 @@ package org.u2sa.sim.file;
 
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.device.SimulatedCamera;
 import org.u2sa.sim.device.SimulatedLaser;
+import org.u2sa.sim.device.SimulatedPointScanner;
 import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.device.SimulatedSonar;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -62,16 +64,46 @@ final class SightSensors {
 
   private static Supplier<SimulatedLaser.Sight> sight(
       World world, Supplier<VehicleTruth> sensor, double rangeM) {
+    Supplier<ToDoubleFunction<Point>> space = view(world, sensor, rangeM);
+    return () -> {
+      ToDoubleFunction<Point> now = space.get();
+      return (angleRad, cos, sin) -> now.applyAsDouble(Point.of(cos, sin, 0.0));
+    };
+  }
+
+  /** Ranges along unit vectors ahead, left and down. */
+  private static Supplier<ToDoubleFunction<Point>> view(
+      World world, Supplier<VehicleTruth> sensor, double rangeM) {
     return () -> {
       VehicleTruth now = sensor.get();
       Rotation nedFromFrd = now.attitude().nedFromFrd();
       Point from = now.position();
-      return (angleRad, cos, sin) -> {
-        Point way = nedFromFrd.times(Point.of(cos, -sin, 0.0));
+      return direction -> {
+        Point way = nedFromFrd.times(Point.of(direction.x(), -direction.y(), direction.z()));
         Ray ray = new Ray(from.x(), from.y(), from.z(), way.y(), way.x(), -way.z());
         return world.distanceM(ray, rangeM);
       };
     };
+  }
+
+  static SensorKinds.Reader pointScanner(FileElement file) {
+    double farthest = file.positive("maxRange", "m", 1_000.0);
+    SimulatedPointScanner.Optics optics =
+        new SimulatedPointScanner.Optics(
+            file.number("rate", "Hz", 0.1, 100.0),
+            file.number("width", "rad", 0.01, 2.0 * Math.PI),
+            file.count("columns", 1, MAX_PIXELS),
+            file.number("height", "rad", 0.0, Math.PI),
+            file.count("rows", 1, MAX_PIXELS),
+            file.number("minRange", "m", 0.0, 1_000.0),
+            farthest,
+            file.number("sigma", "m", 0.0, 100.0));
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle ->
+            new SimulatedPointScanner(
+                optics, vehicle.streams(), view(vehicle.world(), vehicle.at(mount), farthest)));
   }
 
   static SensorKinds.Reader sonar(FileElement file) {

@@ -8,6 +8,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SensorErrors;
+import org.u2sa.sim.device.SimulatedAnemometer;
 import org.u2sa.sim.device.SimulatedBarometer;
 import org.u2sa.sim.device.SimulatedCompass;
 import org.u2sa.sim.device.SimulatedDepthGauge;
@@ -197,6 +198,17 @@ final class StateSensors {
                 vehicle.at(mount),
                 vehicle.air(),
                 () -> vehicle.altitudeM(mount)));
+  }
+
+  static SensorKinds.Reader anemometer(FileElement file) {
+    SensorErrors errors = errors(file, "m/s");
+    double directionSigma = file.number("directionSigma", "rad", 0.0, 1.0);
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        Map.of("MOUNTED YAW", -mount.turn().z()), // BODY: yaw is positive to the left
+        vehicle ->
+            new SimulatedAnemometer(
+                errors, directionSigma, vehicle.streams(), vehicle.at(mount), vehicle.air()));
   }
 
   static SensorKinds.Reader velocityLog(FileElement file) {

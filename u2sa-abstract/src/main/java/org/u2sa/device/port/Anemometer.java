@@ -1,0 +1,13 @@
+package org.u2sa.device.port;
+
+/** An anemometer with a vane, or an ultrasonic one: measures the apparent wind. */
+public interface Anemometer extends Device<Anemometer.Wind> {
+  /**
+   * The apparent wind: the air's motion relative to the vehicle.
+   *
+   * @param speedMps its speed [m/s], not negative
+   * @param fromRad direction it comes from, from the instrument's own zero, positive to the left
+   *     [rad], −π…π
+   */
+  record Wind(long measuredAtMicros, double speedMps, double fromRad) implements Reading {}
+}
