@@ -29,9 +29,9 @@ final class ConfigurationChanges {
   private volatile long revision; // written by one thread at a time
 
   /**
-   * @param file file that was read; empty if changes stay in memory
-   * @param copy copy changed instead of the file, created on the first change; empty to change the
-   *     file itself
+   * @param file empty if changes stay in memory
+   * @param copy changed instead of the file, and created on the first change; empty to change the
+   *     file
    */
   ConfigurationChanges(LiveValues live, Optional<Path> file, Optional<Path> copy) {
     this(live, copy.isPresent() ? file : Optional.empty(), copy.isPresent() ? copy : file, 0);
@@ -60,19 +60,16 @@ final class ConfigurationChanges {
     this.revision = revision;
   }
 
-  /** Changes for a copy of the configuration, starting from this state. */
   ConfigurationChanges forSuccessor(LiveValues copy) {
     return new ConfigurationChanges(copy, original, path, journal, revision);
   }
 
-  /** One attempt under the write lock. */
   private interface Attempt {
     WrittenChange make(
         ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file)
         throws IOException;
   }
 
-  /** Reads the revision of the file just loaded. */
   void begin(Optional<ConfigurationFile> file) {
     try {
       ChangeHistory history = new ChangeHistory(journal.recent());
@@ -83,7 +80,6 @@ final class ConfigurationChanges {
     }
   }
 
-  /** Latest revision known to this object. */
   long revision() {
     return revision;
   }
@@ -270,7 +266,6 @@ final class ConfigurationChanges {
         live.origin(), history.revision(), seen, since.isEmpty() ? "" : "; since then " + since);
   }
 
-  /** {@code X.xml, variable "A": cannot be written, the old value stays: }. */
   private String place(Set<String> names) {
     String variables =
         names.stream().map(name -> "\"" + name + "\"").collect(Collectors.joining(", "));

@@ -16,9 +16,9 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.configuration.WholeFile;
 
 /**
- * A file for the other programs of this account, in each of its {@link AccountFolders}; only the
- * account can read it. A copy that disappears is written again, because the system removes such
- * folders with an account's last session. Thread-safe.
+ * A file for the other programs of this account, in each of its {@link AccountFolders}, readable by
+ * the account only. Rewritten if it disappears, because the system removes such folders with an
+ * account's last session. Thread-safe.
  */
 public final class AccountFile implements AutoCloseable {
   private static final long LOOK_MS = 1_000;
@@ -34,7 +34,6 @@ public final class AccountFile implements AutoCloseable {
   /**
    * Writes the file, and keeps it until {@link #close}.
    *
-   * @param name of the file, without a folder
    * @param failures receives a line for each folder where it cannot be written, once per cause
    */
   public AccountFile(

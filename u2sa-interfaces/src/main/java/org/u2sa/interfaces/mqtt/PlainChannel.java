@@ -8,9 +8,6 @@ import java.nio.channels.SocketChannel;
 final class PlainChannel implements BrokerChannel {
   private final SocketChannel socket;
 
-  /**
-   * @param socket connected and non-blocking
-   */
   PlainChannel(SocketChannel socket) {
     this.socket = socket;
   }

@@ -18,10 +18,8 @@ import javax.xml.stream.XMLStreamReader;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Parses text into elements. The only class that uses Woodstox and StAX; the factory is named
- * explicitly, because Android has no look-up for it.
- *
- * <p>External references are never followed: a DOCTYPE is rejected, and any other external access
+ * Parses text into elements. Names the factory explicitly, because Android has no look-up for it.
+ * External references are never followed: a DOCTYPE is rejected, and any other external access
  * fails.
  */
 final class XmlParser {
@@ -65,7 +63,6 @@ final class XmlParser {
     return woodstox;
   }
 
-  /** An element whose end tag has not been read yet. */
   private static final class Open {
     private final String name;
     private final int line;

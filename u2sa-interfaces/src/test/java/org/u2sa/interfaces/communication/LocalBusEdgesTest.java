@@ -218,19 +218,4 @@ class LocalBusEdgesTest {
         .isEqualTo(
             "receiving on \"state\" failed: java.lang.IllegalStateException: faulty (4 so far)");
   }
-
-  @Test
-  void detach_oneOfTwo_leavesTheOther() {
-    List<U2SAData> kept = new ArrayList<>();
-    List<U2SAData> gone = new ArrayList<>();
-    LocalBus.Bridge bridge = (channel, message) -> gone.add(message);
-    bus.attach(bridge);
-    bus.attach((channel, message) -> kept.add(message));
-    bus.detach(bridge);
-
-    bus.connect("a", receiver).publish(Channels.STATE, frozen(new StateInformation()));
-
-    assertThat(gone).isEmpty();
-    assertThat(kept).hasSize(1);
-  }
 }

@@ -43,6 +43,10 @@ class LongAuditFileTest {
         ConfigurationCheck.NONE);
   }
 
+  private ConfigurationOutcome undo() {
+    return load().undo(new ChangeOrigin(0, "T", "bob"), ConfigurationCheck.NONE);
+  }
+
   private XmlConfiguration load() {
     return XmlConfiguration.load(file);
   }
@@ -179,7 +183,7 @@ class LongAuditFileTest {
     String edited = Files.readString(audit).replace("\"oldText\":\"1\"", "\"oldText\":\"one\"");
     Files.writeString(audit, edited);
 
-    assertThat(load().undo(new ChangeOrigin(0, "T", "bob"), ConfigurationCheck.NONE).refusal())
+    assertThat(undo().refusal())
         .hasValueSatisfying(
             why ->
                 assertThat(why)
@@ -213,8 +217,6 @@ class LongAuditFileTest {
     append(accepted(2) + line(2, "FAILED"));
 
     assertThat(load().revision()).isOne();
-    assertThat(load().undo(new ChangeOrigin(0, "T", "bob"), ConfigurationCheck.NONE).assignments())
-        .singleElement()
-        .matches(undone -> undone.value().equals("1"));
+    assertThat(undo().assignments()).singleElement().matches(undone -> undone.value().equals("1"));
   }
 }
