@@ -19,11 +19,6 @@ public final class HandOverText {
 
   private HandOverText() {}
 
-  /**
-   * The lines of a file.
-   *
-   * @param systemId system that the state belongs to
-   */
   public static List<String> lines(HandOver state, String systemId) {
     List<String> lines = new ArrayList<>();
     lines.add(String.join("\t", FIRST_WORDS, systemId, state.className()));
@@ -32,16 +27,13 @@ public final class HandOverText {
     return lines;
   }
 
-  /** The bytes of a file. */
   public static byte[] bytes(HandOver state, String systemId) {
     return (String.join("\n", lines(state, systemId)) + "\n").getBytes(UTF_8);
   }
 
   /**
-   * Parses a file.
-   *
-   * @throws IOException if it is unreadable, incomplete, or belongs to another system; names the
-   *     position
+   * @throws IOException if the file is unreadable, incomplete, or belongs to another system; names
+   *     the position
    */
   public static HandOver read(Path file, String systemId, MessageCodec codec) throws IOException {
     List<String> lines = Files.readAllLines(file, UTF_8);

@@ -9,8 +9,8 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * One value of a {@link HandOver} as a tab-separated line: kind, name, content. A message is
- * written as its type chain and its bytes in Base64.
+ * One value of a {@link HandOver} as a tab-separated line: kind, name, content. A message is its
+ * type chain and its bytes in Base64.
  */
 final class ProgressLine {
   private static final int KIND = 0;
@@ -46,7 +46,6 @@ final class ProgressLine {
 
   /**
    * @throws IllegalArgumentException if the line is not in the format of {@link #of}
-   * @throws MalformedMessageException if a message in it is malformed
    */
   static void readInto(HandOver state, String line, MessageCodec codec)
       throws MalformedMessageException {
