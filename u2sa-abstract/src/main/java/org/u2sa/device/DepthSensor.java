@@ -82,12 +82,10 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Launcher constructor: opens the configured gauge. */
   public DepthSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given gauge, e.g. a simulated one. */
   public DepthSensor(ServiceContext context, DepthGauge gauge) {
     super(context, KIND, gauge);
   }

@@ -15,8 +15,9 @@ import org.u2sa.service.ServiceContext;
 /**
  * The service of every sensor with a device (thesis 3.2.2.2): opens the configured device, reads it
  * at RATE, reports loss, silence and malformed data in log and health, publishes the messages of
- * each new reading, and closes the device. A subclass adds its {@link SensorKind}, variables, and
- * the mapping from reading to {@link #messages}.
+ * each new reading, and closes the device. A subclass adds its {@link SensorKind}, variables, the
+ * mapping from reading to {@link #messages}, and two constructors: one for launchers, and one with
+ * a given device, e.g. a simulated one.
  *
  * @param <R> readings of the device
  */

@@ -49,12 +49,10 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
   private long lastMicros;
   private double reachM;
 
-  /** Launcher constructor: opens the configured sonar. */
   public SonarSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given sonar, e.g. a simulated one. */
   public SonarSensor(ServiceContext context, Sonar sonar) {
     super(context, KIND, sonar);
   }

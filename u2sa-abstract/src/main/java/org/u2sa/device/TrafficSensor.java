@@ -88,12 +88,10 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
   private final OwnAltitude ownAltitude = new OwnAltitude(this);
   private final Map<String, Long> published = new HashMap<>(); // time of each target's last report
 
-  /** Launcher constructor: opens the configured receiver. */
   public TrafficSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given receiver, e.g. a simulated one. */
   public TrafficSensor(ServiceContext context, TrafficReceiver receiver) {
     super(context, KIND, receiver);
   }

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,7 +22,7 @@ import org.u2sa.testkit.ServiceKit;
 
 @Timeout(120)
 class ActuatorTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
   private Wheel wheel;
 
   private static class Wheel extends Actuator {
@@ -62,11 +62,6 @@ class ActuatorTest {
   void start() {
     wheel = kit.start(Wheel::new);
     wheel.moves.clear();
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   @Test

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -20,12 +20,7 @@ import org.u2sa.testkit.ServiceKit;
 /** How services end when things go wrong, or at a bad moment. */
 @Timeout(120)
 class ServiceEndTest {
-  private final ServiceKit kit = new ServiceKit();
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** Fails as it is told to. */
   private static final class Victim extends EventDrivenService {
@@ -202,11 +197,6 @@ class ServiceEndTest {
       super(context, ServiceRole.OBSERVER, "Stillborn");
       throw new IllegalStateException("no device");
     }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
   }
 
   @Test
@@ -228,11 +218,6 @@ class ServiceEndTest {
     @Override
     public void run() {
       log("returns at once");
-    }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
     }
 
     @Override

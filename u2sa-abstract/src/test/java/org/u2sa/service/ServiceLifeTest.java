@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -20,12 +20,7 @@ import org.u2sa.testkit.ServiceKit;
 
 @Timeout(120)
 class ServiceLifeTest {
-  private final ServiceKit kit = new ServiceKit();
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** Notes what it is handed, and fails when it is told to. */
   private static class Listener extends EventDrivenService {

@@ -3,7 +3,7 @@ package org.u2sa.service.directory;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
@@ -29,7 +29,7 @@ class ServiceDirectoryTest {
   private static final Channel<PercentageCommand> RUDDER =
       Channel.latest("rudder", PercentageCommand.TYPE, ActuatorCommand::actuatorName);
 
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** Looks for states, whoever has them: the example of the class's documentation. */
   private static final class Seeker extends PeriodicService {
@@ -61,19 +61,9 @@ class ServiceDirectoryTest {
     }
 
     @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
-
-    @Override
     protected void step(double nowS) {
       publish(new StateInformation().sensorName("compass").x(1.0));
     }
-  }
-
-  @AfterEach
-  void end() {
-    kit.close();
   }
 
   private ServiceDirectory seek() {
