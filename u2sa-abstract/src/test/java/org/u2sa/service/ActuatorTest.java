@@ -139,21 +139,6 @@ class ActuatorTest {
   }
 
   @Test
-  void requiresArming_obeysOnlyWhileArmed() {
-    kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
-    Wheel armed = kit.start(Wheel::new);
-
-    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
-    assertThat(armed.moves).containsExactly("neutral");
-
-    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
-    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
-    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
-
-    assertThat(armed.moves).containsExactly("neutral", "40.0", "neutral");
-  }
-
-  @Test
   void requiresArming_armedStateOfAnEarlierRun_doesNotArm() {
     kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
     Wheel armed = kit.start(Wheel::new);
@@ -376,17 +361,6 @@ class ActuatorTest {
     kit.publish(Channels.ACTUATION, PercentageCommand.of("LATE WHEEL", 40.0));
 
     assertThat(late.moves).containsExactly("neutral");
-  }
-
-  @Test
-  void health_saysAtOnceWhichStopsHold() {
-    kit.advance(0.3);
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops()).contains(List.of());
-
-    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
-
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops())
-        .contains(List.of("Ann 1"));
   }
 
   @Test

@@ -163,18 +163,6 @@ class EmergencyLatchTest {
   }
 
   @Test
-  void accept_floodOfStops_holdsUntilTheNewestIsCleared() {
-    for (int i = 1; i <= 1000; i++) {
-      latch.accept(named("flood " + i, i));
-    }
-    assertThat(latch.stops()).hasSizeLessThan(100);
-    assertThat(latch.stop().orElseThrow().stopId()).contains("flood 1000");
-
-    assertThat(latch.accept(clear(999))).isFalse();
-    assertThat(latch.accept(clear(1000))).isTrue();
-  }
-
-  @Test
   void takeOver_afterLatchOfTheSameService_knowsWhatHoldsAndWhatWasLifted() {
     latch.accept(named("Ann 1", 100));
     latch.accept(clear(100));

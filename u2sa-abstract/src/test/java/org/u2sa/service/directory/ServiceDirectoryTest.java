@@ -31,6 +31,9 @@ class ServiceDirectoryTest {
 
   @AutoClose private final ServiceKit kit = new ServiceKit();
 
+  private final ServiceDirectory directory =
+      new ServiceDirectory(kit.clock(), (channel, request) -> {});
+
   /** Looks for states, whoever has them: the example of the class's documentation. */
   private static final class Seeker extends PeriodicService {
     private final ServiceDirectory directory = new ServiceDirectory(clock(), this::publish);
@@ -156,7 +159,6 @@ class ServiceDirectoryTest {
 
   @Test
   void refresh_silentForLongerThanTheLimit_isForgotten() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING));
     kit.advance(ServiceDirectory.LOST_AFTER_S);
     directory.refresh();
@@ -170,7 +172,6 @@ class ServiceDirectoryTest {
 
   @Test
   void refresh_reportsAreRare_waitsForThreeOfThem() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING).interval(10.0));
 
     kit.advance(29.0);
@@ -181,7 +182,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_lastWordOfAnEarlierInstance_keepsTheNewOne() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING));
     directory.take(functionality("Far", "state/StateInformation"));
     directory.take(health("2", ServiceStatus.RUNNING));
@@ -196,7 +196,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_connectionLostOfTheKnownInstance_forgetsIt() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING));
 
     directory.take(
@@ -207,7 +206,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_conditionOfAKnownService_isKept() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     ServiceCondition condition =
         new ServiceCondition().serviceName("Far").condition(Condition.STALLED);
     directory.take(condition);
@@ -222,7 +220,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_whatItHasNoUseFor_isLeftToTheCaller() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
 
     assertThat(directory.take(new StateInformation().sensorName("a").x(1.0))).isFalse();
   }

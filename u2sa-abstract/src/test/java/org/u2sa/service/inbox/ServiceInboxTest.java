@@ -444,17 +444,4 @@ class ServiceInboxTest {
     assertThat(inbox.poll().message()).as("in its turn").isSameAs(arm);
     assertThat(inbox.depth()).isEqualTo(2);
   }
-
-  @Test
-  void put_newerOfALatestChannelWithRoom_replacesTheOneThatWaits() {
-    ArmingState newer = new ArmingState();
-    put(inbox, Channels.ARMING_STATE, new ArmingState());
-    put(inbox, Channels.ARMING_STATE, newer);
-
-    assertThat(inbox.poll().message()).isSameAs(newer);
-    assertThat(inbox.poll()).isNull();
-
-    put(inbox, Channels.ARMING_STATE, newer);
-    assertThat(inbox.depth()).isOne();
-  }
 }
