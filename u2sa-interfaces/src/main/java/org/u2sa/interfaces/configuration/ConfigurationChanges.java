@@ -34,34 +34,22 @@ final class ConfigurationChanges {
    *     file
    */
   ConfigurationChanges(LiveValues live, Optional<Path> file, Optional<Path> copy) {
-    this(live, copy.isPresent() ? file : Optional.empty(), copy.isPresent() ? copy : file, 0);
-  }
-
-  private ConfigurationChanges(
-      LiveValues live, Optional<Path> original, Optional<Path> path, long revision) {
-    this(
-        live,
-        original,
-        path,
-        path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory(),
-        revision);
-  }
-
-  private ConfigurationChanges(
-      LiveValues live,
-      Optional<Path> original,
-      Optional<Path> path,
-      ChangeJournal journal,
-      long revision) {
     this.live = live;
-    this.original = original;
-    this.path = path;
-    this.journal = journal;
-    this.revision = revision;
+    original = copy.isPresent() ? file : Optional.empty();
+    path = copy.isPresent() ? copy : file;
+    journal = path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory();
+  }
+
+  private ConfigurationChanges(LiveValues live, ConfigurationChanges predecessor) {
+    this.live = live;
+    original = predecessor.original;
+    path = predecessor.path;
+    journal = predecessor.journal;
+    revision = predecessor.revision;
   }
 
   ConfigurationChanges forSuccessor(LiveValues copy) {
-    return new ConfigurationChanges(copy, original, path, journal, revision);
+    return new ConfigurationChanges(copy, this);
   }
 
   private interface Attempt {

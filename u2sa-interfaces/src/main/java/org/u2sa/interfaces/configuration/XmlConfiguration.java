@@ -59,13 +59,7 @@ public final class XmlConfiguration implements Configurator {
    *     and expectation
    */
   public static XmlConfiguration load(Path file) {
-    ConfigurationFile content = ConfigurationFile.read(file);
-    return new XmlConfiguration(
-        file.toString(),
-        Optional.of(file),
-        Optional.empty(),
-        content.variables(),
-        Optional.of(content));
+    return load(file, Optional.empty(), ConfigurationFile.read(file));
   }
 
   /**
@@ -74,13 +68,12 @@ public final class XmlConfiguration implements Configurator {
    * @throws ConfigurationException like {@link #load(Path)}
    */
   public static XmlConfiguration load(Path file, Path copy) {
-    ConfigurationFile content = ConfigurationFile.read(Files.exists(copy) ? copy : file);
+    return load(file, Optional.of(copy), ConfigurationFile.read(Files.exists(copy) ? copy : file));
+  }
+
+  private static XmlConfiguration load(Path file, Optional<Path> copy, ConfigurationFile content) {
     return new XmlConfiguration(
-        file.toString(),
-        Optional.of(file),
-        Optional.of(copy),
-        content.variables(),
-        Optional.of(content));
+        file.toString(), Optional.of(file), copy, content.variables(), Optional.of(content));
   }
 
   /**

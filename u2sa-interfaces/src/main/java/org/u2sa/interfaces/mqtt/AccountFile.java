@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -83,13 +82,7 @@ public final class AccountFile implements AutoCloseable {
   private void replace(Path file) throws IOException {
     Path beside = file.resolveSibling(name + ".new");
     Files.deleteIfExists(beside);
-    if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-      Files.createFile(
-          beside,
-          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-    } else {
-      Files.createFile(beside);
-    }
+    WholeFile.createPrivate(beside);
     WholeFile.fillAndRename(beside, content, file);
   }
 

@@ -104,7 +104,7 @@ final class DirectSession implements MqttSession {
       tls.shakeHands(selector, clock, withinMs);
       return tls;
     }
-    return new PlainChannel(socket);
+    return new BrokerChannel.Plain(socket);
   }
 
   private <T> T await(CompletableFuture<T> answer) throws MqttException {

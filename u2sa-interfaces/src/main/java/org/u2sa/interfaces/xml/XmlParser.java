@@ -99,20 +99,15 @@ final class XmlParser {
     XmlElement last = null;
     while (reader.hasNext()) {
       switch (reader.next()) {
-        case XMLStreamConstants.START_ELEMENT:
-          start();
-          break;
-        case XMLStreamConstants.END_ELEMENT:
-          last = end();
-          break;
-        case XMLStreamConstants.CHARACTERS:
-        case XMLStreamConstants.CDATA:
-          text();
-          break;
-        case XMLStreamConstants.DTD:
-          throw new BadInputException(
-              origin + ", line " + line() + ": a DOCTYPE is not allowed here");
-        default: // ignore comments, processing instructions and white space around the root
+        case XMLStreamConstants.START_ELEMENT -> start();
+        case XMLStreamConstants.END_ELEMENT -> last = end();
+        case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text();
+        case XMLStreamConstants.DTD ->
+            throw new BadInputException(
+                origin + ", line " + line() + ": a DOCTYPE is not allowed here");
+        default -> {
+          // ignore comments, processing instructions and white space around the root
+        }
       }
     }
     return last;
