@@ -57,12 +57,10 @@ public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private final OwnAltitude altitude = new OwnAltitude(this);
 
-  /** Launcher constructor: opens the configured pitot tube. */
   public AirspeedSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given pitot tube, e.g. a simulated one. */
   public AirspeedSensor(ServiceContext context, PitotTube tube) {
     super(context, KIND, tube);
   }

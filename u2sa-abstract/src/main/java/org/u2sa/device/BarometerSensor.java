@@ -51,12 +51,10 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private long refused;
 
-  /** Launcher constructor: opens the configured barometer. */
   public BarometerSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given barometer, e.g. a simulated one. */
   public BarometerSensor(ServiceContext context, Barometer barometer) {
     super(context, KIND, barometer);
   }

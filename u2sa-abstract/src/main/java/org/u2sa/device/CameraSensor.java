@@ -12,9 +12,8 @@ import org.u2sa.service.ServiceContext;
  * Base class of camera services (thesis 3.2.2.3, 4.1.2): subclasses implement {@link #look} and
  * publish their detections. Out: sensed-objects; images, compressed and for people only.
  *
- * <p>A class in a system file needs a public constructor (ServiceContext), which uses the
- * configured camera. With another constructor (ServiceContext, Camera) the Android application can
- * pass the phone's camera.
+ * <p>A class in a system file needs a public constructor (ServiceContext); with another one
+ * (ServiceContext, Camera) the Android application can pass the phone's camera.
  */
 public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
   private static final Devices.Usual USUAL =
@@ -25,13 +24,13 @@ public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
     super(context, kind(serviceName));
   }
 
-  /** Uses the given camera, e.g. the phone's or a simulated one; it is closed with the service. */
+  /** Uses the given camera, e.g. a simulated one; it is closed with the service. */
   protected CameraSensor(ServiceContext context, String serviceName, Camera camera) {
     super(context, kind(serviceName), camera);
   }
 
   /**
-   * Opens the configured camera without a service, for commands; the caller closes it.
+   * Opens the configured camera without a service; the caller closes it.
    *
    * @throws org.u2sa.interfaces.BadInputException if there is no such driver
    */
@@ -49,7 +48,7 @@ public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
         2.0); // s
   }
 
-  /** Processes the latest frame, each frame at most once, on the service's thread. */
+  /** Processes the latest frame, each at most once, on the service's thread. */
   protected abstract void look(CameraFrame frame);
 
   @Override

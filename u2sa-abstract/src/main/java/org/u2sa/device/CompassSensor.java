@@ -50,12 +50,10 @@ public final class CompassSensor extends DeviceSensor<Heading> {
   private final HeadingMapping headings = headings(settings(Variables.class).get());
   private boolean isWaitReported;
 
-  /** Launcher constructor: opens the configured compass. */
   public CompassSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given compass, e.g. the phone's or a simulated one. */
   public CompassSensor(ServiceContext context, Compass compass) {
     super(context, KIND, compass);
   }

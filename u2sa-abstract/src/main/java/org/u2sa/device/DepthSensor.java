@@ -82,12 +82,10 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Launcher constructor: opens the configured gauge. */
   public DepthSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given gauge, e.g. a simulated one. */
   public DepthSensor(ServiceContext context, DepthGauge gauge) {
     super(context, KIND, gauge);
   }
@@ -101,14 +99,9 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
     StateInformation state =
         new StateInformation().sensorName(sensorName()).zSigma(now.depthSigma());
     switch (now.depthFrame()) {
-      case LOCAL_NED:
-        state.referenceFrame(ReferenceFrame.LOCAL_NED).z(depthM);
-        break;
-      case LOCAL_ENU:
-        state.referenceFrame(ReferenceFrame.LOCAL_ENU).z(-depthM);
-        break;
-      default:
-        state.referenceFrame(ReferenceFrame.GLOBAL).z(now.waterLevel() - depthM);
+      case LOCAL_NED -> state.referenceFrame(ReferenceFrame.LOCAL_NED).z(depthM);
+      case LOCAL_ENU -> state.referenceFrame(ReferenceFrame.LOCAL_ENU).z(-depthM);
+      case GLOBAL -> state.referenceFrame(ReferenceFrame.GLOBAL).z(now.waterLevel() - depthM);
     }
     return Stream.of(state);
   }

@@ -7,9 +7,7 @@ import org.u2sa.service.ServiceContext;
 /**
  * Offers devices of one kind by name. A public class with a public no-argument constructor, listed
  * in {@code META-INF/services/org.u2sa.device.DeviceProvider}; every service of that port then
- * accepts the names in its configuration.
- *
- * @param <D> the port
+ * accepts the names.
  */
 public abstract class DeviceProvider<D extends Device<?>> {
   private final Class<D> port;
@@ -17,8 +15,7 @@ public abstract class DeviceProvider<D extends Device<?>> {
 
   /**
    * @param port such as {@code Imu.class}
-   * @param names names in a configuration, such as {@code VECTORNAV}; unique among the port's
-   *     providers
+   * @param names such as {@code VECTORNAV}; unique among the port's providers
    */
   protected DeviceProvider(Class<D> port, String... names) {
     this.port = port;
@@ -34,19 +31,16 @@ public abstract class DeviceProvider<D extends Device<?>> {
   }
 
   /**
-   * Records of the {@link org.u2sa.interfaces.configuration.Variable}s of these devices, in
-   * addition to the service's own. Configurations of the port's services may set them regardless of
-   * the selected device.
+   * Records of the {@link org.u2sa.interfaces.configuration.Variable}s of these devices.
+   * Configurations of the port's services may set them regardless of the selected device.
    */
   protected List<Class<?>> variables() {
     return List.of();
   }
 
   /**
-   * Creates the device. Returns immediately: the device need not be connected yet.
+   * Creates the device at once: it need not be connected yet.
    *
-   * @param name configured name
-   * @param context context of the service: configuration, clock
    * @throws org.u2sa.interfaces.BadInputException if a variable does not fit the device
    */
   protected abstract D open(String name, ServiceContext context);

@@ -6,8 +6,8 @@ import org.u2sa.device.port.Device;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reads a device for the service that owns it: returns each reading once, and reports device faults
- * in log and health. Belongs to the service's thread.
+ * Reads a device for the service that owns it, on its thread: returns each reading once, and
+ * reports device faults in log and health.
  */
 public final class DeviceReader<R extends Device.Reading> {
   private final U2SAService service;
@@ -48,12 +48,10 @@ public final class DeviceReader<R extends Device.Reading> {
   }
 
   /**
-   * Maps a reading to messages. Values that a message refuses, such as a voltage below zero, are
-   * the device's, whatever its checksums say: the reading is dropped, counted and reported as
-   * malformed data.
+   * Maps a reading to messages. A reading with values that a message refuses, such as a voltage
+   * below zero, is dropped, counted and reported as malformed data (empty).
    *
    * @param mapping throws IllegalArgumentException for such values
-   * @return empty if the reading was dropped
    */
   public <T> Optional<T> mapped(Supplier<T> mapping) {
     try {
@@ -77,8 +75,7 @@ public final class DeviceReader<R extends Device.Reading> {
   }
 
   /**
-   * Reports faults of a connected device, such as a refused setup; the watch reports those of a
-   * lost one.
+   * Reports faults of a connected device, such as a refused setup; the watch reports a lost one.
    */
   private void reportTrouble() {
     String trouble = device.isConnected() ? device.trouble() : "";

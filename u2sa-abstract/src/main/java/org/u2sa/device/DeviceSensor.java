@@ -15,8 +15,9 @@ import org.u2sa.service.ServiceContext;
 /**
  * The service of every sensor with a device (thesis 3.2.2.2): opens the configured device, reads it
  * at RATE, reports loss, silence and malformed data in log and health, publishes the messages of
- * each new reading, and closes the device. A subclass adds what its kind of sensor has of its own:
- * a {@link SensorKind}, variables, and the mapping from reading to {@link #messages}.
+ * each new reading, and closes the device. A subclass adds its {@link SensorKind}, variables, the
+ * mapping from reading to {@link #messages}, and two constructors: one for launchers, and one with
+ * a given device, e.g. a simulated one.
  *
  * @param <R> readings of the device
  */
@@ -28,8 +29,6 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
   private final DeviceReader<R> reader;
 
   /**
-   * Opens the configured device.
-   *
    * @throws org.u2sa.interfaces.BadInputException if there is no such driver
    */
   protected <D extends Device<R>> DeviceSensor(ServiceContext context, SensorKind<D> kind) {
@@ -60,14 +59,13 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
 
   /**
    * Maps a new reading to the messages to publish, in their order; messages without a timestamp get
-   * the reading's. Called once per reading, on the service's thread.
+   * the reading's.
    *
    * @throws IllegalArgumentException if a message refuses a value: the reading is then dropped,
    *     counted and reported as malformed data
    */
   protected abstract Stream<? extends U2SAData> messages(R reading);
 
-  /** The device. */
   final Device<R> device() {
     return device;
   }
@@ -77,7 +75,6 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
     reader.next(clock().micros()).ifPresent(this::use);
   }
 
-  /** Uses a new reading. */
   void use(R reading) {
     reader
         .mapped(() -> stamped(reading))

@@ -26,8 +26,7 @@ public final class DeviceWatch {
   private long malformed;
 
   /**
-   * @param service service whose log and health are used
-   * @param device name of the device there
+   * @param device name in log and health
    * @param silentAfterS time without a readable message after which a connected device counts as
    *     silent [s]
    */
@@ -39,9 +38,9 @@ public final class DeviceWatch {
   }
 
   /**
-   * Checks the device; at each step, before reading.
+   * Checks the device, at each step before reading.
    *
-   * @return whether it has reconnected since the last call: parsers reset, and it is set up
+   * @return whether it has reconnected: parsers reset, and it is set up again
    */
   public boolean look(long nowMicros) {
     boolean isConnected = link.isConnected();
@@ -102,8 +101,7 @@ public final class DeviceWatch {
   }
 
   /**
-   * Records malformed data; logged at the 1st, 2nd, 4th, 8th, … so that a flood does not fill the
-   * log.
+   * Records malformed data; logged at the 1st, 2nd, 4th, 8th….
    *
    * @param total since the start
    * @param why the last one was malformed; empty if unknown

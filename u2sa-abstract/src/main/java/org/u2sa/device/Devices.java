@@ -24,7 +24,7 @@ public final class Devices {
    * Defaults of a service's device configuration.
    *
    * @param noun name of the device in descriptions: {@code compass}
-   * @param variable that names the device's driver: {@code COMPASS}
+   * @param variable that names the driver: {@code COMPASS}
    * @param driver its default
    * @param connection default of the variable CONNECTION
    */
@@ -34,7 +34,6 @@ public final class Devices {
    * The device of a service. Declares CONNECTION, the variable that names the driver, and the
    * variables of all the port's drivers.
    *
-   * @param service name of the service
    * @param made device provided by the host, such as a phone's; overrides the configuration, as
    *     does one from {@link ServiceContext#devices()}
    * @throws BadInputException if there is no such driver, or more than one

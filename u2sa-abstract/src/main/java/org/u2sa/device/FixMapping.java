@@ -6,10 +6,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;
 
-/**
- * Maps a GNSS receiver's fixes to states, and reports loss and recovery of the fix in the service's
- * log and health.
- */
+/** Maps a GNSS receiver's fixes to states, and reports loss and recovery of the fix. */
 public final class FixMapping {
   private final U2SAService service;
   private final String sensorName;
@@ -17,7 +14,6 @@ public final class FixMapping {
   private boolean hasFix = true; // so that a receiver without an initial fix is reported too
 
   /**
-   * @param sensorName sensor name for messages
    * @param delayS latency from a fix's validity to its reading's timestamp [s]
    */
   public FixMapping(U2SAService service, String sensorName, double delayS) {
@@ -26,7 +22,7 @@ public final class FixMapping {
     delayMicros = Clock.micros(delayS);
   }
 
-  /** The state from a new fix, in GLOBAL, timestamped with its validity; empty if invalid. */
+  /** State in GLOBAL, timestamped with the validity of the fix; empty if it is invalid. */
   public Optional<StateInformation> state(GpsFix fix) {
     report(fix);
     if (!fix.valid()) {

@@ -35,12 +35,10 @@ public final class GpsSensor extends DeviceSensor<GpsFix> {
   private final FixMapping fixes =
       new FixMapping(this, sensorName(), settings(Variables.class).get().delay());
 
-  /** Launcher constructor: opens the configured receiver. */
   public GpsSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given receiver, e.g. the phone's or a simulated one. */
   public GpsSensor(ServiceContext context, GpsReceiver receiver) {
     super(context, KIND, receiver);
   }

@@ -16,8 +16,6 @@ public final class HeadingMapping {
   private final long delayMicros;
 
   /**
-   * @param sensorName sensor name for messages
-   * @param north converts headings to true ones
    * @param mountingRad direction of the compass's front, clockwise from the vehicle's [rad]
    * @param sigmaRad standard deviation of a heading [rad]
    * @param delayS latency from a heading's validity to its reading's timestamp [s]
@@ -32,8 +30,8 @@ public final class HeadingMapping {
   }
 
   /**
-   * The state from a new heading, in GLOBAL, timestamped with its validity; empty while true north
-   * is unknown.
+   * State in GLOBAL, timestamped with the validity of the heading; empty while true north is
+   * unknown.
    */
   public Optional<StateInformation> state(Heading heading) {
     OptionalDouble psi = north.of(heading, -mountingRad);

@@ -68,12 +68,10 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private final TrueNorth north = new TrueNorth(this, clock());
 
-  /** Launcher constructor: opens the configured IMU. */
   public ImuSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given IMU, e.g. the phone's or a simulated one. */
   public ImuSensor(ServiceContext context, Imu imu) {
     super(context, KIND, imu);
   }

@@ -48,12 +48,10 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private long scans;
 
-  /** Launcher constructor: opens the configured lidar. */
   public LidarSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given lidar, e.g. a simulated one. */
   public LidarSensor(ServiceContext context, LaserScanner scanner) {
     super(context, KIND, scanner);
   }

@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Rotation;
 
 /**
  * Position and orientation of a sensor on the vehicle (thesis 4.1.2), in BODY: x forward, y left, z
- * down. The sensor's own axes follow the same convention: x ahead, y left, z down.
+ * down; the sensor's own axes likewise.
  */
 public record MountingPose(
     @Variable(
@@ -58,7 +58,7 @@ public record MountingPose(
             ifAbsent = 0,
             text = "Yaw of the sensor, to the left positive.")
         double yaw) {
-  /** Rotation from the sensor's axes to the vehicle's; reuse it for many points. */
+  /** Rotation from the sensor's axes to the vehicle's. */
   Turn turn() {
     // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have opposite
     // signs.
@@ -78,7 +78,6 @@ public record MountingPose(
   /** Converts from the sensor's axes to BODY [m]. */
   @FunctionalInterface
   interface Turn {
-    /** Converts a point to BODY. */
     Point toBody(Point seen);
   }
 }

@@ -8,7 +8,6 @@ import org.u2sa.service.U2SAService;
 final class OwnAltitude {
   private double altitudeM;
 
-  /** Subscribes the service to state. */
   OwnAltitude(U2SAService service) {
     service.subscribe(Channels.STATE, this::at);
   }

@@ -23,10 +23,8 @@ public final class PressureAltitude {
   private PressureAltitude() {}
 
   /**
-   * Pressure altitude: geopotential altitude of this pressure in the standard atmosphere [m], as an
-   * altimeter set to 1013.25 hPa shows.
-   *
-   * @param pascals static pressure [Pa], positive
+   * Pressure altitude [m], as an altimeter set to 1013.25 hPa shows (geopotential), of a static
+   * pressure [Pa].
    */
   public static double standardM(double pascals) {
     if (pascals < TROPOPAUSE_PA) { // isothermal, ibid.
@@ -38,8 +36,8 @@ public final class PressureAltitude {
   }
 
   /**
-   * Geometric altitude above mean sea level [m] for an altimeter setting, which shifts the scale by
-   * its own standard altitude (ICAO Doc 8168, definition of QNH).
+   * Geometric altitude above mean sea level [m] for an altimeter setting (ICAO Doc 8168, definition
+   * of QNH).
    *
    * @param pascals static pressure [Pa], positive
    * @param qnhPa pressure at sea level today [Pa]
@@ -48,21 +46,15 @@ public final class PressureAltitude {
     return aboveSeaM(standardM(pascals), qnhPa);
   }
 
-  /**
-   * Like {@link #altitudeM}, from a pressure altitude, as reported by transponders.
-   *
-   * @param standardM pressure altitude, setting 1013.25 hPa [m]
-   */
+  /** Like {@link #altitudeM}, from a pressure altitude [m], as reported by transponders. */
   public static double aboveSeaM(double standardM, double qnhPa) {
     double geopotentialM = standardM - standardM(qnhPa);
     return EARTH_RADIUS_M * geopotentialM / (EARTH_RADIUS_M - geopotentialM);
   }
 
   /**
-   * Static pressure at an altitude [Pa]; the inverse of {@link #altitudeM}.
-   *
-   * @param altitudeM geometric, above mean sea level [m]
-   * @param qnhPa pressure at sea level today [Pa]
+   * Static pressure [Pa] at a geometric altitude above mean sea level [m]; the inverse of {@link
+   * #altitudeM}.
    */
   public static double pascalsAt(double altitudeM, double qnhPa) {
     double standardM = geopotentialM(altitudeM) + standardM(qnhPa);

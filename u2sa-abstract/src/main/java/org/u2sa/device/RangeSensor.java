@@ -24,12 +24,10 @@ public final class RangeSensor extends DeviceSensor<RangeFinder.Distance> {
 
   private final MountingPose.Turn mounted = settings(MountingPose.class).get().turn();
 
-  /** Launcher constructor: opens the configured range finder. */
   public RangeSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given range finder, e.g. a simulated one. */
   public RangeSensor(ServiceContext context, RangeFinder finder) {
     super(context, KIND, finder);
   }

@@ -9,12 +9,10 @@ import org.u2sa.service.ServiceRole;
  * What distinguishes one kind of {@link DeviceSensor} from the others, besides its messages.
  *
  * @param serviceName default name of the service
- * @param port kind of device that it reads
  * @param usual device that it opens by default
- * @param channel channel of its messages
- * @param rateHz how often it reads the device by default [Hz]
- * @param silentAfterS time without a new reading after which a connected device counts as silent by
- *     default [s]
+ * @param rateHz default reading rate [Hz]
+ * @param silentAfterS default time without a new reading after which a connected device counts as
+ *     silent [s]
  */
 public record SensorKind<D extends Device<?>>(
     String serviceName,

@@ -4,8 +4,8 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Limits the slew rate of a percentage to protect gears and batteries. Keeps the last value, so use
- * one per motor. Not thread-safe.
+ * Limits the slew rate of a percentage to protect gears and batteries; one per motor. Not
+ * thread-safe.
  */
 public final class SlewLimit {
   private static final double FULL_PERCENT = 100.0;
@@ -18,7 +18,7 @@ public final class SlewLimit {
   /**
    * At 0 %, at rest.
    *
-   * @param percentPerS slew-rate limit [%/s], positive; infinite for none
+   * @param percentPerS slew-rate limit [%/s]; infinite for none
    * @throws BadInputException if it is not positive
    */
   public SlewLimit(double percentPerS) {
@@ -29,11 +29,10 @@ public final class SlewLimit {
   }
 
   /**
-   * Moves one step toward a percentage.
+   * Moves one step toward a percentage, and returns the one to hold now.
    *
    * @param target target [%], clamped to −100…100; NaN counts as 0
    * @param nowMicros time of the run's clock [µs]; the first step only starts the timer
-   * @return the percentage to hold now
    */
   public double towards(double target, long nowMicros) {
     double clamped =
@@ -49,7 +48,7 @@ public final class SlewLimit {
     return percent;
   }
 
-  /** Drops to 0 % immediately, because stops are not limited. The next step starts from there. */
+  /** Drops to 0 % immediately, because stops are not limited. */
   public void rest(long nowMicros) {
     percent = 0.0;
     began(nowMicros);

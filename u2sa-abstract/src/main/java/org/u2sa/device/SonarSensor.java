@@ -12,8 +12,8 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes the nearest strong echo of each ping of a scanning sonar; batches pings into one scan,
- * including those without an echo (thesis 4.1.1.1). Out: scans.
+ * Publishes the nearest strong echo of each ping of a scanning sonar, several pings as one scan
+ * (thesis 4.1.1.1). Out: scans.
  */
 public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
   private static final SensorKind<Sonar> KIND =
@@ -49,12 +49,10 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
   private long lastMicros;
   private double reachM;
 
-  /** Launcher constructor: opens the configured sonar. */
   public SonarSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given sonar, e.g. a simulated one. */
   public SonarSensor(ServiceContext context, Sonar sonar) {
     super(context, KIND, sonar);
   }

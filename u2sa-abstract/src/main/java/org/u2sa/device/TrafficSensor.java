@@ -23,12 +23,10 @@ public final class TrafficSensor extends DeviceSensor<TrafficReceiver.Traffic> {
 
   private final TrafficSpheres spheres = new TrafficSpheres(this, new OwnAltitude(this)::metres);
 
-  /** Launcher constructor: opens the configured receiver. */
   public TrafficSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given receiver, e.g. a simulated one. */
   public TrafficSensor(ServiceContext context, TrafficReceiver receiver) {
     super(context, KIND, receiver);
   }

@@ -46,13 +46,12 @@ public final class TrueNorth {
   private double latitudeDeg = Double.NaN;
   private double longitudeDeg = Double.NaN;
 
-  /** Reads the variables of a service, and subscribes it to state for the vehicle's position. */
+  /** Also subscribes the service to state for the vehicle's position. */
   TrueNorth(U2SAService service, Clock clock) {
     this(service);
     service.subscribe(Channels.STATE, state -> at(state, clock.micros()));
   }
 
-  /** Reads the variables of a service. */
   public TrueNorth(Configurator variables) {
     Source source = variables.settings(Source.class).get();
     isModelled = source.north() == North.MODEL;
@@ -95,7 +94,7 @@ public final class TrueNorth {
   }
 
   /**
-   * Converts a heading to a true one [rad, 0…2π]; empty while the declination is unknown.
+   * True heading [rad, 0…2π]; empty while the declination is unknown.
    *
    * @param turnRad angle added to the heading: direction of the vehicle's front, clockwise from the
    *     compass's

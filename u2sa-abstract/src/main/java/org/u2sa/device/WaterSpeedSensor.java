@@ -45,12 +45,10 @@ public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Launcher constructor: opens the configured log. */
   public WaterSpeedSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given velocity log, e.g. a simulated one. */
   public WaterSpeedSensor(ServiceContext context, VelocityLog velocityLog) {
     super(context, KIND, velocityLog);
   }

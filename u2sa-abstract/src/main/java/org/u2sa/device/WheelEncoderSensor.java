@@ -41,12 +41,10 @@ public final class WheelEncoderSensor extends DeviceSensor<WheelEncoder.Ticks> {
   private int connections;
   private long dueMicros = Long.MIN_VALUE;
 
-  /** Launcher constructor: opens the configured encoders. */
   public WheelEncoderSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given encoders, e.g. simulated ones. */
   public WheelEncoderSensor(ServiceContext context, WheelEncoder encoder) {
     super(context, KIND, encoder);
   }

@@ -11,7 +11,6 @@ import org.u2sa.device.wheel.WheelVariables;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.command.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.service.CommandedActuators;
@@ -41,18 +40,12 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   private static final String LEFT_SLEW = "LEFT SLEW";
   private static final String RIGHT_SLEW = "RIGHT SLEW";
 
-  private final String leftName;
-  private final String rightName;
+  private final Wheel left;
+  private final Wheel right;
   private final boolean leftIsSecond;
-  private final double leftSign;
-  private final double rightSign;
   private final double dutyPerPercent;
   private final double countsPerRad;
-  private final ActuatorDescription leftDescription;
-  private final ActuatorDescription rightDescription;
   private final CommandedActuators commands;
-  private final SlewLimit leftSlew;
-  private final SlewLimit rightSlew;
   private final WheelOdometry odometry;
   private final long stateEveryMicros;
   private final MotorController controller;
@@ -77,17 +70,11 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     WheelVariables variables = settings(WheelVariables.class).get();
     controller = // before the odometry's variables, which may follow from it
         Devices.open(MotorController.class, USUAL, context, getServiceName(), made);
-    leftName = variables.leftActuator();
-    rightName = variables.rightActuator();
     leftIsSecond = variables.leftIsSecond();
-    leftSign = variables.leftReversed() ? -1.0 : 1.0;
-    rightSign = variables.rightReversed() ? -1.0 : 1.0;
     dutyPerPercent = variables.fullDuty() / FULL_PERCENT;
-    leftDescription = settings(ActuatorDescription.class, leftName + " ").get();
-    rightDescription = settings(ActuatorDescription.class, rightName + " ").get();
-    commands = new CommandedActuators(this, Set.of(leftName, rightName), this::stopNow);
-    leftSlew = new SlewLimit(variables.slewLimit());
-    rightSlew = new SlewLimit(variables.slewLimit());
+    left = wheel(variables.leftActuator(), variables.leftReversed(), variables);
+    right = wheel(variables.rightActuator(), variables.rightReversed(), variables);
+    commands = new CommandedActuators(this, Set.of(left.name, right.name), this::stopNow);
     OdometryVariables wheels = settings(OdometryVariables.class).get();
     countsPerRad = wheels.countsPerTurn() / (2.0 * Math.PI);
     odometry = wheels.odometry();
@@ -98,21 +85,30 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     reader = new DeviceReader<>(this, "the motor controller", controller, SILENT_AFTER_S);
   }
 
-  private static ActuatorAnnouncement wheel(
-      String name, String effect, ActuatorDescription description) {
-    return description.addTo(
-        new ActuatorAnnouncement()
-            .actuatorName(name)
-            .minimum(-FULL_PERCENT)
-            .maximum(FULL_PERCENT)
-            .effect(effect));
+  private Wheel wheel(String name, boolean reversed, WheelVariables variables) {
+    return new Wheel(
+        name,
+        reversed ? -1 : 1,
+        settings(ActuatorDescription.class, name + " ").get(),
+        new SlewLimit(variables.slewLimit()));
+  }
+
+  private record Wheel(String name, int sign, ActuatorDescription description, SlewLimit slew) {
+    ActuatorAnnouncement announcement(String effect) {
+      return description.addTo(
+          new ActuatorAnnouncement()
+              .actuatorName(name)
+              .minimum(-FULL_PERCENT)
+              .maximum(FULL_PERCENT)
+              .effect(effect));
+    }
   }
 
   @Override
   public List<ActuatorAnnouncement> actuators() {
     return List.of(
-        wheel(leftName, "drives the left wheel forward", leftDescription),
-        wheel(rightName, "drives the right wheel forward", rightDescription));
+        left.announcement("drives the left wheel forward"),
+        right.announcement("drives the right wheel forward"));
   }
 
   @Override
@@ -145,42 +141,41 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   }
 
   private void drive(long nowMicros) {
-    OptionalDouble left = commands.percentage(leftName);
-    OptionalDouble right = commands.percentage(rightName);
-    if (left.isEmpty() || right.isEmpty()) {
+    OptionalDouble leftPercent = commands.percentage(left.name);
+    OptionalDouble rightPercent = commands.percentage(right.name);
+    if (leftPercent.isEmpty() || rightPercent.isEmpty()) {
       rest(nowMicros);
       controller.drive(0.0, 0.0);
       return;
     }
     if (turn()) {
-      leftSlew.goOnFrom(left.getAsDouble());
-      rightSlew.goOnFrom(right.getAsDouble());
+      left.slew.goOnFrom(leftPercent.getAsDouble());
+      right.slew.goOnFrom(rightPercent.getAsDouble());
       return;
     }
-    double leftDuty = leftSign * dutyPerPercent * leftSlew.towards(left.getAsDouble(), nowMicros);
-    double rightDuty =
-        rightSign * dutyPerPercent * rightSlew.towards(right.getAsDouble(), nowMicros);
+    double leftDuty = duty(left, leftPercent.getAsDouble(), nowMicros);
+    double rightDuty = duty(right, rightPercent.getAsDouble(), nowMicros);
     controller.drive(leftIsSecond ? rightDuty : leftDuty, leftIsSecond ? leftDuty : rightDuty);
+  }
+
+  private double duty(Wheel wheel, double percent, long nowMicros) {
+    return wheel.sign * dutyPerPercent * wheel.slew.towards(percent, nowMicros);
   }
 
   /** Makes the controller hold both speeds, if speeds are commanded and it supports that. */
   private boolean turn() {
-    Optional<ActuatorCommand> left = commands.command(leftName);
-    Optional<ActuatorCommand> right = commands.command(rightName);
-    if (left.isPresent()
-        && left.get() instanceof SpeedCommand leftSpeed
-        && right.isPresent()
-        && right.get() instanceof SpeedCommand rightSpeed) {
-      double first = leftSign * leftSpeed.speed() * countsPerRad;
-      double second = rightSign * rightSpeed.speed() * countsPerRad;
+    if (commands.command(left.name).orElse(null) instanceof SpeedCommand leftSpeed
+        && commands.command(right.name).orElse(null) instanceof SpeedCommand rightSpeed) {
+      double first = left.sign * leftSpeed.speed() * countsPerRad;
+      double second = right.sign * rightSpeed.speed() * countsPerRad;
       return controller.turn(leftIsSecond ? second : first, leftIsSecond ? first : second);
     }
     return false;
   }
 
   private void rest(long nowMicros) {
-    leftSlew.rest(nowMicros);
-    rightSlew.rest(nowMicros);
+    left.slew.rest(nowMicros);
+    right.slew.rest(nowMicros);
   }
 
   private void lost(long nowMicros) {
@@ -207,13 +202,10 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   }
 
   private void publishState(MotorController.Counts counts) {
-    int left = leftIsSecond ? counts.second() : counts.first();
-    int right = leftIsSecond ? counts.first() : counts.second();
+    int leftCounts = left.sign * (leftIsSecond ? counts.second() : counts.first());
+    int rightCounts = right.sign * (leftIsSecond ? counts.first() : counts.second());
     reader
-        .mapped(
-            () ->
-                odometry.moved(
-                    counts.measuredAtMicros(), (int) leftSign * left, (int) rightSign * right))
+        .mapped(() -> odometry.moved(counts.measuredAtMicros(), leftCounts, rightCounts))
         .flatMap(state -> state)
         .ifPresent(state -> publish(Channels.SENSED_STATE, state.sensorName(getServiceName())));
   }
@@ -221,14 +213,14 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   @Override
   protected void handOver(HandOver state) {
     commands.handOver(state);
-    state.number(LEFT_SLEW, leftSlew.percent()).number(RIGHT_SLEW, rightSlew.percent());
+    state.number(LEFT_SLEW, left.slew.percent()).number(RIGHT_SLEW, right.slew.percent());
   }
 
   @Override
   protected void takeOver(HandOver state) {
     commands.takeOver(state);
-    state.number(LEFT_SLEW).ifPresent(leftSlew::goOnFrom);
-    state.number(RIGHT_SLEW).ifPresent(rightSlew::goOnFrom);
+    state.number(LEFT_SLEW).ifPresent(left.slew::goOnFrom);
+    state.number(RIGHT_SLEW).ifPresent(right.slew::goOnFrom);
   }
 
   @Override

@@ -13,11 +13,9 @@ import org.u2sa.service.actuator.ActuatorOwner;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * An actuator service (thesis 3.2.2.5). In: actuation, of which it obeys commands addressed to its
- * name; emergency-stop; arming-state. Out: actuators, its periodic announcement (thesis 5.1).
- *
- * <p>It goes neutral when commands expire, at an emergency stop, and when the service ends. A
- * successor that replaces it at run time continues its command.
+ * An actuator service (thesis 3.2.2.5), which goes neutral when commands expire, at an emergency
+ * stop, and at the end. In: actuation (its own commands), emergency-stop, arming-state. Out:
+ * actuators, its periodic announcement (thesis 5.1).
  */
 public abstract class Actuator extends PeriodicService implements ActuatorOwner {
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
@@ -46,16 +44,13 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   /** Applies a command [%], −100…100. Called on the service's thread for each command. */
   protected abstract void actuate(double percentage);
 
-  /**
-   * Moves to the safe neutral position, where nothing moves. Called when commands expire and when
-   * the service ends.
-   */
+  /** Moves to the safe position, where nothing moves. */
   protected abstract void neutral();
 
   /** Closes the device, after {@link #neutral}. */
   protected void close() {}
 
-  /** The announcement to control systems, from the configuration; subclasses refine it. */
+  /** The announcement from the configuration; subclasses refine it. */
   protected ActuatorAnnouncement announcement() {
     return description.addTo(
         new ActuatorAnnouncement().actuatorName(actuatorName).minimum(-100.0).maximum(100.0));
@@ -67,8 +62,8 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   }
 
   /**
-   * Announces the remaining effectiveness of the actuator [%, 0…100], 0 if its device is lost; only
-   * after the service was started.
+   * Announces the remaining effectiveness [%, 0…100], 0 if the device is lost; after the start
+   * only.
    */
   protected final void available(double percent) {
     commands.available(actuatorName, percent);
@@ -104,7 +99,6 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
     commands.step(nowS);
   }
 
-  /** Applies the command, or goes neutral if it has expired since it was accepted. */
   private void carryOut() {
     OptionalDouble percentage = commands.percentage(actuatorName);
     if (percentage.isPresent()) {

@@ -6,16 +6,12 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Runs an author's {@link U2SAService#run} loop and a separate thread that handles the service's
- * messages, so that the loop need not deal with messages (thesis 8.2.4).
- *
- * <p>{@link U2SAService#sleep} waits on the run's clock, so a simulation waits for each iteration.
- * It does not wait for a loop that blocks elsewhere, such as in {@link Thread#sleep}.
+ * Runs an author's {@link U2SAService#run} loop beside a thread that handles the service's messages
+ * (thesis 8.2.4). A simulation waits for each {@link U2SAService#sleep} of the loop, but not where
+ * it blocks elsewhere, such as in {@link Thread#sleep}.
  */
 final class AuthoredLoop {
-  /**
-   * Polling period of the field that an author's kill clears, because a field cannot be watched.
-   */
+  /** Polling period of the field that an author's kill clears. */
   private static final long POLLS_EVERY_MICROS = 250_000;
 
   private static final long ENDS_WITHIN_MS = 1_000;
@@ -37,8 +33,6 @@ final class AuthoredLoop {
   private boolean hasReturned; // touched by the messages' thread only
 
   /**
-   * @param thread runs the loop
-   * @param isRunning whether the loop should continue
    * @param handleMessages body of the thread that handles messages; takes {@link #turns}
    * @param kill clears {@code isRunning} and calls the author's kill()
    */
@@ -59,7 +53,7 @@ final class AuthoredLoop {
     messages.setDaemon(true);
   }
 
-  /** Starts handling messages; the loop's thread is started afterwards. */
+  /** Starts handling messages; the loop's thread starts afterwards. */
   void begin(long nowMicros) {
     startedMicros = nowMicros;
     waiter = clock.newWaiter(thread, this::outOfStep);
@@ -73,12 +67,11 @@ final class AuthoredLoop {
             + " it: with sleep(…) in place of Thread.sleep(…) the simulation waits for it");
   }
 
-  /** The thread that handles messages. */
   Thread messages() {
     return messages;
   }
 
-  /** The turns of the thread that handles messages, which also watches the loop. */
+  /** Turns of the thread that handles messages, which also watches the loop. */
   Clock.Turns turns(Clock.Turns handling) {
     return () -> {
       checkLoop();
@@ -90,8 +83,8 @@ final class AuthoredLoop {
   }
 
   /**
-   * A loop that returns while the service should continue has failed. A run() that returns
-   * immediately is not a loop: the service only handles messages.
+   * A loop that returns while the service should continue has failed; a run() that returns at once
+   * is not a loop.
    */
   private void checkLoop() {
     if (hasReturned || !isRunning.getAsBoolean()) {
@@ -134,7 +127,6 @@ final class AuthoredLoop {
     } while (isRunning.getAsBoolean() && clock.micros() < untilMicros);
   }
 
-  /** Permanently ends {@link #sleep} in the loop. */
   void stopSleeping() {
     Clock.Waiter sleeping = waiter;
     if (sleeping != null) {

@@ -27,7 +27,7 @@ import org.u2sa.service.handover.HandOver;
  * refused, counted and logged, and nothing moves while an emergency stop is active or, if REQUIRES
  * ARMING, while the vehicle is not armed. In: actuation, emergency-stop, arming-state.
  *
- * <p>{@link Actuator} has it built in; services that own several actuators create one in their
+ * <p>{@link Actuator} has it built in; services with several actuators create one in their
  * constructor. Belongs to its service's thread.
  */
 public final class CommandedActuators {
@@ -94,8 +94,6 @@ public final class CommandedActuators {
   }
 
   /**
-   * Like the other constructor, with a listener for commands.
-   *
    * @param commanded called when an actuator has a new percentage
    */
   CommandedActuators(U2SAService service, Set<String> names, Runnable commanded, Runnable stopped) {
@@ -134,8 +132,8 @@ public final class CommandedActuators {
 
   /**
    * Announces the actuators to control systems, now and at the shortest renewal period of any of
-   * them: over a broker, a late subscriber receives the last announcement only. Further commands
-   * they did not announce are refused.
+   * them, because a late subscriber receives the last announcement only. Commands that were not
+   * announced are refused.
    */
   public void announce(List<ActuatorAnnouncement> actuators) {
     announcements.clear();
@@ -150,8 +148,7 @@ public final class CommandedActuators {
   }
 
   /**
-   * Renews the announcement if due, and disarms if the Safety Manager is silent; call it in the
-   * service's step.
+   * Renews a due announcement, and disarms if the Safety Manager is silent; call it in each step.
    */
   public void step(double nowS) {
     expireArming();
@@ -167,8 +164,7 @@ public final class CommandedActuators {
   }
 
   /**
-   * Immediately announces the remaining effectiveness of an actuator; an unchanged value is not
-   * repeated.
+   * Announces the remaining effectiveness of an actuator if it has changed.
    *
    * @param percent 0 for a lost actuator, 100 for a healthy one
    * @throws IllegalArgumentException if no such actuator was announced
@@ -184,7 +180,7 @@ public final class CommandedActuators {
     }
   }
 
-  /** {@link #available(String, double)} of all of them, which share one device. */
+  /** {@link #available(String, double)} of all actuators, which share a device. */
   public void available(double percent) {
     boolean changes = false;
     for (ActuatorAnnouncement announced : announcements.values()) {
@@ -246,12 +242,10 @@ public final class CommandedActuators {
     }
   }
 
-  /** Whether an emergency stop is in force. */
   public boolean isStopped() {
     return emergency.isStopped();
   }
 
-  /** Reports which stops are in force, after the actuators obeyed them. */
   void reportStops() {
     service.heedsEmergencyStops(emergency.identities());
   }
@@ -263,8 +257,8 @@ public final class CommandedActuators {
   }
 
   /**
-   * A clear is retained: a late subscriber must not mistake it for the end of a stop that it does
-   * not cover.
+   * A clear is retained: a late subscriber must not mistake it for the end of a stop it does not
+   * cover.
    */
   private void repeatWhatHolds(EmergencyStop clear) {
     Optional<EmergencyStop> holding = emergency.stop();
@@ -320,30 +314,25 @@ public final class CommandedActuators {
     }
   }
 
-  /** Whether a state, such as one that a broker retained, is of an earlier run. */
+  /** Whether a state that a broker retained is of an earlier run. */
   private boolean isOld(ArmingState state) {
     long now = service.clock().micros();
     return now - state.timestamp().orElse(now) > MAX_ARMED_AGE_MICROS;
   }
 
-  /**
-   * Whether actuators may move: no emergency stop is active, and the vehicle is armed if required.
-   */
+  /** Whether no emergency stop is active, and the vehicle is armed if required. */
   public boolean mayMove() {
     return !emergency.isStopped() && (armed || !limits.get().requiresArming());
   }
 
-  /**
-   * Current command of an actuator [%], −100…100; empty for neutral: command expired, stopped, or
-   * not armed.
-   */
+  /** Current command [%], −100…100; empty for neutral: expired, stopped, or not armed. */
   public OptionalDouble percentage(String actuator) {
     return mayMove() ? commands.percentage(actuator) : OptionalDouble.empty();
   }
 
   /**
-   * Current command of an actuator as sent, for services that use an angle, speed or force
-   * directly; empty if {@link #percentage} is.
+   * Current command as sent, for services that use an angle, speed or force; empty if {@link
+   * #percentage} is.
    */
   public Optional<ActuatorCommand> command(String actuator) {
     return mayMove() ? commands.command(actuator) : Optional.empty();
@@ -355,8 +344,7 @@ public final class CommandedActuators {
   }
 
   /**
-   * Saves the unexpired commands with their remaining lifetimes, the stops and the arming state;
-   * call it in the service's {@link U2SAService#handOver}.
+   * Saves the unexpired commands with their remaining lifetimes, the stops and the arming state.
    */
   public void handOver(HandOver state) {
     emergency.handOver(state);
@@ -364,9 +352,8 @@ public final class CommandedActuators {
   }
 
   /**
-   * Restores the state saved by {@link #handOver}, so that no actuator moves because of the swap;
-   * call it in the service's {@link U2SAService#takeOver}. Commands this service would refuse are
-   * dropped.
+   * Restores the saved state, so that no actuator moves because of the swap. Commands this service
+   * would refuse are dropped.
    */
   public void takeOver(HandOver state) {
     armed = state.flag(ARMED);
@@ -378,7 +365,6 @@ public final class CommandedActuators {
     }
   }
 
-  /** Commands refused for that reason so far. */
   public long refused(CommandRefusal reason) {
     return refusals.getOrDefault(reason, 0L);
   }

@@ -26,8 +26,8 @@ import org.u2sa.messages.contract.ConfigurationUndo;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Answers queries and change requests for a service's configuration (thesis 3.2.1.1). Runs on the
- * service's thread, except for validation and writing, done by {@link ConfigurationWriter}.
+ * Answers queries and change requests for a service's configuration (thesis 3.2.1.1) on its thread;
+ * {@link ConfigurationWriter} validates and writes.
  */
 final class ConfigurationResponder {
   private static final int REMEMBERED = 64;
@@ -59,7 +59,6 @@ final class ConfigurationResponder {
   private long refused; // requests above the rate limit
 
   /**
-   * @param writer writes the changes, off the service's thread
    * @param check refuses changes that do not fit together
    * @param changed called after a change, with the names of the variables
    */
@@ -79,7 +78,6 @@ final class ConfigurationResponder {
     configuration = service.variables();
   }
 
-  /** Answers a request that concerns this service, now or when the change has been written. */
   void answer(U2SAData request) {
     if (request instanceof ConfigurationChange change) {
       change(change);
@@ -227,8 +225,8 @@ final class ConfigurationResponder {
   }
 
   /**
-   * Rate limit of configuration changes: a burst, then a fixed rate, per author and in total. The
-   * total matters because author names are not authenticated.
+   * Rate limit of changes: a burst, then a fixed rate, per author and in total, because author
+   * names are not authenticated.
    */
   private static final class ChangeRate {
     private static final int AUTHORS = 64; // tracked individually
@@ -268,11 +266,7 @@ final class ConfigurationResponder {
       }
     }
 
-    /**
-     * Whether the author may request another change; counts it if so.
-     *
-     * @param nowMicros time of the run's clock [µs]
-     */
+    /** Whether the author may request another change; counts it if so. */
     boolean allows(String author, long nowMicros) {
       Allowance own =
           authors.computeIfAbsent(author, name -> new Allowance(EACH_AT_ONCE, EACH_PER_S));

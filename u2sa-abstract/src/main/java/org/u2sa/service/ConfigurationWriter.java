@@ -9,12 +9,11 @@ import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Validates and writes requested changes sequentially on a separate thread that lives only while
- * there is something to write, so that the service's thread never blocks on a disk. Written changes
- * are queued until the service applies them between two messages.
+ * Validates and writes requested changes one by one on a thread that lives only while there is
+ * something to write. The service applies written changes between two messages.
  *
- * <p>The thread takes turns on the run's clock like services, so in a simulation time stops until a
- * change is written, and runs are repeatable however slow the disk is.
+ * <p>The thread takes turns on the run's clock, so in a simulation time stops until a change is
+ * written.
  */
 final class ConfigurationWriter {
   private static final int CAPACITY = 32;
@@ -41,7 +40,7 @@ final class ConfigurationWriter {
     this.life = life;
   }
 
-  /** Queues the change for writing. Returns false if the queue is full. */
+  /** Returns false if the queue is full. */
   synchronized boolean order(Order order) {
     if (closed || orders.size() >= CAPACITY) {
       return false;
@@ -95,18 +94,17 @@ final class ConfigurationWriter {
     return turn != null || !done.isEmpty();
   }
 
-  /** Whether a written change waits for {@link #handOver}. */
   boolean hasWritten() {
     return !done.isEmpty();
   }
 
-  /** Applies the oldest written change; called on the service's thread. */
+  /** Applies the oldest written change. */
   void handOver() {
     Done next = done.remove();
     next.answer().accept(next.change());
   }
 
-  /** Accepts no further changes, because the service ends. */
+  /** Accepts no further changes. */
   synchronized void close() {
     closed = true;
     orders.clear();

@@ -13,9 +13,8 @@ import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Answers the requests of the {@linkplain ServiceContract service contract}: discovery,
- * functionality discovery and, by its {@link ConfigurationResponder}, configuration. Runs on the
- * service's thread.
+ * Answers the requests of the {@linkplain ServiceContract service contract} on the service's
+ * thread.
  */
 record ContractResponder(
     ServiceInstance service,
@@ -23,7 +22,6 @@ record ContractResponder(
     ServiceConnection connection,
     ConfigurationResponder configuration) {
 
-  /** Answers a request that concerns this service. */
   void answer(U2SAData request) {
     if (request instanceof DiscoveryRequest) {
       connection.publish(Channels.DISCOVERY, discovery());

@@ -5,8 +5,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Devices that the host of a run provides to its services instead of those their configurations
- * name, such as the sensors and actuators of a simulated vehicle.
+ * Devices that the host of a run provides instead of the configured ones, such as those of a
+ * simulated vehicle.
  */
 public interface DeviceSource {
   /** Provides none: every service opens its configured device. */
@@ -20,15 +20,13 @@ public interface DeviceSource {
       };
 
   /**
-   * The device of a service; called once per service, while it is constructed.
+   * Device of a service; called once, while the service is constructed.
    *
    * @param port kind of device: an interface of {@code org.u2sa.device.port}
-   * @param service name of the service
-   * @param variables the service's variables; those that follow from the device may be overridden
-   * @param clock the run's clock
+   * @param variables those that follow from the device may be overridden
    * @return empty: the service opens its configured device
-   * @throws org.u2sa.interfaces.BadInputException if the service must not open its configured
-   *     device, but there is no other for it
+   * @throws org.u2sa.interfaces.BadInputException if it must not, but there is no other device for
+   *     it
    */
   <D> Optional<D> device(Class<D> port, String service, XmlConfiguration variables, Clock clock);
 }

@@ -11,15 +11,13 @@ import org.u2sa.service.inbox.ServiceInbox;
 
 /**
  * Hook into everything that passes between a service's code and its environment, in order: clock
- * readings, waits, messages in and out. Recording it allows the service to be re-executed; it then
- * publishes the same messages if it depends on nothing else. By default each method changes
- * nothing, as for a service that is neither recorded nor replayed.
+ * readings, waits, messages in and out. Recording it allows the service to be re-executed. By
+ * default each method changes nothing.
  *
  * <p>Called on the service's thread, and before its start on the thread that creates it; only what
  * {@link #clock} and {@link #outlet} return may be used on other threads.
  */
 public interface Execution {
-  /** That of a service that is neither recorded nor replayed. */
   Execution NONE = new Execution() {};
 
   /**
@@ -30,70 +28,46 @@ public interface Execution {
    */
   default void requireRole(ServiceRole role) {}
 
-  /**
-   * The run's clock as seen by the service.
-   *
-   * @param run the run's clock
-   */
+  /** The run's clock as seen by the service. */
   default Clock clock(Clock run) {
     return run;
   }
 
-  /**
-   * Where the service publishes.
-   *
-   * @param connection publishes on its connection
-   */
+  /** Where the service publishes instead of its connection. */
   default Outlet outlet(Outlet connection) {
     return connection;
   }
 
-  /**
-   * Thread that the service regards as its own.
-   *
-   * @param own its actual thread
-   */
+  /** ID that the service regards as its own thread's. */
   default int threadId(int own) {
     return own;
   }
 
-  /**
-   * Called when the service has connected, on the connecting thread.
-   *
-   * @param instance ID of the connection
-   */
+  /** Called on the connecting thread, with the ID of the connection. */
   default void connects(String instance) {}
 
   /** Called when the service is created but not started. */
   default void made(ServiceInstance service) {}
 
-  /**
-   * Takeover that a replayed service must perform; empty if none, or if its predecessor is running.
-   */
+  /** Takeover that a replayed service must perform, unless its predecessor is running. */
   default Optional<Inheritance> inheritance() {
     return Optional.empty();
   }
 
-  /**
-   * Runs code of the service on the calling thread instead of the service's thread, which has not
-   * been started.
-   */
+  /** Runs code of the service on the calling thread, before the service's thread has started. */
   default void onBehalf(Runnable code) {
     code.run();
   }
 
   /**
-   * Called when the service has taken over from another one and is about to start.
-   *
-   * @param connection ID of its new connection
+   * Called when the service has taken over and is about to start, with the ID of its new
+   * connection.
    */
   default void succeeds(Inheritance inheritance, String connection) {}
 
   /**
    * Runs code on the service's thread that is not part of the execution: the takeover by another
    * service.
-   *
-   * @return the code's result
    */
   default boolean apart(BooleanSupplier code) {
     return code.getAsBoolean();
@@ -106,10 +80,9 @@ public interface Execution {
   default void steps() {}
 
   /**
-   * Called when a message could be handled.
+   * Called when a message could be handled; returns the one to handle.
    *
-   * @param waiting next message in the service's inbox; null if none
-   * @return message to handle instead; null for none
+   * @param waiting next message in the inbox; null if none
    */
   default ServiceInbox.Delivery receives(ServiceInbox.Delivery waiting) {
     return waiting;
@@ -120,12 +93,7 @@ public interface Execution {
     return false;
   }
 
-  /**
-   * Called when a written configuration change could be applied.
-   *
-   * @param isWritten whether one is waiting
-   * @return whether to apply it now
-   */
+  /** Whether to apply a written configuration change now, if one is waiting. */
   default boolean takesWritten(BooleanSupplier isWritten) throws InterruptedException {
     return isWritten.getAsBoolean();
   }
@@ -148,10 +116,8 @@ public interface Execution {
   /**
    * Data passed to a service that takes over from another.
    *
-   * @param serviceName common name of both
-   * @param state state saved by the predecessor
    * @param firstStepMicros time of the predecessor's next step [µs of the run's clock]; empty if
-   *     the first step is due immediately, or there are no steps
+   *     immediately or never
    */
   record Inheritance(String serviceName, HandOver state, OptionalLong firstStepMicros) {}
 }

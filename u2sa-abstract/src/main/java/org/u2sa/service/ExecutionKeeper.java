@@ -4,12 +4,6 @@ import java.util.Optional;
 
 /** Records the executions of services created after it, such as a recorder. */
 public interface ExecutionKeeper {
-  /**
-   * Called before a service is created.
-   *
-   * @param className class of the service
-   * @param context its context, without the execution
-   * @return empty if it is not recorded
-   */
+  /** Called before a service of that class is created; empty if it is not recorded. */
   Optional<Execution> keep(String className, ServiceContext context);
 }

@@ -6,9 +6,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.FailsafeState;
 
 /**
- * Ignores the failsafe of an earlier run that a broker has kept: the first one that a service hears
- * in a run, if it is old. A Safety Manager that runs repeats its failsafe every second, so whatever
- * comes next counts, even if its clock is behind.
+ * Ignores the failsafe of an earlier run that a broker has kept: the first one heard in a run, if
+ * it is old. A Safety Manager repeats its failsafe every second, so the next one counts even if its
+ * clock is behind.
  */
 public final class FirstFailsafe {
   private static final long MAX_AGE_MICROS = 5 * Clock.MICROS_PER_SECOND;
@@ -18,10 +18,7 @@ public final class FirstFailsafe {
   private boolean heardCurrent;
   private OptionalLong ignored = OptionalLong.empty(); // timestamp
 
-  /**
-   * @param service the service that obeys failsafes; logs what is ignored
-   * @param context of the service; a restarted one believes what this run has left
-   */
+  /** A restarted service believes what this run has left. */
   public FirstFailsafe(U2SAService service, ServiceContext context) {
     this.service = service;
     clock = context.clock();

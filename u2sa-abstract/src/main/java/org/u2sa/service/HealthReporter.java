@@ -8,11 +8,11 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Reports a service's health (thesis 3.5.3): its own periodic reports, and substitute reports for
- * others to publish when it is silent.
+ * Reports a service's health (thesis 3.5.3) periodically, and for others to publish when it is
+ * silent.
  */
 final class HealthReporter {
-  /** Number of missed intervals after which a service counts as silent. */
+  /** Missed intervals after which a service counts as silent. */
   private static final long SILENT_AFTER = 3;
 
   private final ServiceReceiver.Recipient service;
@@ -25,7 +25,7 @@ final class HealthReporter {
   private volatile boolean lastSaid;
 
   /**
-   * @param handling the thread that handles the service's messages
+   * @param handling thread that handles the service's messages
    */
   HealthReporter(
       ServiceReceiver.Recipient service,
@@ -39,12 +39,11 @@ final class HealthReporter {
     intervalMicros = Clock.micros(service.configuration().settings().healthInterval());
   }
 
-  /** Time of the next report [µs]. */
   long dueMicros() {
     return dueMicros;
   }
 
-  /** Reports if due, and returns whether it was. Called on the service's thread. */
+  /** Returns whether it reported. */
   boolean reportIfDue(long nowMicros) {
     if (nowMicros < dueMicros) {
       return false;
@@ -55,12 +54,11 @@ final class HealthReporter {
     return true;
   }
 
-  /** Makes a report due before the next message is handled. Called on the service's thread. */
+  /** Makes a report due before the next message is handled. */
   void reportSoon() {
     dueMicros = Long.MIN_VALUE;
   }
 
-  /** Reports that the service has ended. */
   void reportLast() {
     HealthReport last = report();
     if (health.hasDied()) {
@@ -70,8 +68,8 @@ final class HealthReporter {
   }
 
   /**
-   * Substitute report if the service's own is overdue; empty if it reports itself, has not been
-   * started, or has sent its last report.
+   * Substitute report; empty if the service reports itself, has not been started, or has sent its
+   * last report.
    */
   Optional<HealthReport> onBehalf(long nowMicros) {
     Thread.State state = handling.getState(); // first: an ended thread has reported its end

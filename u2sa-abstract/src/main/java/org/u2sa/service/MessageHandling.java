@@ -12,9 +12,8 @@ import org.u2sa.service.inbox.MessageAge;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /**
- * Message loop of a service: delivers messages one by one, answers those of the service contract,
- * reports health meanwhile, and survives exceptions of the author's code. Confined to the service's
- * thread.
+ * Message loop of a service, on its thread: delivers messages one by one, answers those of the
+ * service contract, reports health meanwhile, and survives exceptions of the author's code.
  */
 final class MessageHandling {
   private final ServiceConfiguration configuration;
@@ -80,7 +79,6 @@ final class MessageHandling {
     }
   }
 
-  /** Consecutive exceptions after which the service fails. */
   int maxErrorsInARow() {
     return configuration.settings().maxErrorsInARow();
   }
@@ -176,10 +174,7 @@ final class MessageHandling {
   }
 
   /**
-   * Runs the author's code; exceptions are logged, counted and survived, up to a limit of
-   * consecutive ones.
-   *
-   * @param maxErrors consecutive exceptions after which the service fails
+   * Runs the author's code; exceptions are logged, counted and survived, up to a limit in a row.
    */
   void guarded(ServiceHealth.CallbackCode code, int maxErrors) throws InterruptedException {
     if (health.run(code)) {
@@ -201,7 +196,6 @@ final class MessageHandling {
     }
   }
 
-  /** Publishes the last health report. */
   void reportLast() {
     writer.close();
     reporter.reportLast();

@@ -21,11 +21,7 @@ public abstract class PeriodicService extends U2SAService {
   private long dueMicros; // touched by the service's thread, before by the predecessor's
   private boolean hasSucceeded;
 
-  /**
-   * See {@link U2SAService#U2SAService}.
-   *
-   * @param defaultRateHz default rate [Hz], overridden by the variable RATE
-   */
+  /** See {@link U2SAService#U2SAService}; the variable RATE overrides {@code defaultRateHz}. */
   protected PeriodicService(
       ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
     super(context, role, serviceName);
@@ -40,25 +36,20 @@ public abstract class PeriodicService extends U2SAService {
         .describedAs("Steps per second.");
   }
 
-  /**
-   * Performs one step, on the service's thread.
-   *
-   * @param nowS current time of the run's clock [s]
-   */
+  /** Performs one step at {@code nowS} of the run's clock [s]. */
   protected abstract void step(double nowS);
 
   /**
-   * Defers all but urgent messages to the next step: for a service that receives many messages and
-   * acts rarely. Called in the constructor.
+   * Defers all but urgent messages to the next step: for a service that receives many and acts
+   * rarely. Called in the constructor.
    */
   protected final void handleMessagesAtSteps() {
     life.bePatient();
   }
 
   /**
-   * Ends the service as failed at the first step that throws, whatever MAX ERRORS IN A ROW says:
-   * for a service that must not miss steps, so that it is restarted immediately. Called in the
-   * constructor.
+   * Ends the service as failed at the first step that throws, so that it is restarted at once.
+   * Called in the constructor.
    */
   protected final void failAtFirstError() {
     maxErrorsInSteps = 1;

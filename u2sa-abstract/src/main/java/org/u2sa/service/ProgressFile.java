@@ -15,15 +15,10 @@ import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
 
 /**
- * Saved state of a service for its restart: a text file beside its log, replaced atomically, so
- * that a process killed while writing leaves the previous file. Valid for one run: a service that
- * starts for the first time deletes the file of an earlier run.
- *
- * <p>Not synced to disk: it is for restarts of a service while the machine keeps running; a power
- * cut ends the run.
- *
- * <p>The service does not wait for a disk that hangs ({@link ReplacedFile}). Within a process the
- * state is also kept in memory, so that a restart there does not depend on the disk.
+ * Saved state of a service for its restart in this run: a text file beside its log, replaced
+ * atomically, and a copy in memory, so that a restart in this process does not depend on the disk.
+ * Not synced, because a power cut ends the run. The service does not wait for a disk that hangs
+ * ({@link ReplacedFile}).
  */
 final class ProgressFile {
   private final Path file;
@@ -47,8 +42,6 @@ final class ProgressFile {
   }
 
   /**
-   * Replaces the file.
-   *
    * @param failed called if writing fails, possibly later on another thread; the previous file is
    *     kept
    */
@@ -66,7 +59,7 @@ final class ProgressFile {
   }
 
   /**
-   * Last saved state, of this process if it saved one; empty if none.
+   * Last saved state; empty if none.
    *
    * @throws IOException if it is unreadable or malformed, naming the position, or the disk does not
    *     answer
@@ -84,7 +77,7 @@ final class ProgressFile {
   }
 
   /**
-   * Forgets the state, and deletes the file if it is there.
+   * Forgets the state.
    *
    * @param failed called if that fails, possibly later on another thread
    */

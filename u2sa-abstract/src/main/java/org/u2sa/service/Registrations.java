@@ -10,10 +10,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
-/**
- * The channels that a service registered to publish on or subscribe to, independent of the
- * connection.
- */
+/** Channels that a service registered to publish on or subscribe to. */
 final class Registrations {
   private final CopyOnWriteArrayList<Channel<?>> published = new CopyOnWriteArrayList<>();
   private final CopyOnWriteArrayList<Channel<?>> subscribed = new CopyOnWriteArrayList<>();
@@ -28,12 +25,10 @@ final class Registrations {
     return subscribed;
   }
 
-  /** Adds a channel to publish on; idempotent. */
   void publish(Channel<?> channel) {
     published.addIfAbsent(channel);
   }
 
-  /** Adds a channel to subscribe to; idempotent. */
   void subscribe(Channel<?> channel) {
     subscribed.addIfAbsent(channel);
   }
@@ -48,24 +43,22 @@ final class Registrations {
     return isSubscribed(channel) || ServiceContract.CHANNELS.contains(channel);
   }
 
-  /** Sets the age above which the channel's messages are dropped [µs]. */
+  /** Sets the age above which messages are dropped [µs]. */
   void deadline(Channel<?> channel, long micros) {
     deadlinesMicros.put(channel, micros);
   }
 
-  /** {@link #deadline}; {@link Clock#NEVER} if the service's author set none. */
+  /** {@link Clock#NEVER} if there is none. */
   long deadlineMicros(Channel<?> channel) {
     Long micros = deadlinesMicros.get(channel);
     return micros == null ? Clock.NEVER : micros;
   }
 
-  /** Sets the handler of the channel's messages. */
   <T extends U2SAData> void handler(Channel<T> channel, Consumer<? super T> action) {
     Class<T> type = channel.type().messageClass();
     handlers.put(channel, message -> action.accept(type.cast(message)));
   }
 
-  /** Handler of the channel's messages, or the default if it has none. */
   Consumer<U2SAData> handlerOr(Channel<?> channel, Consumer<U2SAData> other) {
     return handlers.getOrDefault(channel, other);
   }

@@ -2,10 +2,7 @@ package org.u2sa.service;
 
 import org.u2sa.interfaces.configuration.Variable;
 
-/**
- * Base class of services that read a sensor at a fixed rate and publish the measurements (thesis
- * 3.2.2.2).
- */
+/** Reads a sensor at a fixed rate and publishes the measurements (thesis 3.2.2.2). */
 public abstract class Sensor extends PeriodicService {
   private record Names(
       @Variable(
@@ -17,10 +14,8 @@ public abstract class Sensor extends PeriodicService {
   private final String sensorName;
 
   /**
-   * See {@link PeriodicService#PeriodicService}. Registers as a publisher on the role's main
-   * channel.
-   *
-   * @param role proprioceptive or exteroceptive sensor
+   * See {@link PeriodicService#PeriodicService}. Registers as a publisher on the main channel of
+   * the role: proprioceptive or exteroceptive sensor.
    */
   protected Sensor(
       ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {

@@ -47,9 +47,7 @@ final class ServiceConfiguration {
   }
 
   /**
-   * Returns the name if valid.
-   *
-   * @throws ConfigurationException if not; names the variable that sets it
+   * @throws ConfigurationException if the name is invalid; names the variable that sets it
    */
   static String checkedName(String name) {
     if (!NAME.matcher(name).matches()) {
@@ -65,17 +63,15 @@ final class ServiceConfiguration {
     return name;
   }
 
-  /** The service's own variables. */
   XmlConfiguration variables() {
     return variables;
   }
 
-  /** Initial values of the common variables of all services. */
+  /** Initial values. */
   ServiceVariables settings() {
     return own;
   }
 
-  /** Clock of the run. */
   Clock clock() {
     return clock;
   }
@@ -89,12 +85,10 @@ final class ServiceConfiguration {
     return log;
   }
 
-  /** Writes a line to the log file. */
   void log(LogLevelEnum level, String message) {
     log.log(level, message);
   }
 
-  /** {@link U2SAService#setVariable}, unless the check rejects it. */
   boolean setVariable(String variableName, Object value, ConfigurationCheck check) {
     ChangeOrigin self = new ChangeOrigin(clock.micros(), name, name);
     Optional<String> refusal =

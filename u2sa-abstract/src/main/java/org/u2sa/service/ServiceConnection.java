@@ -15,10 +15,7 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 
-/**
- * A service's connection: publishes on it, subscribes to the service's channels, and hands it to a
- * successor.
- */
+/** A service's connection: publishes, subscribes, and is handed to a successor. */
 final class ServiceConnection {
   private final ServiceContext context;
   private final ServiceConfiguration configuration;
@@ -43,7 +40,7 @@ final class ServiceConnection {
 
   /**
    * @param service gets the messages
-   * @param loop its author's loop; null if it runs a ready-made one
+   * @param loop null if the service runs a ready-made one
    */
   ServiceConnection(ServiceContext context, ServiceReceiver.Recipient service, AuthoredLoop loop) {
     this.context = context;
@@ -59,7 +56,7 @@ final class ServiceConnection {
   }
 
   /**
-   * The connection, opened at the first call with the service contract's subscriptions.
+   * The connection, opened at the first call.
    *
    * @throws CommunicationException if the Communication Manager cannot be reached
    */
@@ -141,28 +138,25 @@ final class ServiceConnection {
     return true;
   }
 
-  /** Logs why something the service wants is not done, and returns false. */
   boolean refuse(String why) {
     configuration.log(LogLevelEnum.ERROR, why);
     return false;
   }
 
-  /** Unique ID of this connection among those of the same service; empty before the first. */
+  /** ID of this connection; empty before the first. */
   Optional<String> instance() {
     return Optional.ofNullable(instance);
   }
 
-  /** The service's publications and subscriptions. */
   Registrations registrations() {
     return registrations;
   }
 
-  /** Number of messages published, without contract messages. */
+  /** Messages published, without contract messages. */
   long published() {
     return published.get();
   }
 
-  /** Time since the last published message [s]; empty before the first. */
   OptionalDouble dataAgeS() {
     return published() == 0
         ? OptionalDouble.empty()
@@ -192,9 +186,9 @@ final class ServiceConnection {
   }
 
   /**
-   * Subscribes on the predecessor's connection to channels that only this service uses; their
-   * messages wait in this service's inbox. Done in advance, because a remote Communication Manager
-   * may answer slowly.
+   * Subscribes on the predecessor's connection to channels that only this service uses, whose
+   * messages wait in its inbox; in advance, because a remote Communication Manager may answer
+   * slowly.
    */
   void prepare(ServiceConnection old, ServiceReceiver.Recipient service) {
     old.receiver().prepare(service);
@@ -213,9 +207,7 @@ final class ServiceConnection {
   }
 
   /**
-   * Hands the open connection and its receiver to a successor; this service no longer publishes.
-   *
-   * @return false if this service's communication has ended
+   * Hands the open connection and its receiver to a successor; false if communication has ended.
    */
   boolean moveTo(ServiceConnection successor) {
     Connection open;
@@ -245,7 +237,6 @@ final class ServiceConnection {
     prepared.clear();
   }
 
-  /** Ends subscriptions of the predecessor that this service does not need. */
   void dropSubscriptionsOnlyOf(ServiceConnection old) {
     old.registrations.subscribed().forEach(this::unsubscribeUnlessNeeded);
   }
@@ -257,12 +248,10 @@ final class ServiceConnection {
     }
   }
 
-  /** Message callback of the connection. */
   synchronized ServiceReceiver receiver() {
     return receiver;
   }
 
-  /** Silently drops everything published from now on. */
   void silence() {
     silent = true;
   }
@@ -271,19 +260,18 @@ final class ServiceConnection {
     return silent;
   }
 
-  /** Number of messages refused or unreadable. Does not block on the connection. */
+  /** Messages refused or unreadable. Does not block on the connection. */
   long refused() {
     Connection open = connection;
     return open == null ? refused : open.refused();
   }
 
-  /** Number of messages lost in transit. Does not block on the connection. */
+  /** Messages lost in transit. Does not block on the connection. */
   long missed() {
     Connection open = connection;
     return open == null ? missed : open.missed();
   }
 
-  /** Names of the channels whose subscription the broker refused. */
   Set<String> refusedSubscriptions() {
     Connection open = connection;
     return open == null ? Set.of() : open.refusedSubscriptions();

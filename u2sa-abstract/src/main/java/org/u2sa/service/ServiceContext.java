@@ -17,35 +17,20 @@ import org.u2sa.messages.schema.MessageTypes;
  * Everything a service gets at construction: its system, configuration, clock and communication.
  */
 public final class ServiceContext {
-  private final String systemId;
-  private final XmlConfiguration configuration;
+  private final Builder made; // not changed any more
   private final Clock clock;
-  private final Transport transport;
-  private final Path logDirectory;
-  private final MessageTypes messageTypes;
-  private final long seed;
-  private final boolean restart;
-  private final boolean trial;
-  private final Execution execution;
-  private final DeviceSource devices;
-  private final RememberedStates remembered;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile ServiceInstance predecessor; // null if none, or already released
 
   private ServiceContext(Builder builder) {
-    systemId = Topic.checkSystemId(builder.systemId);
-    configuration = builder.configuration;
-    execution = builder.execution;
-    clock = execution.clock(builder.clock);
-    transport = builder.transport;
-    logDirectory = builder.logDirectory;
-    messageTypes = builder.messageTypes != null ? builder.messageTypes : MessageTypes.discovered();
-    seed = builder.seed;
-    restart = builder.restart;
-    trial = builder.trial;
-    predecessor = builder.predecessor;
-    devices = builder.devices;
-    remembered = builder.remembered;
+    made = builder;
+    Topic.checkSystemId(made.systemId);
+    clock = made.execution.clock(made.clock);
+    predecessor = made.predecessor;
+    made.predecessor = null; // or each service would hold all its predecessors
+    if (made.messageTypes == null) {
+      made.messageTypes = MessageTypes.discovered();
+    }
   }
 
   /** Builds a context for a service of the given system and configuration. */
@@ -53,54 +38,40 @@ public final class ServiceContext {
     return new Builder(systemId, configuration);
   }
 
-  /** The vehicle that the service is part of. */
   public String systemId() {
-    return systemId;
+    return made.systemId;
   }
 
-  /** The service's own variables. */
   public XmlConfiguration configuration() {
-    return configuration;
+    return made.configuration;
   }
 
-  /** Clock of the run. */
   public Clock clock() {
     return clock;
   }
 
   /** Connection to the Communication Manager; if absent, the configured address is used. */
   public Optional<Transport> transport() {
-    return Optional.ofNullable(transport);
+    return Optional.ofNullable(made.transport);
   }
 
-  /** Directory of the log file. */
   public Path logDirectory() {
-    return logDirectory;
+    return made.logDirectory;
   }
 
-  /** Message types that can be decoded. */
   public MessageTypes messageTypes() {
-    return messageTypes;
+    return made.messageTypes;
   }
 
   /** Seed of the run, from which all randomness in a service derives. */
   public long seed() {
-    return seed;
+    return made.seed;
   }
 
   /** Copy for a service whose execution is recorded or replayed. */
   public ServiceContext with(Execution kept) {
-    Builder builder =
-        of(systemId, configuration)
-            .clock(clock)
-            .logDirectory(logDirectory)
-            .messageTypes(messageTypes)
-            .seed(seed)
-            .restart(restart)
-            .devices(devices)
-            .remembered(remembered)
-            .trial(trial);
-    builder.transport = transport;
+    Builder builder = made.copy();
+    builder.clock = clock;
     builder.predecessor = predecessor;
     builder.execution = Objects.requireNonNull(kept, "kept");
     return builder.build();
@@ -108,17 +79,16 @@ public final class ServiceContext {
 
   /** Devices that the host of the run provides, such as those of a simulated vehicle. */
   public DeviceSource devices() {
-    return devices;
+    return made.devices;
   }
 
-  /** What the services of this process remembered last. */
   RememberedStates remembered() {
-    return remembered;
+    return made.remembered;
   }
 
   /** Hook of a recorder or replay. */
   public Execution execution() {
-    return execution;
+    return made.execution;
   }
 
   /** The service to replace, until the swap is done. */
@@ -128,7 +98,7 @@ public final class ServiceContext {
 
   /** Whether the service replaces a running one ({@link ServiceSwap}). */
   public boolean isSwap() {
-    return predecessor != null || execution.inheritance().isPresent();
+    return predecessor != null || made.execution.inheritance().isPresent();
   }
 
   /** Releases the predecessor. */
@@ -136,36 +106,30 @@ public final class ServiceContext {
     predecessor = null;
   }
 
-  /**
-   * Whether the service is restarted in this run, in the same process or another, and must resume
-   * its saved state.
-   */
+  /** Whether the service is restarted in this run, and must resume its saved state. */
   public boolean isRestart() {
-    return restart;
+    return made.restart;
   }
 
   /**
    * Called where a constructor is about to open a device or another resource that only one service
-   * can hold. Before a running service is restarted, its successor is constructed once as a trial,
-   * so that a wrong file leaves the running one alone; the trial ends here.
+   * can hold. A restart first constructs the successor as a trial, so that a wrong file leaves the
+   * running service alone; the trial ends here.
    *
    * @throws TrialEndedException if this is the trial
    */
   public void beforeDevice() {
-    if (trial) {
+    if (made.trial) {
       throw new TrialEndedException();
     }
   }
 
-  /** Adds how to close a resource that a service's constructor opened, in case it fails later. */
+  /** Adds how to close a resource of a constructor that may fail later. */
   public void onAbandon(Runnable closing) {
     closings.push(closing);
   }
 
-  /**
-   * Closes the log file, the connection and the devices of a service whose constructor failed, so
-   * that there is no instance to kill. For code that constructs services. Idempotent.
-   */
+  /** Closes what a failed constructor opened: log file, connection, devices. Idempotent. */
   public void abandon() {
     for (Runnable closing = closings.poll(); closing != null; closing = closings.poll()) {
       closing.run();
@@ -173,7 +137,7 @@ public final class ServiceContext {
   }
 
   /** Builder. Defaults: real time, logs in {@code out/logs}, seed 1. */
-  public static final class Builder {
+  public static final class Builder implements Cloneable {
     private final String systemId;
     private final XmlConfiguration configuration;
     private Clock clock = new SystemClock();
@@ -193,7 +157,7 @@ public final class ServiceContext {
       this.configuration = Objects.requireNonNull(configuration, "configuration");
     }
 
-    /** Sets the clock of the run, shared by all services of a system. */
+    /** Sets the clock shared by all services of a system. */
     public Builder clock(Clock value) {
       clock = Objects.requireNonNull(value, "clock");
       return this;
@@ -205,7 +169,6 @@ public final class ServiceContext {
       return this;
     }
 
-    /** Sets the directory of the log file. */
     public Builder logDirectory(Path value) {
       logDirectory = Objects.requireNonNull(value, "logDirectory");
       return this;
@@ -217,15 +180,14 @@ public final class ServiceContext {
       return this;
     }
 
-    /** Sets the run's seed. */
     public Builder seed(long value) {
       seed = value;
       return this;
     }
 
     /**
-     * Makes the service replace a running one by a {@link ServiceSwap}: it gets that service's
-     * name, log and connection, and does not connect on its own.
+     * Makes the service replace a running one by a {@link ServiceSwap}: it does not connect on its
+     * own.
      */
     public Builder inPlaceOf(ServiceInstance running) {
       predecessor = Objects.requireNonNull(running, "running");
@@ -244,7 +206,6 @@ public final class ServiceContext {
       return this;
     }
 
-    /** Sets whether the service is restarted in this run. */
     public Builder restart(boolean value) {
       restart = value;
       return this;
@@ -256,9 +217,16 @@ public final class ServiceContext {
       return this;
     }
 
-    /** Builds the context. */
     public ServiceContext build() {
-      return new ServiceContext(this);
+      return new ServiceContext(copy());
+    }
+
+    private Builder copy() {
+      try {
+        return (Builder) clone();
+      } catch (CloneNotSupportedException e) {
+        throw new IllegalStateException(e); // it is Cloneable
+      }
     }
   }
 }

@@ -22,14 +22,13 @@ final class ServiceContract {
 
   private ServiceContract() {}
 
-  /** Whether the message orders the service to stop. */
   static boolean isOrderToStop(String serviceName, Channel<?> channel, U2SAData message) {
     return channel.equals(Channels.STOP)
         && message instanceof StopCommand stop
         && (stop.stopAll() || stop.serviceName().equals(Optional.of(serviceName)));
   }
 
-  /** Whether the message is a request that the service answers. */
+  /** Whether the service answers the message. */
   static boolean concerns(String serviceName, Channel<?> channel, U2SAData message) {
     if (channel.equals(Channels.FUNCTIONALITY)) {
       return message instanceof FunctionalityRequest request

@@ -13,10 +13,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.service.inbox.CallbackStopwatch;
 import org.u2sa.service.inbox.CallbackTimes;
 
-/**
- * A service's own health data (thesis 3.5.3). Written by the service's thread, readable from any
- * thread.
- */
+/** A service's own health data (thesis 3.5.3). Thread-safe. */
 final class ServiceHealth {
   private static final long IDLE = Long.MAX_VALUE;
 
@@ -41,15 +38,11 @@ final class ServiceHealth {
     this.stopwatch = stopwatch;
   }
 
-  /** Clock for measuring code. */
   CallbackStopwatch stopwatch() {
     return stopwatch;
   }
 
-  /**
-   * Runs and measures the author's code, catching all exceptions. Returns whether it ended without
-   * one.
-   */
+  /** Runs and measures the author's code; false if it threw. */
   boolean run(CallbackCode code) throws InterruptedException {
     long began = stopwatch.begin();
     busySinceMicros.lazySet(began);
@@ -71,7 +64,7 @@ final class ServiceHealth {
     }
   }
 
-  /** Running time of the author's code currently executing [s]; empty if none. */
+  /** How long the author's code has been running [s]; empty if it is not. */
   OptionalDouble runningS() {
     long since = busySinceMicros.get();
     return since == IDLE
@@ -96,22 +89,18 @@ final class ServiceHealth {
     overruns += missedPeriods;
   }
 
-  /** Declares that the service has actuators, so that commands are counted. */
   synchronized void hasActuators() {
     commanded = true;
   }
 
-  /** Counts a command executed by an actuator. */
   synchronized void obeyed() {
     obeyed++;
   }
 
-  /** Counts a command refused by an actuator. */
   synchronized void refused() {
     refused++;
   }
 
-  /** Counts a message dropped for exceeding its deadline; returns the count. */
   synchronized long expired() {
     return ++expired;
   }
@@ -127,7 +116,6 @@ final class ServiceHealth {
     lastError = what;
   }
 
-  /** Sets the remark on a part of the service; empty to remove it. */
   synchronized void remark(String part, String what) {
     if (what.isEmpty()) {
       remarks.remove(part);
@@ -136,7 +124,6 @@ final class ServiceHealth {
     }
   }
 
-  /** Records the cause of the service thread's death. */
   synchronized void died(String ofWhat) {
     died = true;
     lastError = ofWhat;
@@ -150,7 +137,6 @@ final class ServiceHealth {
     return exceptionsInRow.get();
   }
 
-  /** Last exception thrown by the code; null if none. */
   synchronized Exception lastException() {
     return lastException;
   }
@@ -163,7 +149,7 @@ final class ServiceHealth {
     return Optional.ofNullable(lastError);
   }
 
-  /** Fills in the fields of a health report on the service's code, and returns the report. */
+  /** Fills in the fields on the service's code. */
   synchronized HealthReport addTo(HealthReport report) {
     lastError().ifPresent(report::lastError);
     if (commanded) {

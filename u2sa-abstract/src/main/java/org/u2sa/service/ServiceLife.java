@@ -9,10 +9,7 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ServiceStatus;
 
-/**
- * Life cycle of a service: starts, waits on the run's clock, and ends exactly once, whatever the
- * cause.
- */
+/** Life cycle of a service: starts, waits on the run's clock, and ends exactly once. */
 final class ServiceLife {
   private static final long ENDS_BY_ITSELF_WITHIN_MS = 200;
   private static final long ENDS_AFTER_KILL_WITHIN_MS = 2_000;
@@ -39,13 +36,8 @@ final class ServiceLife {
   /**
    * The service as its life cycle sees it.
    *
-   * @param isRunning whether its loops should continue
-   * @param setRunning sets {@code isRunning}
-   * @param startThread starts its thread
-   * @param refuseSwap refuses a swap that it has not carried out
+   * @param refuseSwap refuses a pending swap
    * @param release closes what its author opened
-   * @param reportLast publishes its last health report
-   * @param disconnect ends its communication
    */
   record Host(
       BooleanSupplier isRunning,
@@ -57,8 +49,8 @@ final class ServiceLife {
       Runnable disconnect) {}
 
   /**
-   * @param thread the service's thread, not started
-   * @param loop its author's loop; null if the thread runs a ready-made one
+   * @param thread not started
+   * @param loop null if the thread runs a ready-made loop
    */
   ServiceLife(
       Thread thread,
@@ -84,10 +76,7 @@ final class ServiceLife {
     }
   }
 
-  /**
-   * Mutually exclusive with {@link #stopWaiting}: a kill either precedes the start or finds the
-   * waiter.
-   */
+  /** Excludes {@link #stopWaiting}: a kill either precedes the start or finds the waiter. */
   private synchronized boolean startUnlessAskedToStop() {
     if (thread.getState() != Thread.State.NEW || ended.get()) {
       throw new IllegalThreadStateException(
@@ -107,12 +96,10 @@ final class ServiceLife {
     return true;
   }
 
-  /** Whether the service's loops should continue. */
   boolean isRunning() {
     return host.isRunning.getAsBoolean();
   }
 
-  /** Makes the service's loops end. */
   void endLoops() {
     host.setRunning.accept(false);
   }
@@ -123,8 +110,8 @@ final class ServiceLife {
   }
 
   /**
-   * Takes all turns of the calling service thread, waiting on the run's clock in between. The clock
-   * may run them on its own thread unless the service {@linkplain #keepToOwnThread keeps to its}.
+   * Takes all turns of the calling service thread, which lends them unless it {@linkplain
+   * #keepToOwnThread keeps to itself}.
    */
   void takeAll(Clock.Turns turns) throws InterruptedException {
     if (!keepsToOwnThread) {
@@ -147,8 +134,8 @@ final class ServiceLife {
   }
 
   /**
-   * Waits for the condition, the deadline or the end of the service; called by the author's code on
-   * the service's thread. The condition is re-evaluated at each {@link #wake}.
+   * Waits on the service's thread for the condition, the deadline or the end of the service. The
+   * condition is re-evaluated at each {@link #wake}.
    */
   void awaitUntil(BooleanSupplier condition, long deadlineMicros) throws InterruptedException {
     while (isRunning() && !condition.getAsBoolean() && clock.micros() < deadlineMicros) {
@@ -171,7 +158,7 @@ final class ServiceLife {
     }
   }
 
-  /** Asks the loop to stop, without waiting for it. */
+  /** Asks the loop to stop, without waiting. */
   void askToStop() {
     askedToStop = true;
     endLoops();
@@ -195,7 +182,7 @@ final class ServiceLife {
     return askedToStop;
   }
 
-  /** Records that another service has taken over with all resources: no shutdown is needed. */
+  /** Records that another service has taken over with all resources. */
   void succeededBy(ServiceLife next) {
     successor = next;
   }
@@ -225,7 +212,7 @@ final class ServiceLife {
     }
   }
 
-  /** Ends a service with an authored loop that was killed, and returns when it has ended. */
+  /** Ends a killed service with an authored loop, and returns when it has ended. */
   void finishLoop() {
     Thread caller = Clock.runningThread();
     if (caller == thread || caller == loop.messages()) {
@@ -240,7 +227,7 @@ final class ServiceLife {
     end(); // if it was never started, or hangs in a callback
   }
 
-  /** Permanently ends all waits of the service's threads. */
+  /** Ends all waits of the service's threads for good. */
   synchronized void stopWaiting() {
     askedToStop = true;
     endLoops();
@@ -253,7 +240,6 @@ final class ServiceLife {
     }
   }
 
-  /** Makes the loop end as failed. */
   void fail() {
     status = ServiceStatus.FAILED;
     endLoops();
@@ -285,7 +271,7 @@ final class ServiceLife {
     configuration.log().close();
   }
 
-  /** Ends without any shutdown steps. Returns false if already ended. */
+  /** Ends without any shutdown steps; false if already ended. */
   boolean endsNow() {
     if (!ended.compareAndSet(false, true)) {
       return false;
@@ -312,7 +298,7 @@ final class ServiceLife {
     }
   }
 
-  /** Ends as failed after a fatal error of the thread. */
+  /** Ends as failed after a fatal error. */
   void die(Throwable error) {
     if (!ended.get()) {
       health.died(error.toString());
@@ -346,12 +332,10 @@ final class ServiceLife {
     return status;
   }
 
-  /** Time since construction [s]. */
   double uptimeS() {
     return Clock.seconds(clock.micros() - createdMicros);
   }
 
-  /** Start time of the thread [µs of the run's clock]. */
   long startedMicros() {
     return startedMicros;
   }

@@ -9,15 +9,14 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /**
- * Dispatches messages from the transport: stop orders are obeyed immediately, other messages for
- * the service are queued in its inbox. Called on the transport's or another service's thread, so it
- * never blocks.
+ * Dispatches messages from the transport: obeys stop orders at once, and queues other messages in
+ * the inbox. Called on the transport's or another service's thread, so it never blocks.
  *
  * <p>Belongs to the connection rather than to the service: in a swap, messages go to the successor
  * from one message to the next.
  */
 final class ServiceReceiver implements Receiver {
-  /** A service as the dispatcher sees it: its channels, its inbox, and what wakes or stops it. */
+  /** A service as the dispatcher sees it. */
   record Recipient(
       ServiceConfiguration configuration,
       Registrations registrations,
@@ -51,10 +50,8 @@ final class ServiceReceiver implements Receiver {
   }
 
   /**
-   * The services served.
-   *
-   * @param next prospective successor, which gets the messages that the present service has not
-   *     subscribed to; null if none
+   * @param next prospective successor, which gets messages to which only it has subscribed; null if
+   *     none
    */
   private record Served(Recipient present, Recipient next) {}
 
@@ -65,7 +62,6 @@ final class ServiceReceiver implements Receiver {
     served = new Served(service, null);
   }
 
-  /** Routes messages that only the successor subscribed to into the successor's inbox. */
   void prepare(Recipient successor) {
     served = new Served(served.present, successor);
   }
@@ -75,7 +71,7 @@ final class ServiceReceiver implements Receiver {
     served = new Served(served.present, null);
   }
 
-  /** Routes everything to this service from now on. */
+  /** Routes everything to this service. */
   void turnTo(Recipient successor) {
     served = new Served(successor, null);
   }

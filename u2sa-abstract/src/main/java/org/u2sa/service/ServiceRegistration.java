@@ -34,18 +34,11 @@ record ServiceRegistration(ServiceConnection connection, ServiceRole role) {
     return attempt("unregistering from " + channel, () -> connection.unregisterSubscriber(channel));
   }
 
-  /**
-   * The role's standard channel for publishing messages of the class; logs an error if there is
-   * none.
-   */
+  /** Standard channel for publishing the class; logs an error if there is none. */
   Optional<Channel<?>> toPublish(Class<? extends U2SAData> dataType) {
     return orRefuse(role.channelToPublish(dataType), "publishes", dataType);
   }
 
-  /**
-   * The role's standard channel for receiving messages of the class; logs an error if there is
-   * none.
-   */
   Optional<Channel<?>> toSubscribe(Class<? extends U2SAData> dataType) {
     return orRefuse(role.channelToSubscribe(dataType), "receives", dataType);
   }
@@ -61,7 +54,7 @@ record ServiceRegistration(ServiceConnection connection, ServiceRole role) {
     return standard;
   }
 
-  /** The channel of that name; logs an error if the name is invalid. */
+  /** Channel of that name; logs an error if the name is invalid. */
   Optional<Channel<?>> named(String channelName) {
     try {
       return Optional.of(Channels.namedOrNew(channelName));

@@ -36,8 +36,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Role of a service (thesis figure 3). Determines the standard channel when a service registers by
- * class only (thesis 3.2.1.3), and is the service type in discovery.
+ * Role of a service (thesis figure 3): its standard channels when it registers by class only
+ * (thesis 3.2.1.3), and its type in discovery.
  */
 public enum ServiceRole {
   /** Measures the vehicle itself (3.2.2.4). */
@@ -111,17 +111,14 @@ public enum ServiceRole {
     this.subscribed = subscribed;
   }
 
-  /** Channel on which a service of this role publishes most of its messages. */
   Channel<?> mainOutput() {
     return published.get(0);
   }
 
-  /** Channel on which a service of this role publishes messages of the class. */
   Optional<Channel<?>> channelToPublish(Class<? extends U2SAData> dataType) {
     return first(published, dataType);
   }
 
-  /** The channel on which a service of this role receives messages of the class. */
   Optional<Channel<?>> channelToSubscribe(Class<? extends U2SAData> dataType) {
     return first(subscribed, dataType);
   }

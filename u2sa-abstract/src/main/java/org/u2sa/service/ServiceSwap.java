@@ -20,8 +20,8 @@ import org.u2sa.service.handover.HandOver;
  *
  * <p>The new service is created with a context {@link ServiceContext.Builder#inPlaceOf in place of}
  * the old one. It gets the old one's name, log, connection and waiting messages, and the last
- * message of each retained channel. Any failure before {@link U2SAService#takeOver} has returned
- * leaves the old one running unaffected.
+ * message of each retained channel. After a failure before {@link U2SAService#takeOver} has
+ * returned, the old one continues.
  */
 public final class ServiceSwap {
   private enum Stage {
@@ -43,9 +43,9 @@ public final class ServiceSwap {
   private volatile U2SAService waiting; // service whose thread awaits the outcome; null if none
 
   /**
-   * @param successor created with a context in place of the old service, and not started
+   * @param successor made with a context in place of the old service, and not started
    * @param agreement called on the old service's thread when the successor is about to run; false
-   *     if it must end immediately, because all services are ending
+   *     if it must end at once, because all services are ending
    */
   public ServiceSwap(U2SAService old, U2SAService successor, BooleanSupplier agreement) {
     this.old = old;
@@ -55,9 +55,7 @@ public final class ServiceSwap {
 
   /**
    * Requests the swap, which happens after the old service has handled its current message. Returns
-   * immediately.
-   *
-   * @return this
+   * at once.
    */
   public ServiceSwap order() {
     Optional<String> obstacle = obstacle();
@@ -105,12 +103,11 @@ public final class ServiceSwap {
   }
 
   /**
-   * Waits until the swap is done or refused. On a service's own thread that is a wait on the run's
-   * clock, so that a simulation continues meanwhile.
+   * Waits until the swap is done or refused; on a service's own thread, on the run's clock.
    *
-   * @param withinS timeout after which the request is withdrawn [s], because the old service may
-   *     hang
-   * @return empty if the successor runs; otherwise the reason, and the old one is unaffected
+   * @param withinS timeout after which the request is withdrawn, because the old service may hang
+   *     [s]
+   * @return empty if the successor runs; otherwise the reason, and the old one continues
    * @throws InterruptedException if the calling thread was interrupted; the order stands
    */
   public Optional<String> await(double withinS) throws InterruptedException {
@@ -145,7 +142,6 @@ public final class ServiceSwap {
     return true;
   }
 
-  /** Withdraws the order unless it is being carried out. */
   private void refuse(String reason) {
     refuse(Stage.ORDERED, reason);
   }
@@ -177,10 +173,7 @@ public final class ServiceSwap {
     }
   }
 
-  /**
-   * Executes the swap on the old service's thread between two messages. Returns whether the
-   * successor has taken over.
-   */
+  /** Executes the swap on the old service's thread between two messages; returns whether it did. */
   private boolean carryOut() {
     if (old.configurationWriter.isBusy()) {
       return false; // not yet: the service is woken when the change is written
@@ -251,7 +244,6 @@ public final class ServiceSwap {
     }
   }
 
-  /** Closes a service's resources but leaves actuators as they are, because another moves them. */
   private static void releaseForSuccessor(U2SAService service) {
     if (service.loop != null) {
       service.loop.close();
@@ -259,7 +251,6 @@ public final class ServiceSwap {
     service.life.atLast("closing", service::releaseToSuccessor);
   }
 
-  /** Returns the state handed over; empty on failure. */
   private Optional<HandOver> handOver() {
     try {
       HandOver values = old.handedOver();

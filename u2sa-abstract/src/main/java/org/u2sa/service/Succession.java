@@ -18,10 +18,7 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.ServiceInbox;
 
-/**
- * Succession of services: takeover by another class at run time (user story 8), and restarts with
- * saved state.
- */
+/** Takeover by another class at run time (user story 8), and restarts with saved state. */
 final class Succession {
   private static final int KEPT_OF_EVERY = 64;
 
@@ -39,7 +36,7 @@ final class Succession {
   /**
    * An ordered swap.
    *
-   * @param carryOut carries it out, and returns whether another service has taken over
+   * @param carryOut returns whether another service has taken over
    * @param refuse refuses it for a reason, unless it is being carried out
    */
   record Order(BooleanSupplier carryOut, Consumer<String> refuse) {}
@@ -121,27 +118,22 @@ final class Succession {
     }
   }
 
-  /** Records an order. Returns false if one is pending. */
   boolean order(Order swap) {
     return ordered.compareAndSet(null, swap);
   }
 
-  /** Discards a failed order. */
   void forget(Order swap) {
     ordered.compareAndSet(swap, null);
   }
 
   /**
-   * Executes a pending order; call it on the service's thread between two messages.
-   *
-   * @return whether another service has taken over
+   * Executes a pending order between two messages; returns whether another service has taken over.
    */
   boolean carryOut() {
     Order swap = ordered.get();
     return swap != null && swap.carryOut.getAsBoolean();
   }
 
-  /** Refuses a pending order. */
   void refuse(String reason) {
     Order swap = ordered.get();
     if (swap != null) {
@@ -151,9 +143,8 @@ final class Succession {
 
   /**
    * Records a handled message. A successor gets the last messages of retained channels again, as if
-   * it had newly subscribed, without involving the Communication Manager. On channels that must not
-   * lose messages several are kept, because the last one may be meaningless alone, such as a clear
-   * of an older stop.
+   * it had newly subscribed. Where no message may be lost several are kept, because the last one
+   * may be meaningless alone, such as a clear of an older stop.
    */
   void note(ServiceInbox.Delivery delivery) {
     if (!delivery.channel().isRetained()) {
@@ -181,7 +172,6 @@ final class Succession {
     return all;
   }
 
-  /** Records that this service has taken over from another. */
   void succeeds() {
     hasPredecessor = true;
     context.forgetPredecessor();

@@ -31,10 +31,10 @@ import org.u2sa.service.inbox.ServiceInbox;
  * 3.2.2.1, 4.6.1, 8.2.3.1).
  *
  * <p>A direct subclass follows thesis 8.2.4: {@link #run} loops while {@link #running} is true and
- * waits by {@link #sleep}, {@link #callback} handles messages, and {@link #kill} closes what the
- * service opened and clears {@link #running}. Messages are handled on a separate thread. Most
- * authors extend {@link EventDrivenService} or {@link PeriodicService} instead, which have one
- * thread and no loop to write.
+ * waits by {@link #sleep}, {@link #callback} handles messages on a separate thread, and {@link
+ * #kill} closes what the service opened and clears {@link #running}. Most authors extend {@link
+ * EventDrivenService} or {@link PeriodicService} instead, which have one thread and no loop to
+ * write.
  *
  * <pre>
  *   CREATED ──start()──▶ RUNNING ──kill(), stop command──▶ STOPPING ──▶ STOPPED
@@ -50,8 +50,8 @@ public abstract class U2SAService extends Thread
   protected final int threadID;
 
   /**
-   * Whether the service's loop should continue (thesis 8.2.3.1). Cleared by {@link #kill} and the
-   * stop command.
+   * Whether the loop should continue (thesis 8.2.3.1). Cleared by {@link #kill} and the stop
+   * command.
    */
   protected volatile boolean running;
 
@@ -149,26 +149,22 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * The service's main loop, on its own thread: loops while {@link #running}. A loop that returns
-   * earlier has failed. Without continuous work it returns immediately, and the service only
-   * handles messages.
+   * The service's loop, on its own thread, while {@link #running}. A loop that returns earlier has
+   * failed. Without continuous work it returns immediately, and the service only handles messages.
    */
   @Override
   public abstract void run();
 
   /**
-   * Ends the service: closes what it opened and clears {@link #running}. Also called by the service
-   * itself when it ends for another reason, such as a stop command. Safe to call twice and from any
+   * Ends the service: closes what it opened and clears {@link #running}. Also called when the
+   * service ends for another reason, such as a stop command. Safe to call twice and from any
    * thread. In {@link EventDrivenService} and {@link PeriodicService} it returns when the service
    * has ended; a direct subclass ends within 0.25 s, or in {@link #shutDown}.
    */
   @Override
   public abstract void kill();
 
-  /**
-   * {@linkplain #kill Kills} the service and waits until it has ended; gives up after a few seconds
-   * if it hangs.
-   */
+  /** {@linkplain #kill Kills} the service and waits until it has ended, a few seconds at most. */
   public final void shutDown() {
     kill();
     if (loop != null) {
@@ -185,12 +181,11 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Sleeps on the run's clock in a direct subclass's {@link #run} loop: unlike {@link
-   * Thread#sleep}, in simulated time if the run is simulated. Returns early when the service is
-   * told to end. On any other thread it is {@link Thread#sleep}.
+   * Sleeps on the run's clock, possibly in simulated time, in a direct subclass's {@link #run}
+   * loop, and returns early when the service is told to end. On any other thread it is {@link
+   * Thread#sleep}.
    *
    * @param millis duration [ms], not negative
-   * @throws InterruptedException if the thread was interrupted
    */
   public static void sleep(long millis) throws InterruptedException {
     if (Thread.currentThread() instanceof U2SAService service && service.loop != null) {
@@ -201,9 +196,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Handles one message without a {@linkplain #subscribe handler}. Pass unexpected messages to
-   * {@link #unexpected}. Called on the service's thread; in a direct subclass on a separate thread,
-   * so fields shared with {@link #run} must be volatile.
+   * Handles one message without a {@linkplain #subscribe handler}, on the service's thread; in a
+   * direct subclass on a separate thread, so fields shared with {@link #run} must be volatile.
    */
   public void callback(U2SAData data) {
     unexpected(data);
@@ -242,9 +236,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Cross-checks individually valid values: the reason to reject them, or empty. Called before a
-   * change or an undo is written, which is refused with this reason. Called on any thread that
-   * calls {@link #setVariable}, so it must depend on its argument only.
+   * Cross-checks individually valid values before a change or an undo is written: the reason to
+   * reject them, or empty. Called on any thread, so it must depend on its argument only.
    *
    * @param values proposed values of all variables of this service, in the declared units
    */
@@ -253,14 +246,14 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Called after variables were changed from outside, by {@link #setVariable}'s rules: once per set
-   * of variables changed together. Called on the service's thread.
+   * Called on the service's thread after variables were changed from outside: once per set of
+   * variables changed together.
    *
    * @param variableNames variables whose values changed; at least one
    */
   protected void configurationChanged(Set<String> variableNames) {}
 
-  /** Writes a line of level INFO to the service's log file (thesis 8.2.3.1). */
+  /** Logs with level INFO (thesis 8.2.3.1). */
   public final void log(String message) {
     log(LogLevelEnum.INFO, message);
   }
@@ -272,7 +265,7 @@ public abstract class U2SAService extends Thread
 
   /**
    * Logs a problem that the service survives, such as a lost device, and reports it as the last
-   * error in the health report. Thread-safe.
+   * error in health. Thread-safe.
    */
   public final void trouble(String what) {
     health.error(what);
@@ -280,11 +273,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Sets a remark on a part of the service, such as a source or an algorithm, for all further
-   * health reports: counters, or a fault. Thread-safe.
-   *
-   * @param part name of the part; a later remark on the same part replaces this one
-   * @param what the remark; empty to remove it
+   * Sets a remark on a part of the service, such as counters or a fault of a source, for all
+   * further health reports; empty to remove it. Thread-safe.
    */
   public final void remark(String part, String what) {
     health.remark(part, what);
@@ -307,7 +297,6 @@ public abstract class U2SAService extends Thread
     return channels.named(channelName).filter(channels::registerPublisher).isPresent();
   }
 
-  /** {@link #registerPublisher(Class)} on a channel. */
   public final boolean registerPublisher(Channel<?> channel) {
     return channels.registerPublisher(channel);
   }
@@ -327,17 +316,16 @@ public abstract class U2SAService extends Thread
     return channels.named(channelName).filter(channels::registerSubscriber).isPresent();
   }
 
-  /** {@link #registerSubscriber(Class)} on a channel. */
   public final boolean registerSubscriber(Channel<?> channel) {
     return channels.registerSubscriber(channel);
   }
 
   /**
    * {@link #registerSubscriber(Channel)} with a deadline: a message that is older when it would be
-   * handled, or that has no timestamp, is dropped and counted as expired in the health report.
-   * Another call replaces the deadline.
+   * handled, or has no timestamp, is dropped and counted as expired in health. Another call
+   * replaces the deadline.
    *
-   * @param deadlineS age at which a message counts as absent [s], positive
+   * @param deadlineS maximum age [s], positive
    */
   public final boolean registerSubscriber(Channel<?> channel, double deadlineS) {
     registrations.deadline(channel, Clock.micros(deadlineS));
@@ -345,8 +333,8 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * {@link #registerSubscriber(Channel)} with a handler: the channel's messages go to it instead of
-   * {@link #callback}, on the service's thread. Another call replaces the handler.
+   * {@link #registerSubscriber(Channel)} with a handler, called on the service's thread instead of
+   * {@link #callback}. Another call replaces it.
    */
   public final <T extends U2SAData> boolean subscribe(
       Channel<T> channel, Consumer<? super T> handler) {
@@ -384,17 +372,16 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Publishes on a channel. Missing system ID and timestamp are filled in; the message is frozen.
+   * Publishes on a channel. Fills in a missing system ID and timestamp, and freezes the message.
    */
   public final boolean publish(Channel<?> channel, U2SAData data) {
     return connection.publish(channel, data);
   }
 
   /**
-   * Reports the emergency stops active here, immediately and in all further health reports: an
+   * Reports the emergency stops active here, at once and in all further health reports: an
    * operator's stop is confirmed when all services that obey stops have reported it. Called on the
-   * service's thread, and in its constructor with an empty list to declare that the service obeys
-   * stops.
+   * service's thread, and in its constructor with an empty list to declare that it obeys stops.
    *
    * @param identities from {@link EmergencyLatch#identities}
    */
@@ -421,9 +408,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Calls handlers and steps on this service's own thread only, even in a simulation, where by
-   * default a thread of the run's clock calls them: for libraries with thread affinity. Slows the
-   * simulation down. Called in the constructor.
+   * Calls handlers and steps on this service's own thread even in a simulation, where by default a
+   * thread of the run's clock calls them: for libraries with thread affinity. Slows the simulation
+   * down. Called in the constructor.
    */
   protected final void keepToOwnThread() {
     life.keepToOwnThread();
@@ -434,26 +421,21 @@ public abstract class U2SAService extends Thread
     return false;
   }
 
-  /**
-   * Closes the subclass's resources and sets its actuators to neutral. Called once when the service
-   * ends.
-   */
+  /** Closes the subclass's resources and sets its actuators to neutral; called once at the end. */
   protected void release() {}
 
   /**
-   * Closes the subclass's resources when a successor takes over; called instead of {@link
-   * #release}. Nothing can be published. Leave actuators as they are, because the successor
-   * continues to command them.
+   * Called instead of {@link #release} when a successor takes over. Nothing can be published. Leave
+   * actuators as they are, because the successor continues to command them.
    */
   protected void releaseToSuccessor() {
     release();
   }
 
   /**
-   * Abandons a hung service, because Java cannot kill its thread. The thread is interrupted; if
-   * that does not help, the actuators are set to neutral from another thread and the service is
-   * disconnected: it can no longer publish or receive, and its name is released. Always returns
-   * within a few seconds.
+   * Abandons a hung service: interrupts its thread; if that does not help, sets the actuators to
+   * neutral from another thread and disconnects it, which releases its name. Returns within a few
+   * seconds.
    */
   public final void abandon() {
     life.abandon();
@@ -464,7 +446,6 @@ public abstract class U2SAService extends Thread
     return running;
   }
 
-  /** Life-cycle state. */
   public final ServiceStatus status() {
     return life.status();
   }
@@ -475,9 +456,9 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Substitute health report to publish on {@link
+   * Substitute health report for the host to publish on {@link
    * org.u2sa.interfaces.communication.Channels#HEALTH} because the service's own is overdue; empty
-   * if it is not, or the service has ended. For the host of the service. Thread-safe.
+   * if it is not, or the service has ended. Thread-safe.
    */
   public final Optional<HealthReport> overdueHealth() {
     return reporter.onBehalf(clock().micros());
@@ -486,16 +467,16 @@ public abstract class U2SAService extends Thread
   // Succession (thesis 5.1, user story 8)
 
   /**
-   * Saves the state that a service of another class needs for a bumpless takeover: anything learnt
-   * since the start, such as the current goal or an integrator. Called on the service's thread
-   * between two messages; this service continues if the successor refuses.
+   * Saves what a service of another class needs for a bumpless takeover: what was learnt since the
+   * start, such as the current goal or an integrator. Called on the service's thread between two
+   * messages; this service continues if the successor refuses.
    */
   protected void handOver(HandOver state) {}
 
   /**
    * Restores the state saved by the predecessor, which may be of any class of the same role, or
-   * {@linkplain #remember remembered} by this service before a restart. Called once, before the
-   * thread runs, and not at a first start. Nothing can be published yet.
+   * {@linkplain #remember remembered} before a restart. Called once, before the thread runs, and
+   * not at a first start. Nothing can be published yet.
    *
    * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the
    *     predecessor stays; a restart fails, and the next one starts without saved state
@@ -503,9 +484,9 @@ public abstract class U2SAService extends Thread
   protected void takeOver(HandOver state) {}
 
   /**
-   * Saves the current {@link #handOver} state in a file beside the log. If the service is restarted
-   * in this run, in the same process or after its process was killed, {@link #takeOver} gets it.
-   * Called on the service's thread whenever state that must not be lost changes.
+   * Saves the current {@link #handOver} state in a file beside the log, for {@link #takeOver} after
+   * a restart in this run, even if the process was killed. Called on the service's thread whenever
+   * state changes that must not be lost.
    */
   protected final void remember() {
     if (running && !connection.isSilent()) { // else abandoned or replaced: its successor saves now
@@ -513,7 +494,6 @@ public abstract class U2SAService extends Thread
     }
   }
 
-  /** The state that the service would hand over now. */
   final HandOver handedOver() {
     HandOver state = new HandOver(getClass().getName());
     handOver(state);
@@ -528,10 +508,7 @@ public abstract class U2SAService extends Thread
   /** Sets when a periodic service's first step is due [µs of the run's clock]. */
   void firstStepAt(long micros) {}
 
-  /**
-   * When the first step is due [µs of the run's clock]; empty if immediately, or if the service has
-   * no steps.
-   */
+  /** When the first step is due [µs of the run's clock]; empty if immediately or never. */
   OptionalLong firstStepMicros() {
     return OptionalLong.empty();
   }
@@ -543,7 +520,6 @@ public abstract class U2SAService extends Thread
     return getName();
   }
 
-  /** {@link #threadID}. */
   public final int getThreadID() {
     return threadID;
   }
@@ -563,12 +539,10 @@ public abstract class U2SAService extends Thread
     return List.copyOf(registrations.subscribed());
   }
 
-  /** The context passed to the constructor. */
   protected final ServiceContext context() {
     return context;
   }
 
-  /** Clock of the run. */
   protected final Clock clock() {
     return context.clock();
   }

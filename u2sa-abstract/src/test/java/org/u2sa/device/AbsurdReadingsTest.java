@@ -2,7 +2,10 @@ package org.u2sa.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Type;
+import java.util.Comparator;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -11,30 +14,25 @@ import java.util.TreeMap;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.u2sa.device.port.Anemometer;
-import org.u2sa.device.port.Barometer;
-import org.u2sa.device.port.Compass;
-import org.u2sa.device.port.DepthGauge;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsFix;
-import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.Heading;
-import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.MotorController;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.device.port.PitotTube;
 import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.Pressure;
-import org.u2sa.device.port.RangeFinder;
+import org.u2sa.device.port.RangeFinder.Distance;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.device.port.Thruster;
 import org.u2sa.device.port.TrackingRadar;
-import org.u2sa.device.port.TrafficReceiver;
-import org.u2sa.device.port.TrafficTarget;
-import org.u2sa.device.port.VelocityLog;
-import org.u2sa.device.port.WheelEncoder;
+import org.u2sa.device.port.TrafficReceiver.Traffic;
+import org.u2sa.device.port.VelocityLog.Speeds;
+import org.u2sa.device.port.WheelEncoder.Ticks;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
@@ -66,170 +64,101 @@ class AbsurdReadingsTest {
 
   private final Map<String, Function<ServiceContext, U2SAService>> services = new TreeMap<>();
 
-  /** A device's readings: random ones of the values above. */
+  /** A device whose readings consist of random ones of the values above. */
   private static final class Absurd<R extends Device.Reading> {
     private final Random random = new Random(20L);
-    private final BiFunction<Absurd<R>, Long, R> reading;
+    private final Class<R> type;
 
-    Absurd(BiFunction<Absurd<R>, Long, R> reading) {
-      this.reading = reading;
+    Absurd(Class<R> type) {
+      this.type = type;
     }
 
     Optional<R> read(long nowMicros) {
-      return Optional.of(reading.apply(this, nowMicros));
+      return Optional.of(record(type, nowMicros));
     }
 
-    double number() {
+    private <T> T record(Class<T> record, long nowMicros) {
+      Constructor<?> canonical =
+          Stream.of(record.getConstructors())
+              .max(Comparator.comparing(Constructor::getParameterCount))
+              .orElseThrow();
+      Object[] values =
+          Stream.of(canonical.getGenericParameterTypes())
+              .map(part -> value(part, nowMicros))
+              .toArray();
+      try {
+        return record.cast(canonical.newInstance(values));
+      } catch (ReflectiveOperationException e) {
+        throw new IllegalStateException(e);
+      }
+    }
+
+    private Object value(Type part, long nowMicros) {
+      if (part instanceof ParameterizedType of) {
+        Class<?> element = (Class<?>) of.getActualTypeArguments()[0];
+        Optional<?> one =
+            element == Point.class ? point() : Optional.of(record(element, nowMicros));
+        return of.getRawType() == Optional.class ? one : one.stream().toList();
+      }
+      if (part == OptionalDouble.class) {
+        return random.nextInt(4) == 0 ? OptionalDouble.empty() : OptionalDouble.of(number());
+      }
+      return switch (((Class<?>) part).getSimpleName()) {
+        case "long" -> nowMicros;
+        case "double" -> number();
+        case "int" -> random.nextInt();
+        case "boolean" -> random.nextBoolean();
+        case "String" -> "4B1234";
+        case "byte[]" -> new byte[] {-1, 0, -1};
+        default -> record((Class<?>) part, nowMicros);
+      };
+    }
+
+    private double number() {
       return VALUES[random.nextInt(VALUES.length)];
     }
 
-    OptionalDouble some() {
-      return random.nextInt(4) == 0 ? OptionalDouble.empty() : OptionalDouble.of(number());
-    }
-
-    Optional<Point> point() {
+    private Optional<Point> point() {
       try {
         return Optional.of(Point.of(number(), number(), number()));
       } catch (IllegalArgumentException e) {
-        return Optional.empty(); // a driver cannot make such a one either
+        return Optional.empty(); // a driver cannot make such a point either
       }
     }
   }
 
   private <R extends Device.Reading> void add(
-      String name,
-      BiFunction<ServiceContext, Absurd<R>, U2SAService> service,
-      BiFunction<Absurd<R>, Long, R> reading) {
+      String name, Class<R> reading, BiFunction<ServiceContext, Absurd<R>, U2SAService> service) {
     services.put(name, context -> service.apply(context, new Absurd<>(reading)));
   }
 
-  private void addSensors() {
-    this.<Pressure>add(
-        "barometer",
-        (context, device) -> new BarometerSensor(context, (Barometer) device::read),
-        (absurd, now) -> new Pressure(now, absurd.number(), absurd.some()));
-    this.<Pressure>add(
-        "depth gauge",
-        (context, device) -> new DepthSensor(context, (DepthGauge) device::read),
-        (absurd, now) -> new Pressure(now, absurd.number(), absurd.some()));
-    this.<PitotTube.Impact>add(
-        "pitot tube",
-        (context, device) -> new AirspeedSensor(context, (PitotTube) device::read),
-        (absurd, now) -> new PitotTube.Impact(now, absurd.number(), absurd.some(), absurd.some()));
-    this.<Heading>add(
-        "compass",
-        (context, device) -> new CompassSensor(context, (Compass) device::read),
-        (absurd, now) -> new Heading(now, absurd.number(), absurd.random.nextBoolean()));
-    this.<Orientation>add(
-        "IMU",
-        (context, device) -> new ImuSensor(context, (Imu) device::read),
-        (absurd, now) ->
-            new Orientation(
-                now,
-                absurd.number(),
-                absurd.number(),
-                new Heading(now, absurd.number(), true),
-                absurd.number(),
-                absurd.number(),
-                absurd.number(),
-                absurd.point()));
-    this.<GpsFix>add(
-        "GPS",
-        (context, device) -> new GpsSensor(context, (GpsReceiver) device::read),
-        (absurd, now) ->
-            new GpsFix(
-                now,
-                absurd.number(),
-                absurd.number(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                -1,
-                true));
-    this.<RangeFinder.Distance>add(
-        "range finder",
-        (context, device) -> new RangeSensor(context, (RangeFinder) device::read),
-        (absurd, now) -> new RangeFinder.Distance(now, absurd.some()));
-    this.<Sonar.Ping>add(
-        "sonar",
-        (context, device) -> new SonarSensor(context, (Sonar) device::read),
-        (absurd, now) ->
-            new Sonar.Ping(now, absurd.number(), absurd.number(), new byte[] {-1, 0, -1}));
-    this.<VelocityLog.Speeds>add(
-        "velocity log",
-        (context, device) -> new WaterSpeedSensor(context, (VelocityLog) device::read),
-        (absurd, now) ->
-            new VelocityLog.Speeds(
-                now,
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some(),
-                absurd.some()));
-    this.<TrafficReceiver.Traffic>add(
-        "traffic",
-        (context, device) -> new TrafficSensor(context, (TrafficReceiver) device::read),
-        (absurd, now) ->
-            new TrafficReceiver.Traffic(
-                now,
-                List.of(
-                    new TrafficTarget(
-                        "4B1234",
-                        "",
-                        "",
-                        now,
-                        absurd.number(),
-                        absurd.number(),
-                        absurd.some(),
-                        absurd.random.nextBoolean(),
-                        absurd.point(),
-                        absurd.some()))));
-    this.<Anemometer.Wind>add(
-        "anemometer",
-        (context, device) -> new WindSensor(context, (Anemometer) device::read),
-        (absurd, now) -> new Anemometer.Wind(now, absurd.number(), absurd.number()));
-    this.<PointScanner.Cloud>add(
+  @BeforeEach
+  void addAll() {
+    add("barometer", Pressure.class, (c, device) -> new BarometerSensor(c, device::read));
+    add("depth gauge", Pressure.class, (c, device) -> new DepthSensor(c, device::read));
+    add("pitot tube", PitotTube.Impact.class, (c, device) -> new AirspeedSensor(c, device::read));
+    add("compass", Heading.class, (c, device) -> new CompassSensor(c, device::read));
+    add("IMU", Orientation.class, (c, device) -> new ImuSensor(c, device::read));
+    add("GPS", GpsFix.class, (c, device) -> new GpsSensor(c, device::read));
+    add("range finder", Distance.class, (c, device) -> new RangeSensor(c, device::read));
+    add("sonar", Sonar.Ping.class, (c, device) -> new SonarSensor(c, device::read));
+    add("velocity log", Speeds.class, (c, device) -> new WaterSpeedSensor(c, device::read));
+    add("traffic", Traffic.class, (c, device) -> new TrafficSensor(c, device::read));
+    add("anemometer", Anemometer.Wind.class, (c, device) -> new WindSensor(c, device::read));
+    add(
         "3-D scanner",
-        (context, device) -> new PointCloudSensor(context, (PointScanner) device::read),
-        (absurd, now) -> new PointScanner.Cloud(now, absurd.point().stream().toList()));
-    this.<TrackingRadar.Tracks>add(
-        "radar",
-        (context, device) -> new RadarSensor(context, (TrackingRadar) device::read),
-        (absurd, now) ->
-            new TrackingRadar.Tracks(
-                now,
-                List.of(
-                    new TrackingRadar.Track(
-                        "1",
-                        now,
-                        absurd.number(),
-                        new TrackingRadar.Direction(absurd.number(), true),
-                        absurd.some(),
-                        absurd.some(),
-                        Optional.of(new TrackingRadar.Direction(absurd.number(), true))))));
-    this.<WheelEncoder.Ticks>add(
-        "wheel encoder",
-        (context, device) -> new WheelEncoderSensor(context, (WheelEncoder) device::read),
-        (absurd, now) ->
-            new WheelEncoder.Ticks(now, absurd.random.nextInt(), absurd.random.nextInt()));
-  }
-
-  private void addActuators() {
-    this.<Thruster.Turning>add(
+        PointScanner.Cloud.class,
+        (c, device) -> new PointCloudSensor(c, device::read));
+    add("radar", TrackingRadar.Tracks.class, (c, device) -> new RadarSensor(c, device::read));
+    add("wheel encoder", Ticks.class, (c, device) -> new WheelEncoderSensor(c, device::read));
+    add(
         "thruster",
-        (context, device) -> new ThrusterActuator(context, new AbsurdThruster(device)),
-        (absurd, now) ->
-            new Thruster.Turning(now, absurd.some(), absurd.some(), absurd.some(), absurd.some()));
-    this.<MotorController.Counts>add(
+        Thruster.Turning.class,
+        (c, device) -> new ThrusterActuator(c, new AbsurdThruster(device)));
+    add(
         "motor controller",
-        (context, device) -> new WheelMotors(context, new AbsurdController(device)),
-        (absurd, now) ->
-            new MotorController.Counts(
-                now, absurd.random.nextInt(), absurd.random.nextInt(), absurd.some()));
+        MotorController.Counts.class,
+        (c, device) -> new WheelMotors(c, new AbsurdController(device)));
   }
 
   private record AbsurdThruster(Absurd<Turning> device) implements Thruster {
@@ -277,8 +206,6 @@ class AbsurdReadingsTest {
 
   @TestFactory
   Stream<DynamicTest> step_absurdReadings_areDroppedAndTheServiceGoesOn() {
-    addSensors();
-    addActuators();
     return services.entrySet().stream()
         .map(each -> DynamicTest.dynamicTest(each.getKey(), () -> survives(each.getValue())));
   }
@@ -298,8 +225,6 @@ class AbsurdReadingsTest {
 
   @TestFactory
   Stream<DynamicTest> mapped_valueThatNoMessageTakes_isCountedAndReportedWithItsReason() {
-    addActuators();
-    addSensors();
     return Stream.of("depth gauge", "pitot tube", "GPS", "thruster", "motor controller")
         .map(name -> DynamicTest.dynamicTest(name, () -> reports(services.get(name))));
   }

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
@@ -16,7 +16,7 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
 
 class CameraSensorTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
   private final ShownFrames camera = new ShownFrames();
 
   /** A camera that sees what a test shows it. */
@@ -58,11 +58,6 @@ class CameraSensorTest {
     protected void look(CameraFrame frame) {
       seen.add(frame);
     }
-  }
-
-  @AfterEach
-  void end() {
-    kit.close();
   }
 
   private Eye start() {

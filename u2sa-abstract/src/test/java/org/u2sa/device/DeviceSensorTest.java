@@ -10,7 +10,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -31,12 +31,7 @@ class DeviceSensorTest {
   private static final List<Channel<?>> OBJECTS = List.of(Channels.SENSED_OBJECTS);
   private static final List<Channel<?>> SCANS = List.of(Channels.SENSED_OBJECTS, Channels.SCANS);
 
-  private final ServiceKit kit = new ServiceKit();
-
-  @AfterEach
-  void end() {
-    kit.close();
-  }
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** A kind of sensor with a device that says nothing. */
   record Mute(

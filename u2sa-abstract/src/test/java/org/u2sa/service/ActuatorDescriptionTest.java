@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -21,7 +21,7 @@ import org.u2sa.testkit.ServiceKit;
 class ActuatorDescriptionTest {
   private static final double TINY = 1e-9;
 
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** An actuator that remembers what it did. */
   private static final class Thruster extends Actuator {
@@ -44,11 +44,6 @@ class ActuatorDescriptionTest {
     void derate(double left) {
       available(left);
     }
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   private Thruster start() {

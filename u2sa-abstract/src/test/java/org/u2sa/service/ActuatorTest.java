@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,7 +22,7 @@ import org.u2sa.testkit.ServiceKit;
 
 @Timeout(120)
 class ActuatorTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
   private Wheel wheel;
 
   private static class Wheel extends Actuator {
@@ -62,11 +62,6 @@ class ActuatorTest {
   void start() {
     wheel = kit.start(Wheel::new);
     wheel.moves.clear();
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   @Test
@@ -141,21 +136,6 @@ class ActuatorTest {
     kit.publish(Channels.ACTUATION, PercentageCommand.of("LATE WHEEL", 40.0));
 
     assertThat(late.moves).containsExactly("neutral");
-  }
-
-  @Test
-  void requiresArming_obeysOnlyWhileArmed() {
-    kit.with("SERVICE NAME", "ARMED WHEEL").with("REQUIRES ARMING", true);
-    Wheel armed = kit.start(Wheel::new);
-
-    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
-    assertThat(armed.moves).containsExactly("neutral");
-
-    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
-    kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 40.0));
-    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
-
-    assertThat(armed.moves).containsExactly("neutral", "40.0", "neutral");
   }
 
   @Test
@@ -381,17 +361,6 @@ class ActuatorTest {
     kit.publish(Channels.ACTUATION, PercentageCommand.of("LATE WHEEL", 40.0));
 
     assertThat(late.moves).containsExactly("neutral");
-  }
-
-  @Test
-  void health_saysAtOnceWhichStopsHold() {
-    kit.advance(0.3);
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops()).contains(List.of());
-
-    kit.publish(Channels.EMERGENCY_STOP, new EmergencyStop().active(true).stopId("Ann 1"));
-
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().emergencyStops())
-        .contains(List.of("Ann 1"));
   }
 
   @Test

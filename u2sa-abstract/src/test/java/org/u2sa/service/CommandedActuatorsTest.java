@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -21,7 +21,7 @@ import org.u2sa.testkit.ServiceKit;
 /** Two actuators of one service: which commands move them, and what is said of the others. */
 @Timeout(120)
 class CommandedActuatorsTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** Writes down what came of each message. */
   private static final class Drive extends EventDrivenService {
@@ -47,11 +47,6 @@ class CommandedActuatorsTest {
     protected void takeOver(HandOver state) {
       commands.takeOver(state);
     }
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   private Drive start() {

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
@@ -146,9 +147,13 @@ class ConfigurationOffThreadTest {
     bus.deliver(Channels.CONFIGURATION, transaction);
   }
 
+  private static void awaitThat(Callable<Boolean> condition) {
+    await().atMost(Duration.ofSeconds(60)).until(condition);
+  }
+
   private void awaitSteps(int more) {
     long from = service.steps.get();
-    await().atMost(Duration.ofSeconds(60)).until(() -> service.steps.get() >= from + more);
+    awaitThat(() -> service.steps.get() >= from + more);
   }
 
   @Test
@@ -156,14 +161,14 @@ class ConfigurationOffThreadTest {
     start(new SystemClock());
     service.gate = new CountDownLatch(1); // a disk that does not answer
     send(1, "2.0");
-    await().atMost(Duration.ofSeconds(60)).until(() -> !service.judges.isEmpty());
+    awaitThat(() -> !service.judges.isEmpty());
 
     awaitSteps(20);
 
     assertThat(answers).isEmpty();
     assertThat(service.seen).containsExactly("1.0/1.0");
     service.gate.countDown();
-    await().atMost(Duration.ofSeconds(60)).until(() -> !answers.isEmpty());
+    awaitThat(() -> !answers.isEmpty());
     awaitSteps(2);
     assertThat(answers.get(0).accepted()).isTrue();
     assertThat(service.seen).as("both variables at once").containsExactly("1.0/1.0", "2.0/2.0");
@@ -185,7 +190,7 @@ class ConfigurationOffThreadTest {
       assertThat(lock.isValid()).isTrue();
       long before = service.steps.get();
       send(1, "2.0");
-      await().atMost(Duration.ofSeconds(60)).until(() -> !answers.isEmpty());
+      awaitThat(() -> !answers.isEmpty());
 
       assertThat(answers.get(0).accepted()).isFalse();
       assertThat(answers.get(0).reason()).contains(".configuration.lock is locked");
@@ -206,9 +211,7 @@ class ConfigurationOffThreadTest {
     awaitSteps(20);
     service.gate.countDown();
 
-    await()
-        .atMost(Duration.ofSeconds(60))
-        .until(() -> isAnswered(-1) && hasReason("GAIN is negative"));
+    awaitThat(() -> isAnswered(-1) && hasReason("GAIN is negative"));
     awaitSteps(20);
     assertThat(service.judges).hasSizeLessThan(200);
     assertThat(service.judges).doesNotContain(service);
@@ -249,14 +252,14 @@ class ConfigurationOffThreadTest {
     start(new SystemClock());
     service.gate = new CountDownLatch(1);
     send(1, "2.0");
-    await().atMost(Duration.ofSeconds(60)).until(() -> !service.judges.isEmpty());
+    awaitThat(() -> !service.judges.isEmpty());
     send(2, "3.0");
     awaitSteps(2);
 
     service.kill();
     service.gate.countDown();
 
-    await().atMost(Duration.ofSeconds(60)).until(() -> !service.judges.get(0).isAlive());
+    awaitThat(() -> !service.judges.get(0).isAlive());
     assertThat(service.judges).hasSize(1);
   }
 }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -17,14 +17,14 @@ import org.u2sa.testkit.ServiceKit;
 /** Data older than its deadline is absent; what is urgent overtakes. */
 @Timeout(120)
 class DeadlineTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   private static final class Listener extends EventDrivenService {
     private final List<U2SAData> heard = new ArrayList<>();
 
     Listener(ServiceContext context) {
       super(context, ServiceRole.PATH_PLANNER, "Listener");
-      registerSubscriber(Channels.STATE, 1.0);
+      subscribe(Channels.STATE, 1.0, heard::add);
       registerSubscriber(Channels.GOAL_REPORTS);
       registerSubscriber(Channels.EMERGENCY_STOP);
     }
@@ -33,11 +33,6 @@ class DeadlineTest {
     public void callback(U2SAData data) {
       heard.add(data);
     }
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   private static StateInformation state(long micros) {

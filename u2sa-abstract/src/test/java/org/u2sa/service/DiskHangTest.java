@@ -117,7 +117,7 @@ class DiskHangTest {
 
   @Test
   void command_afterALogLineAndASavedState_expires() throws InterruptedException {
-    start(0.1);
+    start(2.0); // longer than a busy machine keeps the command waiting
     deliver(PercentageCommand.of("WHEEL", 40.0));
     awaitMove("40.0");
 

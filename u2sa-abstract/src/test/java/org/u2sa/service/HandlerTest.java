@@ -4,12 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
@@ -22,12 +21,11 @@ class HandlerTest {
   private static final Channel<GoalInformation> OWN = Channel.every("own", GoalInformation.TYPE);
   private static final Channel<GoalCommand> NAMESAKE = Channel.every("own", GoalCommand.TYPE);
 
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   private static final class Listener extends EventDrivenService {
     private final List<String> reports = new ArrayList<>();
     private final List<String> updates = new ArrayList<>();
-    private final List<Long> states = new ArrayList<>();
     private final List<U2SAData> others = new ArrayList<>();
 
     Listener(ServiceContext context) {
@@ -35,7 +33,6 @@ class HandlerTest {
       subscribe(Channels.GOAL_REPORTS, report -> reports.add(report.uid()));
       subscribe(Channels.GOAL_UPDATES, update -> updates.add(update.uid()));
       subscribe(OWN, goal -> updates.add(goal.uid()));
-      subscribe(Channels.STATE, 1.0, state -> states.add(state.timestamp().orElseThrow()));
       registerSubscriber(Channels.GOAL_COMMANDS);
     }
 
@@ -71,11 +68,6 @@ class HandlerTest {
     }
   }
 
-  @AfterEach
-  void close() {
-    kit.close();
-  }
-
   private static Waypoint goal(String uid) {
     return new Waypoint().uid(uid).horizontalThreshold(1.0);
   }
@@ -90,23 +82,6 @@ class HandlerTest {
     assertThat(listener.reports).containsExactly("reported");
     assertThat(listener.updates).containsExactly("updated");
     assertThat(listener.others).hasSize(1).first().isInstanceOf(GoalCommand.class);
-  }
-
-  @Test
-  void subscribe_withDeadline_oldMessageReachesNobodyAndIsCounted() {
-    Listener listener = kit.start(Listener::new);
-    kit.advance(3.0);
-    StateInformation old = new StateInformation().x(1.0);
-    old.timestamp(1_999_999L);
-    StateInformation fresh = new StateInformation().x(1.0);
-    fresh.timestamp(2_000_000L);
-    kit.publish(Channels.STATE, old);
-    kit.publish(Channels.STATE, fresh);
-    kit.advance(0.3);
-
-    assertThat(listener.states).containsExactly(2_000_000L);
-    assertThat(listener.others).isEmpty();
-    assertThat(kit.latest(Channels.HEALTH).orElseThrow().expired()).hasValue(1);
   }
 
   @Test

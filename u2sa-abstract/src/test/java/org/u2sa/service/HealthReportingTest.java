@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -12,18 +12,12 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** What services say of themselves, and that a thread that just ends does not go unnoticed. */
 @Timeout(120)
 class HealthReportingTest {
-  private final ServiceKit kit = new ServiceKit();
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** Publishes a state at each of its first steps. */
   private static final class Source extends PeriodicService {
@@ -56,11 +50,6 @@ class HealthReportingTest {
       } catch (InterruptedException e) {
         currentThread().interrupt();
       }
-    }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
     }
 
     @Override

@@ -4,18 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.DiscoveryResponse;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 /** What is answered when a role has no standard channel for a class (thesis 3.2.1.3, 3.2.1.4). */
 class RegistrationByClassTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   private static final class Planner extends EventDrivenService {
     private final List<Boolean> answers = new ArrayList<>();
@@ -31,16 +30,6 @@ class RegistrationByClassTest {
       answers.add(publish("Not A Channel", new StateInformation()));
       answers.add(publish(new DiscoveryResponse()));
     }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   @Test

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -26,7 +26,7 @@ import org.u2sa.testkit.ServiceKit;
 /** Changes of several variables and undo, as every service answers them (thesis 3.2.1.1). */
 @Timeout(120)
 class ServiceConfigurationTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
   private Tuned service;
 
   private static final class Tuned extends EventDrivenService {
@@ -46,11 +46,6 @@ class ServiceConfigurationTest {
     }
 
     @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
-
-    @Override
     protected Optional<String> configurationRefusal(Map<String, Object> values) {
       return (Double) values.get("LOW") < (Double) values.get("HIGH")
           ? Optional.empty()
@@ -66,11 +61,6 @@ class ServiceConfigurationTest {
   @BeforeEach
   void start() {
     service = kit.start(Tuned::new);
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   private <T extends U2SAData> T answer(U2SAData request, Class<T> type) {

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -31,7 +31,7 @@ import org.u2sa.testkit.ServiceKit;
 /** Thesis 3.2.2.1: what every service answers without a line in the subclass. */
 @Timeout(120)
 class ServiceContractTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
   private Planner planner;
 
   private static final class Planner extends EventDrivenService {
@@ -47,11 +47,6 @@ class ServiceContractTest {
     }
 
     @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
-
-    @Override
     protected void configurationChanged(Set<String> variableNames) {
       variableNames.forEach(name -> changed.add(name + "=" + getVariable(name)));
     }
@@ -60,11 +55,6 @@ class ServiceContractTest {
   @BeforeEach
   void start() {
     planner = kit.start(Planner::new);
-  }
-
-  @AfterEach
-  void close() {
-    kit.close();
   }
 
   private <T extends U2SAData> T answer(

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
@@ -20,12 +20,7 @@ import org.u2sa.testkit.ServiceKit;
 /** How services end when things go wrong, or at a bad moment. */
 @Timeout(120)
 class ServiceEndTest {
-  private final ServiceKit kit = new ServiceKit();
-
-  @AfterEach
-  void close() {
-    kit.close();
-  }
+  @AutoClose private final ServiceKit kit = new ServiceKit();
 
   /** Fails as it is told to. */
   private static final class Victim extends EventDrivenService {
@@ -88,25 +83,21 @@ class ServiceEndTest {
   }
 
   @Test
-  void callback_undeclaredCheckedException_isSurvivedLikeAnyOther() {
+  void callback_undeclaredCheckedException_isSurvivedLoggedAndReported() {
     Victim victim = kit.start(Victim::new);
     victim.inCallback = new IOException("device gone");
-
     kit.publish(Channels.STATE, state());
     kit.publish(Channels.STATE, state());
+    kit.advance(1.0);
 
     assertThat(victim.received).hasSize(2);
     assertThat(victim.isRunning()).isTrue();
-  }
-
-  @Test
-  void callback_throws_logShowsWhere() {
-    Victim victim = kit.start(Victim::new);
-    victim.inCallback = new IllegalStateException("told to fail");
-
-    kit.publish(Channels.STATE, state());
-
-    assertThat(kit.log("Victim")).anyMatch(line -> line.contains("at org.u2sa.service.ServiceEnd"));
+    HealthReport health = kit.latest(Channels.HEALTH).orElseThrow();
+    assertThat(health.exceptions()).isEqualTo(2);
+    assertThat(health.lastError()).contains("java.io.IOException: device gone");
+    assertThat(kit.log("Victim"))
+        .anyMatch(line -> line.contains("ERROR") && line.contains("device gone"))
+        .anyMatch(line -> line.contains("at org.u2sa.service.ServiceEnd"));
   }
 
   @Test
@@ -180,31 +171,6 @@ class ServiceEndTest {
   }
 
   @Test
-  void kill_fromItsOwnCallback_endsItAfterThat() throws InterruptedException {
-    List<ServiceStatus> during = new ArrayList<>();
-    EventDrivenService suicidal =
-        kit.start(
-            context ->
-                new EventDrivenService(context, ServiceRole.OBSERVER, "Suicidal") {
-                  {
-                    registerSubscriber(StateInformation.class);
-                  }
-
-                  @Override
-                  public void callback(U2SAData data) {
-                    kill();
-                    during.add(status());
-                  }
-                });
-
-    kit.publish(Channels.STATE, state());
-    suicidal.join();
-
-    assertThat(during).containsExactly(ServiceStatus.RUNNING);
-    assertThat(suicidal.status()).isEqualTo(ServiceStatus.STOPPED);
-  }
-
-  @Test
   void kill_fromAnotherServicesCallback_endsItAndTimeGoesOn() {
     Victim victim = kit.start(Victim::new);
     kit.start(
@@ -231,11 +197,6 @@ class ServiceEndTest {
       super(context, ServiceRole.OBSERVER, "Stillborn");
       throw new IllegalStateException("no device");
     }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
   }
 
   @Test
@@ -257,11 +218,6 @@ class ServiceEndTest {
     @Override
     public void run() {
       log("returns at once");
-    }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
     }
 
     @Override

@@ -7,7 +7,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.configuration.ConfigurationException;
-import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.ServiceKit;
 
 class ServiceNameTest {
@@ -15,11 +14,6 @@ class ServiceNameTest {
   private static final class Nameless extends EventDrivenService {
     Nameless(ServiceContext context) {
       super(context, ServiceRole.OBSERVER, "Nameless");
-    }
-
-    @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
     }
   }
 

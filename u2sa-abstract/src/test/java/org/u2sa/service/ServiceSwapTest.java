@@ -6,10 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -24,16 +25,15 @@ import org.u2sa.testkit.ServiceKit;
 /** One service takes the place of another, or does not. */
 @Timeout(120)
 class ServiceSwapTest {
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
   private final Counting old = kit.start(Counting::new);
 
-  @AfterEach
-  void close() {
-    kit.close();
+  private ServiceContext inPlaceOf(U2SAService service) {
+    return inPlaceOf(service, service.context().configuration().forSuccessor());
   }
 
-  private ServiceContext inPlaceOf(U2SAService service) {
-    return ServiceContext.of(ServiceKit.SYSTEM_ID, service.context().configuration().forSuccessor())
+  private ServiceContext inPlaceOf(U2SAService service, XmlConfiguration configuration) {
+    return ServiceContext.of(ServiceKit.SYSTEM_ID, configuration)
         .clock(kit.clock())
         .transport(kit.bus())
         .logDirectory(service.context().logDirectory())
@@ -41,13 +41,18 @@ class ServiceSwapTest {
         .build();
   }
 
+  private ServiceSwap order(U2SAService successor) {
+    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
+    kit.settle();
+    return swap;
+  }
+
   private <S extends U2SAService> S make(Function<ServiceContext, S> constructor) {
     return constructor.apply(inPlaceOf(old));
   }
 
   private Optional<String> swap(U2SAService successor) {
-    ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
-    kit.settle();
+    ServiceSwap swap = order(successor);
     assertThat(swap.isDecided()).isTrue();
     return swap.outcome();
   }
@@ -211,27 +216,10 @@ class ServiceSwapTest {
     assertThat(swap(make(Counting::new))).isEmpty();
   }
 
-  @Test
-  void swap_handOverThrows_oldOneGoesOn() {
-    old.inHandOver(
-        state -> {
-          throw new LinkageError("half a jar");
-        });
-
-    assertThat(swap(make(Counting::new)))
-        .hasValueSatisfying(why -> assertThat(why).contains("half a jar"));
-    assertThat(old.isRunning()).isTrue();
-  }
-
   /** Of another role. */
   private static final class Planner extends EventDrivenService {
     Planner(ServiceContext context) {
       super(context, ServiceRole.PATH_PLANNER, "Planner");
-    }
-
-    @Override
-    public void callback(org.u2sa.messages.schema.U2SAData data) {
-      unexpected(data);
     }
   }
 
@@ -301,5 +289,125 @@ class ServiceSwapTest {
     number(1);
     kit.settle();
     assertThat(old.handled).containsExactly("n1");
+  }
+
+  /** One that also listens to changes of goals, which the old one does not. */
+  private Counting hearingMore() {
+    Counting successor = new Counting(inPlaceOf(old));
+    successor.registerSubscriber(Channels.GOAL_UPDATES);
+    return successor;
+  }
+
+  private void update() {
+    kit.publish(Channels.GOAL_UPDATES, new Waypoint().horizontalThreshold(1.0).uid("a"));
+  }
+
+  private boolean has(String part) {
+    return kit.log("Counting").stream().anyMatch(line -> line.contains(part));
+  }
+
+  @Test
+  void order_successorWithAVariableThatItDoesNotDeclare_isRefused() {
+    XmlConfiguration misspelt = old.context().configuration().forSuccessor();
+    misspelt.override("LOG LEVLE", "DEBUG");
+
+    ServiceSwap swap = order(new Counting(inPlaceOf(old, misspelt)));
+
+    assertThat(swap.outcome())
+        .hasValueSatisfying(
+            why -> assertThat(why).contains("\"LOG LEVLE\": no service declares it"));
+    assertThat(old.isRunning()).isTrue();
+    assertThat(has("not swapped for " + Counting.class.getName())).isTrue();
+  }
+
+  @Test
+  void order_handOverFails_dropsWhatOnlyTheSuccessorWantedAndLogsTheFault() {
+    Counting successor = hearingMore();
+    old.inHandOver(
+        state -> {
+          throw new LinkageError("half a jar");
+        });
+
+    assertThat(order(successor).outcome())
+        .contains("handing over failed: java.lang.LinkageError: half a jar");
+    update();
+
+    assertThat(old.order()).doesNotContain("Waypoint");
+    assertThat(has("ERROR")).isTrue();
+    assertThat(has("handing over failed")).isTrue();
+    assertThat(successor.status()).isEqualTo(ServiceStatus.STOPPED);
+    assertThat(old.isRunning()).isTrue();
+  }
+
+  @Test
+  void order_done_isLoggedAndTheSuccessorHearsWhatItWantsOnly() {
+    Counting successor = hearingMore();
+
+    assertThat(order(successor).outcome()).isEmpty();
+    update();
+
+    assertThat(successor.order()).endsWith("Waypoint");
+    assertThat(has("handed over to " + Counting.class.getName())).isTrue();
+    assertThat(has("not swapped")).isFalse();
+  }
+
+  /** Listens to less than {@link Counting}. */
+  private static final class Deaf extends EventDrivenService {
+    private int heard;
+
+    Deaf(ServiceContext context) {
+      super(context, ServiceRole.OBSERVER, "Counting");
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      heard++;
+    }
+  }
+
+  @Test
+  void order_successorThatWantsLess_hearsNoMoreWhatOnlyTheOldOneWanted() {
+    Deaf successor = new Deaf(inPlaceOf(old));
+
+    assertThat(order(successor).outcome()).isEmpty();
+    int heard = successor.heard;
+    kit.publish(Channels.GOALS, new GoalList());
+
+    assertThat(successor.heard).isEqualTo(heard);
+    successor.kill();
+  }
+
+  /** Orders the swap on its own thread and waits there for what comes of it. */
+  private static final class Launcher extends EventDrivenService {
+    private final ServiceSwap swap;
+    private Optional<String> outcome;
+
+    Launcher(ServiceContext context, ServiceSwap swap) {
+      super(context, ServiceRole.OBSERVER, "Launcher");
+      this.swap = swap;
+      registerSubscriber(Channels.GOAL_UPDATES);
+    }
+
+    @Override
+    public void callback(U2SAData data) {
+      try {
+        outcome = swap.order().await(2.0);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  @Test
+  void await_onAServicesThread_returnsAsSoonAsItIsDone() {
+    Counting successor = new Counting(inPlaceOf(old));
+    Launcher launcher =
+        kit.start(context -> new Launcher(context, new ServiceSwap(old, successor, () -> true)));
+
+    update();
+
+    assertThat(launcher.outcome).isEmpty();
+    assertThat(successor.isRunning()).isTrue();
+    successor.kill();
   }
 }

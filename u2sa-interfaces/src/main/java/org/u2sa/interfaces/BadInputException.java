@@ -8,17 +8,10 @@ package org.u2sa.interfaces;
 public class BadInputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  /**
-   * @param message place, value and what was expected, in one sentence
-   */
   public BadInputException(String message) {
     super(OneLine.of(message));
   }
 
-  /**
-   * @param message place, value and what was expected, in one sentence
-   * @param cause the cause
-   */
   public BadInputException(String message, Throwable cause) {
     super(OneLine.of(message), cause);
   }

@@ -21,9 +21,8 @@ public final class JsonText {
   private final Map<String, Object> fields = new LinkedHashMap<>();
 
   /**
-   * Adds a field unless its value is an empty Optional.
-   *
-   * @param value a text, number, boolean, object, collection, or an Optional of one
+   * Adds a text, number, boolean, object, collection, or an Optional of one; empty ones are
+   * omitted.
    */
   public JsonText put(String name, Object value) {
     Object known = value;
@@ -59,12 +58,10 @@ public final class JsonText {
     }
   }
 
-  /** Single-line text. */
   public String line() {
     return text(null);
   }
 
-  /** Indented text. */
   @Override
   public String toString() {
     return text(new DefaultPrettyPrinter());

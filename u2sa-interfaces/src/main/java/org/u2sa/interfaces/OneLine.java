@@ -3,9 +3,8 @@ package org.u2sa.interfaces;
 import java.util.regex.Pattern;
 
 /**
- * Sanitises foreign text for one line of a log or terminal, so that it can neither start a new line
- * nor control the terminal, nor look like another text: line breaks, control characters (including
- * ESC, except tab), marks of writing direction and characters without width become spaces.
+ * Sanitises foreign text for one line of a log or terminal: line breaks, control characters
+ * (including ESC, except tab), direction marks and zero-width characters become spaces.
  */
 public final class OneLine {
   private static final Pattern CONTROLS =
@@ -17,7 +16,6 @@ public final class OneLine {
 
   private OneLine() {}
 
-  /** Returns the sanitised text. */
   public static String of(String text) {
     return CONTROLS.matcher(text).replaceAll(" ");
   }

@@ -8,17 +8,11 @@ public class RunFailedException extends RuntimeException {
 
   private static final long serialVersionUID = 1L;
 
-  /**
-   * @param message what failed, on what, and why, in one line
-   */
   public RunFailedException(String message) {
     super(message);
   }
 
-  /**
-   * @param message what failed, on what, and why, in one line
-   * @param cause shown with {@code --debug}
-   */
+  /** Adds a cause, shown with {@code --debug}. */
   public RunFailedException(String message, Throwable cause) {
     super(message, cause);
   }

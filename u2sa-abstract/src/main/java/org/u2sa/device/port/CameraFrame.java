@@ -6,8 +6,20 @@ import java.util.Optional;
  * One frame of a camera. Pixels stay in the capturing process: channels only carry compressed
  * images, as {@link org.u2sa.messages.CameraImage}. Compared by identity, to avoid comparing
  * pixels.
+ *
+ * @param measuredAtMicros start of exposure, or arrival of its bytes [µs of the run's clock]
+ * @param width width [px], positive
+ * @param height height [px], positive
+ * @param pixels bytes, not copied; the caller must not modify them afterwards
  */
-public final class CameraFrame implements Device.Reading {
+public record CameraFrame(
+    long measuredAtMicros,
+    int width,
+    int height,
+    PixelFormat format,
+    byte[] pixels,
+    Optional<Intrinsics> intrinsics)
+    implements Device.Reading {
   /** Pixel format of a frame. */
   public enum PixelFormat {
     /** One byte per pixel, row-major from the top: 0 black to 255 white. */
@@ -51,39 +63,16 @@ public final class CameraFrame implements Device.Reading {
     }
   }
 
-  private final long measuredAtMicros;
-  private final int width;
-  private final int height;
-  private final PixelFormat format;
-  private final byte[] pixels;
-  private final Optional<Intrinsics> intrinsics;
-
   /**
-   * @param measuredAtMicros start of exposure, or arrival of its bytes [µs of the run's clock]
-   * @param width width [px], positive
-   * @param height height [px], positive
-   * @param pixels bytes, not copied; the caller must not modify them afterwards
    * @throws IllegalArgumentException if the number of bytes does not match size and format
    */
-  public CameraFrame(
-      long measuredAtMicros,
-      int width,
-      int height,
-      PixelFormat format,
-      byte[] pixels,
-      Optional<Intrinsics> intrinsics) {
+  public CameraFrame {
     long bytes = (long) width * height * format.bytesPerPixel();
     boolean isWhole = format == PixelFormat.JPEG ? pixels.length > 0 : pixels.length == bytes;
     if (width < 1 || height < 1 || !isWhole) {
       throw new IllegalArgumentException(
           width + " x " + height + " pixels " + format + " are not " + pixels.length + " bytes");
     }
-    this.measuredAtMicros = measuredAtMicros;
-    this.width = width;
-    this.height = height;
-    this.format = format;
-    this.pixels = pixels;
-    this.intrinsics = intrinsics;
   }
 
   /** Creates a greyscale frame of a camera with unknown geometry. */
@@ -93,33 +82,13 @@ public final class CameraFrame implements Device.Reading {
   }
 
   @Override
-  public long measuredAtMicros() {
-    return measuredAtMicros;
+  public boolean equals(Object other) {
+    return this == other;
   }
 
-  /** Width [px]. */
-  public int width() {
-    return width;
-  }
-
-  /** Height [px]. */
-  public int height() {
-    return height;
-  }
-
-  /** Format of {@link #pixels}. */
-  public PixelFormat format() {
-    return format;
-  }
-
-  /** The image data; not to be modified. */
-  public byte[] pixels() {
-    return pixels;
-  }
-
-  /** The camera's geometry; empty if unknown. */
-  public Optional<Intrinsics> intrinsics() {
-    return intrinsics;
+  @Override
+  public int hashCode() {
+    return System.identityHashCode(this);
   }
 
   @Override

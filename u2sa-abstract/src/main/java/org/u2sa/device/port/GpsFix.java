@@ -51,10 +51,7 @@ public record GpsFix(
         false);
   }
 
-  /**
-   * Converts a valid fix to a new State Information in GLOBAL with the fix's time, without a sensor
-   * name.
-   */
+  /** Converts a valid fix to a State Information in GLOBAL with its time, without a sensor name. */
   public StateInformation toState() {
     StateInformation state =
         new StateInformation().referenceFrame(ReferenceFrame.GLOBAL).x(longitudeDeg).y(latitudeDeg);

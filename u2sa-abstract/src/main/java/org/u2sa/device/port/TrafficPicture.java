@@ -35,7 +35,6 @@ public final class TrafficPicture {
     latest = Optional.of(new TrafficReceiver.Traffic(nowMicros, List.copyOf(targets.values())));
   }
 
-  /** The picture after the last report; empty before the first. */
   public Optional<TrafficReceiver.Traffic> latest() {
     return latest;
   }

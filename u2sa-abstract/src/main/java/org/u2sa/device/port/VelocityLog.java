@@ -1,6 +1,7 @@
 package org.u2sa.device.port;
 
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 
 /** A Doppler velocity log, or a simpler log that measures some of these speeds. */
 public interface VelocityLog extends Device<VelocityLog.Speeds> {
@@ -26,12 +27,8 @@ public interface VelocityLog extends Device<VelocityLog.Speeds> {
       implements Reading {
     /** Whether any value is present. */
     public boolean isAny() {
-      return groundX.isPresent()
-          || groundY.isPresent()
-          || groundZ.isPresent()
-          || waterX.isPresent()
-          || waterY.isPresent()
-          || waterZ.isPresent();
+      return Stream.of(groundX, groundY, groundZ, waterX, waterY, waterZ)
+          .anyMatch(OptionalDouble::isPresent);
     }
   }
 }

@@ -5,10 +5,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/**
- * Speed and yaw rate of a differential vehicle from its wheel encoder counts (thesis 4.1.1.1: the X
- * and Y speed fields).
- */
+/** Speed and yaw rate of a differential vehicle from its wheel encoders (thesis 4.1.1.1). */
 public final class WheelOdometry {
   // The ends of a span are each wrong by up to half a count: their difference has σ = 1/√6 counts.
   private static final double COUNT_SIGMA = 1.0 / Math.sqrt(6.0);
@@ -43,11 +40,11 @@ public final class WheelOdometry {
 
   /**
    * The motion since the last call, in BODY: forward speed, zero lateral speed, yaw rate (left
-   * positive); averaged, at the midpoint between the two calls.
+   * positive); averaged, at the midpoint between the two calls. Empty at the first call, if no time
+   * has passed, and for implausible jumps.
    *
    * @param leftCounts forward positive; wraps at 32 bits
    * @param rightCounts likewise
-   * @return empty at the first call, if no time has passed, and for implausible jumps
    */
   public Optional<StateInformation> moved(long nowMicros, int leftCounts, int rightCounts) {
     double seconds = Clock.seconds(nowMicros - atMicros);

@@ -7,8 +7,8 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Configured description of an actuator, for its announcement: any actuator service gets it by
- * {@code settings(ActuatorDescription.class)}, with the actuator's name as prefix if it has
+ * Configured description of an actuator, for its announcement: {@code
+ * settings(ActuatorDescription.class)}, with the actuator's name as prefix if the service has
  * several.
  */
 public record ActuatorDescription(
@@ -78,7 +78,6 @@ public record ActuatorDescription(
   /** Announcement period of an allocated actuator [s]; control drops it within a second. */
   private static final double ALLOCATED_RENEWAL_S = 0.25;
 
-  /** Validates the effect syntax. */
   public ActuatorDescription {
     if (!effect.trim().isEmpty()) {
       EffectText.parse(effect);
@@ -86,11 +85,10 @@ public record ActuatorDescription(
   }
 
   /**
-   * Writes the effect of a thruster into an announcement, for services with their own variables for
-   * it, and returns the announcement.
+   * Writes a thruster's effect into an announcement, for services with their own variables for it.
    *
    * @param place position relative to the vehicle's reference point: forward, right, down [m]
-   * @param direction in which it pushes the vehicle at +100 %, in the same axes, of any length
+   * @param direction of the push at +100 %, in the same axes, of any length
    * @param forwardN thrust at +100 % [N]
    * @param reverseN thrust at −100 % [N]
    */
@@ -105,7 +103,6 @@ public record ActuatorDescription(
         .renewal(ALLOCATED_RENEWAL_S);
   }
 
-  /** Writes this description into an announcement and returns the announcement. */
   public ActuatorAnnouncement addTo(ActuatorAnnouncement announcement) {
     List<String> types = new ArrayList<>(announcement.commandTypes());
     if (!effect.trim().isEmpty()) {

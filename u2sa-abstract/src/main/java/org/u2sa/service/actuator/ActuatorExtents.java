@@ -9,24 +9,17 @@ import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.command.SpeedCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 
-/** Command types and ranges an actuator announced, and their conversion to percent. */
-final class ActuatorExtents {
+/**
+ * Command types and ranges an actuator announced, and their conversion to percent.
+ *
+ * @param range [%]
+ * @param types other than percentages
+ * @param fullAngle [rad]; NaN: none
+ * @param fullSpeed [rad/s]; NaN: none
+ */
+record ActuatorExtents(
+    Range range, List<String> types, double fullAngle, double fullSpeed, EffectCurve curve) {
   private static final double FULL_PERCENT = 100.0;
-
-  private final Range range; // [%]
-  private final List<String> types; // other than percentages
-  private final double fullAngle; // [rad]; NaN: none
-  private final double fullSpeed; // [rad/s]; NaN: none
-  private final EffectCurve curve;
-
-  private ActuatorExtents(
-      Range range, List<String> types, double fullAngle, double fullSpeed, EffectCurve curve) {
-    this.range = range;
-    this.types = types;
-    this.fullAngle = fullAngle;
-    this.fullSpeed = fullSpeed;
-    this.curve = curve;
-  }
 
   static ActuatorExtents ofPercentages(Range range) {
     return new ActuatorExtents(range, List.of(), Double.NaN, Double.NaN, EffectCurve.LINEAR);

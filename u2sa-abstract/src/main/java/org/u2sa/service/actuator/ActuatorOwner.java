@@ -5,6 +5,6 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /** A service with actuators that can provide its announcements before it runs. */
 public interface ActuatorOwner {
-  /** Initial announcement of each actuator, from the current configuration. */
+  /** Initial announcement of each actuator. */
   List<ActuatorAnnouncement> actuators();
 }

@@ -13,10 +13,8 @@ import org.u2sa.messages.contract.ActuatorAnnouncement;
 
 /**
  * Holds the latest command per actuator until it expires, so that an actuator goes neutral when
- * control is lost (as PX4 and ArduPilot do at their outputs). Angles, speeds and forces, if
- * accepted by an actuator, are also held as percentages.
- *
- * <p>Not thread-safe: belongs to the service that owns the actuators.
+ * control is lost (as in PX4 and ArduPilot). Accepted angles, speeds and forces are also held as
+ * percentages. Not thread-safe.
  */
 public final class CommandHold {
   private record Held(ActuatorCommand command, double percentage, long untilMicros) {}
@@ -29,7 +27,6 @@ public final class CommandHold {
   private final Map<String, Held> newest = new LinkedHashMap<>();
 
   /**
-   * @param clock clock for command expiry
    * @param systemId system whose commands are obeyed
    * @param defaultExpiryS lifetime of a command without its own expiry [s], positive
    * @param toleranceS maximum lead of a command's timestamp over this clock [s]
@@ -52,11 +49,7 @@ public final class CommandHold {
         (name, range) -> this.actuators.put(name, ActuatorExtents.ofPercentages(range)));
   }
 
-  /**
-   * Accepts a command, or returns the reason for refusal.
-   *
-   * @return empty if it was accepted
-   */
+  /** Accepts a command (empty), or returns the reason for refusal. */
   public Optional<CommandRefusal> accept(ActuatorCommand command) {
     ActuatorExtents extents = actuators.get(command.actuatorName());
     if (extents == null) {
@@ -103,8 +96,8 @@ public final class CommandHold {
   }
 
   /**
-   * The active commands, each with its remaining lifetime: if {@link #accept}ed immediately by
-   * another hold, they expire exactly when they would have here.
+   * The active commands with their remaining lifetimes: accepted at once by another hold, they
+   * expire when they would have here.
    */
   public List<ActuatorCommand> standing() {
     long now = clock.micros();
@@ -121,7 +114,7 @@ public final class CommandHold {
     return standing;
   }
 
-  /** Current command of the actuator [%], −100…100; empty if never commanded or expired. */
+  /** Current command [%], −100…100; empty if never commanded or expired. */
   public OptionalDouble percentage(String actuator) {
     Held held = newest.get(actuator);
     return held == null || held.untilMicros <= clock.micros()
@@ -129,7 +122,7 @@ public final class CommandHold {
         : OptionalDouble.of(held.percentage);
   }
 
-  /** Current command of the actuator as sent; empty if {@link #percentage} is. */
+  /** Current command as sent; empty if {@link #percentage} is. */
   public Optional<ActuatorCommand> command(String actuator) {
     Held held = newest.get(actuator);
     return held == null || held.untilMicros <= clock.micros()
@@ -137,7 +130,6 @@ public final class CommandHold {
         : Optional.of(held.command);
   }
 
-  /** Discards all commands, so that every actuator goes neutral. */
   public void forget() {
     newest.clear();
   }

@@ -5,11 +5,10 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * Thrust curve of an actuator: no effect inside the dead band, beyond it share = ((|u| − deadband)
- * / (100 − deadband))^exponent of the full effect. Shared by actuators and the services that
- * command them.
+ * / (100 − deadband))^exponent of the full effect.
  *
  * @param deadband command below which nothing moves [%, 0…99]
- * @param exponent beyond the dead band; 1 is linear, about 2 for propellers
+ * @param exponent 1 is linear, about 2 for propellers
  * @param forwardN force at +100 % [N]; NaN if unknown
  * @param reverseN force at −100 %, positive [N]; NaN if unknown
  */
@@ -22,7 +21,6 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
 
   private static final double FULL_PERCENT = 100.0;
 
-  /** The curve that an actuator announced. */
   public static EffectCurve of(ActuatorAnnouncement announced) {
     double forward = announced.force().map(Point::distance).orElse(Double.NaN);
     double reverse = announced.reverseForce().map(Point::distance).orElse(forward);
@@ -30,7 +28,7 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
         announced.deadband().orElse(0.0), announced.exponent().orElse(1.0), forward, reverse);
   }
 
-  /** The command for a share of the full effect, −1…1, as a percentage, −100…100. */
+  /** Command [%], −100…100, for a share of the full effect, −1…1. */
   public double percent(double share) {
     double size = Math.min(1.0, Math.abs(share));
     if (size < MIN_SHARE) {
@@ -40,7 +38,7 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
     return Math.copySign(deadband + (FULL_PERCENT - deadband) * grown, share);
   }
 
-  /** The share of the full effect, −1…1, that results from a percentage, −100…100. */
+  /** Share of the full effect, −1…1, of a command [%], −100…100. */
   public double share(double percent) {
     double beyond = (Math.abs(percent) - deadband) / (FULL_PERCENT - deadband);
     if (beyond <= 0.0) {
@@ -50,9 +48,7 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
     return Math.copySign(Math.min(1.0, grown), percent);
   }
 
-  /**
-   * The command for a force [N], as a percentage; beyond ±100 if it exceeds the actuator's maximum.
-   */
+  /** Command [%] for a force [N]; beyond ±100 if it exceeds the actuator's maximum. */
   public double percentOfForce(double forceN) {
     double share = forceN / (forceN < 0.0 ? reverseN : forwardN);
     return Math.abs(share) > 1.0 ? FULL_PERCENT * share : percent(share);

@@ -29,8 +29,6 @@ record EffectText(
       "expected \"thrust N [/ N] at x y z towards x y z\" or \"wrench X Y Z K M N [/ X Y Z K M N]\"";
 
   /**
-   * Parses an effect.
-   *
    * @throws IllegalArgumentException with the text and what was expected
    */
   static EffectText parse(String text) {
@@ -64,9 +62,9 @@ record EffectText(
   }
 
   /**
-   * Creates the effect of a thrust at a position, in a direction of any length.
+   * Effect of a thrust at a position, in a direction of any length.
    *
-   * @throws IllegalArgumentException if the direction has zero length
+   * @throws IllegalArgumentException if the length is 0
    */
   static EffectText ofThrust(Point place, Point direction, double forward, double reverse) {
     double length = direction.distance();

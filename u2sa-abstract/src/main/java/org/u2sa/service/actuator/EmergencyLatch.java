@@ -15,23 +15,18 @@ import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Latch for emergency stops. Each stop latches separately; it is lifted only by a clear that names
+ * Latch for emergency stops. Each stop latches separately, and is lifted only by a clear that names
  * it, or that names no stop and has the same or a later timestamp. Fail-safe: a stop of unknown
  * origin or time latches too, a stop that reuses the ID of a lifted one latches again, and a clear
- * from another system lifts nothing.
- *
- * <p>Not thread-safe: belongs to one service.
+ * from another system lifts nothing. Not thread-safe.
  */
 public final class EmergencyLatch {
-  /**
-   * Maximum number of stops tracked individually; beyond it, as in a flood, only the newest is
-   * kept.
-   */
+  /** Stops tracked individually; beyond it, as in a flood, only the newest is kept. */
   private static final int TOLD_APART = 64;
 
   /**
    * How long after the clear a stop without a timestamp may be a repeat of the lifted one [µs]:
-   * several repeat intervals of whoever has not received the clear.
+   * several repeat intervals.
    */
   private static final long REPEATED_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
@@ -44,9 +39,7 @@ public final class EmergencyLatch {
   private static final String UNTIMED = "EMERGENCY STOPS WITHOUT A TIME";
 
   /**
-   * A lifted stop.
-   *
-   * @param saidMicros its timestamp; empty if unknown
+   * @param saidMicros timestamp of the stop; empty if unknown
    * @param liftedMicros time of the clear [µs of this clock]
    */
   private record Lifted(OptionalLong saidMicros, long liftedMicros) {}
@@ -68,10 +61,8 @@ public final class EmergencyLatch {
   }
 
   /**
-   * Processes a stop or a clear. A repeat of a lifted stop, from a sender that has not received the
-   * clear yet, changes nothing.
-   *
-   * @return whether the latch changed state: first stop set or last stop cleared
+   * Processes a stop or a clear; returns whether the first stop was set or the last one cleared. A
+   * repeat of a lifted stop, from a sender that has not received the clear yet, changes nothing.
    */
   public boolean accept(EmergencyStop message) {
     boolean before = isStopped();
@@ -109,9 +100,8 @@ public final class EmergencyLatch {
   }
 
   /**
-   * Whether a stop repeats one that was lifted. Repeats keep the timestamp, so another one is
-   * another stop, even if its sender uses one ID for all its stops. Where either has none, only a
-   * stop soon after the clear is a repeat.
+   * Repeats keep the timestamp; another timestamp means another stop, even with the same ID. Where
+   * either has none, only a stop soon after the clear is a repeat.
    */
   private boolean isRepeatOfLifted(String identity, OptionalLong saidMicros) {
     Lifted before = lifted.get(identity);
@@ -163,12 +153,11 @@ public final class EmergencyLatch {
     }
   }
 
-  /** Whether a stop is active. */
   public boolean isStopped() {
     return !standing.isEmpty() || beyond != null;
   }
 
-  /** The newest active stop; empty if none. */
+  /** The newest active stop. */
   public Optional<EmergencyStop> stop() {
     return stops().stream().reduce((one, other) -> micros(other) >= micros(one) ? other : one);
   }
@@ -182,14 +171,14 @@ public final class EmergencyLatch {
     return stops;
   }
 
-  /** Active stops, by {@link EmergencyStop#identity()}. */
+  /** {@link EmergencyStop#identity()} of the active stops. */
   public List<String> identities() {
     List<String> identities = new ArrayList<>();
     stops().forEach(stop -> identities.add(stop.identity()));
     return Collections.unmodifiableList(identities);
   }
 
-  /** Saves the active and the lifted stops for the service's successor. */
+  /** Saves the active and the lifted stops. */
   public void handOver(HandOver state) {
     List<String> times = new ArrayList<>();
     List<String> clears = new ArrayList<>();
@@ -205,7 +194,7 @@ public final class EmergencyLatch {
         .texts(CLEAR_TIMES, clears);
   }
 
-  /** Restores the state saved by {@link #handOver}; without it, starts with no stop. */
+  /** Restores the saved state; without it, starts with no stop. */
   public void takeOver(HandOver state) {
     List<String> identities = state.texts(LIFTED);
     List<String> times = state.texts(LIFTED_TIMES); // these two: none from an earlier version

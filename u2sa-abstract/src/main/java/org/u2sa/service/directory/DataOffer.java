@@ -6,16 +6,15 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * One entry of a service's functionality: a channel, and the type chain of its messages' base type.
- * As text {@code state/StateInformation}.
+ * A channel that a service offers, with the type chain of its messages' base type; as text {@code
+ * state/StateInformation}.
  *
- * @param channel the channel's name
- * @param typeChain base type of its messages with its ancestors, topmost first; empty: any message
+ * @param typeChain topmost type first; empty: any message
  */
 public record DataOffer(String channel, List<String> typeChain) {
   /**
-   * Parses {@code channel/TypeChain}; a channel for any message has no chain. Other text is taken
-   * as a channel name, because it may come from services of another version.
+   * Parses {@code channel/TypeChain}. Other text is taken as a channel name, because it may come
+   * from services of another version.
    */
   public static DataOffer parse(String text) {
     List<String> parts = new ArrayList<>(Arrays.asList(text.split("/")));
@@ -25,22 +24,19 @@ public record DataOffer(String channel, List<String> typeChain) {
         : new DataOffer(parts.get(0), Collections.unmodifiableList(parts.subList(1, parts.size())));
   }
 
-  /** Name of the base type of the channel's messages; {@code any} for any message. */
+  /** Name of the base type; {@code any} for any message. */
   public String typeName() {
     return typeChain.isEmpty() ? "any" : typeChain.get(typeChain.size() - 1);
   }
 
-  /**
-   * Whether all messages of the channel are of the type: it is the channel's type or an ancestor.
-   */
+  /** Whether all messages of the channel are of the type. */
   public boolean isAlways(List<String> wanted) {
     return !wanted.isEmpty() && startsWith(typeChain, wanted);
   }
 
   /**
-   * Whether the channel may carry messages of the type: {@link #isAlways}, or the type is a
-   * subclass of the channel's. Channels for any message do not count, because their content is
-   * unknown.
+   * {@link #isAlways}, or the type is a subclass of the channel's. Channels for any message do not
+   * count.
    */
   public boolean mayBe(List<String> wanted) {
     return isAlways(wanted) || !typeChain.isEmpty() && startsWith(wanted, typeChain);

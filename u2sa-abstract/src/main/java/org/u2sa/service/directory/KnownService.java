@@ -12,13 +12,10 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Snapshot of a {@link ServiceDirectory}'s knowledge of one service; unknown parts are empty.
+ * Snapshot of what a {@link ServiceDirectory} knows of one service.
  *
- * @param name its name, unique in the system
- * @param discovery its discovery response: type, host, uptime, version, class
- * @param functionality its functionality response: publications and subscriptions
- * @param health its latest health report, possibly a substitute by its launcher
- * @param condition its last condition by the health monitor; empty without a monitor
+ * @param health latest report, possibly a substitute by its launcher
+ * @param condition last condition by the health monitor
  */
 public record KnownService(
     String name,
@@ -52,14 +49,13 @@ public record KnownService(
     return discovery.isPresent() && functionality.isPresent();
   }
 
-  /** Latest life-cycle status; empty before the first. */
   public Optional<ServiceStatus> status() {
     return health.isPresent()
         ? health.map(HealthReport::status)
         : discovery.map(DiscoveryResponse::status);
   }
 
-  /** ID of this start of the service; empty if unknown. */
+  /** ID of this start of the service. */
   public Optional<String> instance() {
     Optional<String> reported = health.flatMap(HealthReport::instance);
     return reported.isPresent() ? reported : discovery.flatMap(DiscoveryResponse::instance);
@@ -70,12 +66,12 @@ public record KnownService(
     return health.map(HealthReport::interval).orElse(OptionalDouble.empty());
   }
 
-  /** Its publications; empty while unknown. */
+  /** Empty while unknown. */
   public List<DataOffer> publishes() {
     return functionality.map(answer -> offers(answer.publishes())).orElse(List.of());
   }
 
-  /** Its subscriptions; empty while unknown. */
+  /** Empty while unknown. */
   public List<DataOffer> subscribes() {
     return functionality.map(answer -> offers(answer.subscribes())).orElse(List.of());
   }

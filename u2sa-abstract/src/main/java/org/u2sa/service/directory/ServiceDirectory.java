@@ -61,14 +61,13 @@ public final class ServiceDirectory {
   private final Map<String, Entry> entries = new TreeMap<>();
   private long askedMicros = Long.MIN_VALUE; // time of the last request to all
 
-  /** Publishes requests: a service's or a connection's publish. */
+  /** A service's or a connection's publish. */
   @FunctionalInterface
   public interface Asking {
-    /** Publishes a request; must not block. Success shows in the answers. */
+    /** Publishes a request; must not block. */
     void publish(Channel<?> channel, U2SAData request);
   }
 
-  /** A service and the time of its last message. */
   private static final class Entry {
     private KnownService service;
     private long heardMicros;
@@ -79,9 +78,6 @@ public final class ServiceDirectory {
   }
 
   /**
-   * Creates an empty directory.
-   *
-   * @param clock the run's clock
    * @param asking publishes requests
    */
   public ServiceDirectory(Clock clock, Asking asking) {
@@ -98,11 +94,7 @@ public final class ServiceDirectory {
     asking.publish(Channels.FUNCTIONALITY, new FunctionalityRequest().serviceName(""));
   }
 
-  /**
-   * Processes a message.
-   *
-   * @return whether the directory used it
-   */
+  /** Processes a message, and returns whether it was used. */
   public boolean take(U2SAData message) {
     if (message instanceof DiscoveryResponse response) {
       note(response.serviceName(), known -> restarted(known, response.instance()).with(response));
@@ -157,10 +149,7 @@ public final class ServiceDirectory {
     return !one.isPresent() || !other.isPresent() || one.equals(other);
   }
 
-  /**
-   * Drops services that have been silent for too long, and repeats requests that are still
-   * unanswered. Call it about once a second.
-   */
+  /** Drops silent services, and repeats unanswered requests. Call it about once a second. */
   public void refresh() {
     boolean missing = false;
     synchronized (this) {
@@ -188,7 +177,6 @@ public final class ServiceDirectory {
     return all;
   }
 
-  /** The service of that name, if present. */
   public synchronized Optional<KnownService> service(String name) {
     return Optional.ofNullable(entries.get(name)).map(entry -> entry.service);
   }
@@ -233,10 +221,8 @@ public final class ServiceDirectory {
   /**
    * A service related to a type of data.
    *
-   * @param service the service
-   * @param offer its channel and type
-   * @param certain whether all messages of the channel are of the requested type; otherwise the
-   *     type is a subclass of the channel's, so that only some may be
+   * @param certain whether all messages of the channel are of the requested type; otherwise only
+   *     some may be
    */
   public record Found(KnownService service, DataOffer offer, boolean certain) {}
 }

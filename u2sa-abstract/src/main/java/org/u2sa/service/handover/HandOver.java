@@ -11,35 +11,26 @@ import java.util.Set;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * State of a service that is transferred to its successor or restored after a restart: a few named
- * values. A map rather than an object, so that independent algorithms can share the values both
- * understand.
- *
- * <p>The old service writes it in its {@code handOver}, the new one reads it in its {@code
- * takeOver}. A missing value is empty. Not thread-safe.
+ * State of a service that is transferred to its successor or restored after a restart: named
+ * values, so that independent algorithms can share those that both understand. The old service
+ * writes it in {@code handOver}, the new one reads it in {@code takeOver}. Not thread-safe.
  */
 public final class HandOver {
   private final String className;
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   /**
-   * Creates an empty state.
-   *
-   * @param className the class of the service that hands over
+   * @param className class of the service that hands over
    */
   public HandOver(String className) {
     this.className = className;
   }
 
-  /**
-   * The class of the service that hands over; class-specific values are meaningless to other
-   * classes.
-   */
+  /** Class of the service that hands over; class-specific values are meaningless to others. */
   public String className() {
     return className;
   }
 
-  /** The names of all values, in the order in which they were set. */
   public Set<String> names() {
     return Set.copyOf(values.keySet());
   }
@@ -49,28 +40,23 @@ public final class HandOver {
     return Collections.unmodifiableMap(values);
   }
 
-  /** Sets a text. */
   public HandOver text(String name, String value) {
     return set(name, value);
   }
 
   /**
-   * The text of that name.
-   *
    * @throws IllegalArgumentException if the value is not a text
    */
   public Optional<String> text(String name) {
     return get(name, String.class, "text");
   }
 
-  /** Sets a number, in SI units. NaN means no value and is omitted. */
+  /** Sets a number, in SI units; NaN is omitted. */
   public HandOver number(String name, double value) {
     return Double.isNaN(value) ? this : set(name, value);
   }
 
   /**
-   * The number of that name.
-   *
    * @throws IllegalArgumentException if the value is not a number
    */
   public OptionalDouble number(String name) {
@@ -78,51 +64,42 @@ public final class HandOver {
     return value.isPresent() ? OptionalDouble.of(value.get()) : OptionalDouble.empty();
   }
 
-  /** Sets a flag. */
   public HandOver flag(String name, boolean value) {
     return set(name, value);
   }
 
   /**
-   * The flag of that name; false without one.
+   * False if absent.
    *
-   * @throws IllegalArgumentException if it is not a flag
+   * @throws IllegalArgumentException if the value is not a flag
    */
   public boolean flag(String name) {
     return get(name, Boolean.class, "flag").orElse(false);
   }
 
-  /** Sets a list of texts. */
   public HandOver texts(String name, Iterable<String> value) {
     return set(name, list(value));
   }
 
   /**
-   * The list of texts of that name; empty without one.
-   *
-   * @throws IllegalArgumentException if it is another kind of value
+   * @throws IllegalArgumentException if the value is not a list of texts
    */
   public List<String> texts(String name) {
     return members(name, String.class, "list of texts");
   }
 
-  /**
-   * Sets a message. Unfrozen messages are copied, so that the old service may still change them.
-   */
+  /** Sets a message; an unfrozen one is copied. */
   public HandOver message(String name, U2SAData value) {
     return set(name, frozen(value));
   }
 
   /**
-   * The message of that name, frozen.
-   *
    * @throws IllegalArgumentException if the value is not a message of that class
    */
   public <T extends U2SAData> Optional<T> message(String name, Class<T> type) {
     return get(name, type, type.getSimpleName());
   }
 
-  /** Sets a list of messages, as {@link #message(String, U2SAData)} does with one. */
   public HandOver messages(String name, Iterable<? extends U2SAData> value) {
     List<U2SAData> messages = new ArrayList<>();
     value.forEach(message -> messages.add(frozen(message)));
@@ -130,7 +107,7 @@ public final class HandOver {
   }
 
   /**
-   * The messages of that name, frozen; empty without such a value.
+   * Empty if absent.
    *
    * @throws IllegalArgumentException if the value is not a list of messages of that class
    */

@@ -4,12 +4,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Provides the time between an author's callbacks and their durations with a minimum of
- * system-clock reads, because one read costs more than delivering a message.
- *
- * <p>The end time of one callback is reused as the start of the next if nothing happens in between,
- * and, in real time, as the time of the run. In a simulation the two clocks are unrelated, because
- * durations are still measured in real time.
+ * Measures callbacks with few system-clock reads, because one costs more than delivering a message:
+ * the end of one callback is reused as the start of the next and, in real time, as the time of the
+ * run. Durations are in real time, also in a simulation.
  */
 public final class CallbackStopwatch {
   private final Clock run;
@@ -17,14 +14,10 @@ public final class CallbackStopwatch {
   private long lastMicros; // of real; touched by the service's thread only
   private boolean isFresh; // likewise: lastMicros is still current
 
-  /**
-   * @param run clock of the run
-   */
   public CallbackStopwatch(Clock run) {
     this(run, run instanceof SystemClock ? run : new SystemClock());
   }
 
-  /** Uses a test's clock as real time. */
   public CallbackStopwatch(Clock run, Clock real) {
     this.run = run;
     this.real = real;
@@ -35,7 +28,6 @@ public final class CallbackStopwatch {
     return run == real ? realMicros() : run.micros();
   }
 
-  /** The real time [µs]. */
   long realMicros() {
     return isFresh ? lastMicros : look();
   }

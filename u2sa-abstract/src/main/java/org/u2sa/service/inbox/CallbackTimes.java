@@ -1,15 +1,15 @@
 package org.u2sa.service.inbox;
 
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicLongArray;
 import org.u2sa.interfaces.time.Clock;
 
 /**
  * Durations of a service's most recent callbacks and steps. Written lock-free by the service's
- * thread, because every message is measured; readable from any thread.
+ * thread; readable from any thread.
  */
 public final class CallbackTimes {
-  /** Number of durations kept. */
   static final int REMEMBERED = 256;
 
   /** Durations below this [µs], the majority, are counted instead of sorted. */
@@ -21,12 +21,7 @@ public final class CallbackTimes {
   private final AtomicLongArray micros = new AtomicLongArray(REMEMBERED);
   private final AtomicLong count = new AtomicLong(); // all, kept or not
 
-  /**
-   * Median and 99th percentile.
-   *
-   * @param p50S median [s]; 0 if there are no times
-   * @param p99S 99th percentile [s]; 0 if there are no times
-   */
+  /** Median and 99th percentile [s]; 0 if there are no times. */
   public record Percentiles(double p50S, double p99S) {}
 
   /** Adds a duration. Called by the service's thread only. */
@@ -36,7 +31,6 @@ public final class CallbackTimes {
     count.lazySet(before + 1);
   }
 
-  /** Percentiles of the durations kept. */
   public Percentiles percentiles() {
     int size = (int) Math.min(count.get(), REMEMBERED);
     if (size == 0) {
@@ -53,9 +47,10 @@ public final class CallbackTimes {
         longer[longerOnes++] = took;
       }
     }
+    Arrays.sort(longer, 0, longerOnes);
     return new Percentiles(
-        Clock.seconds(nth(index(MEDIAN, size), timesOf, longer, longerOnes)),
-        Clock.seconds(nth(index(WORST_PERCENT, size), timesOf, longer, longerOnes)));
+        Clock.seconds(nth(index(MEDIAN, size), timesOf, longer)),
+        Clock.seconds(nth(index(WORST_PERCENT, size), timesOf, longer)));
   }
 
   private static int index(double fraction, int size) {
@@ -63,7 +58,7 @@ public final class CallbackTimes {
   }
 
   /** The duration at an index in ascending order [µs]. */
-  private static long nth(int index, int[] timesOf, long[] longer, int longerOnes) {
+  private static long nth(int index, int[] timesOf, long[] longer) {
     int left = index;
     for (int time = 0; time < timesOf.length; time++) {
       if (left < timesOf[time]) {
@@ -71,6 +66,6 @@ public final class CallbackTimes {
       }
       left -= timesOf[time];
     }
-    return Selection.nth(longer, longerOnes, left);
+    return longer[left];
   }
 }

@@ -7,22 +7,18 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * Sources of one channel whose messages an inbox takes, the longest silent first. Bounded in number
- * and in the memory of their last messages, because services keep state per source. When there are
- * too many, one that has been silent for a while makes room for a new one; others stay.
- *
- * <p>Not thread-safe: guarded by the inbox.
+ * and in the memory of their last messages, because services keep state per source. If full, a
+ * source that has been silent for a while makes room for a new one. Guarded by the inbox.
  *
  * @param <W> what waits of a source
  */
 final class KnownSources<W> {
   /**
-   * Minimum silence of a source that makes room [µs], longer than any deadline of a message. It may
-   * be up to twice as long, and counts from when room first was short: no clock is read before, so
-   * that recorded services read it no more often.
+   * Minimum silence of a source that makes room [µs], longer than any deadline of a message; up to
+   * twice as long, counted from when room first was short, so that the clock is not read before.
    */
   static final long SILENT_MICROS = 60 * Clock.MICROS_PER_SECOND;
 
-  /** One source. */
   static final class Source<W> {
     private W waiting; // null if none
     private long period; // in which it was heard last
@@ -56,7 +52,7 @@ final class KnownSources<W> {
     this.maxBytes = maxBytes;
   }
 
-  /** A source that was heard before; null if it was not. */
+  /** The source if heard before, or else null. */
   Source<W> heard(String name) {
     Source<W> source = known.get(name);
     if (source != null) {
@@ -93,7 +89,7 @@ final class KnownSources<W> {
     return false;
   }
 
-  /** Whether a message {@link #fits}, after silent sources were forgotten if it must be. */
+  /** Whether a message {@link #fits}, possibly after forgetting silent sources. */
   boolean makesRoom(Source<W> source, int itsBytes) {
     boolean fits = fits(source, itsBytes);
     while (!fits && forgetSilent()) {
@@ -103,8 +99,8 @@ final class KnownSources<W> {
   }
 
   /**
-   * Whether a message fits beside the last ones of the other sources. One that is no longer than an
-   * earlier one of its source does, so that others cannot crowd it out.
+   * Whether a message fits beside the last ones of other sources, as one does that is no longer
+   * than an earlier one of its source.
    *
    * @param source null if it is new
    */
@@ -122,7 +118,6 @@ final class KnownSources<W> {
     return source;
   }
 
-  /** Records a message that was taken. */
   void takes(Source<W> source, int itsBytes) {
     long charged = Math.max(source.bytes, charged(itsBytes));
     bytes += charged - source.bytes;
@@ -138,7 +133,6 @@ final class KnownSources<W> {
     return Math.min(rounded == itsBytes ? rounded : 2L * rounded, Math.max(itsBytes, maxBytes));
   }
 
-  /** Forgets all. */
   void clear() {
     known.clear();
     bytes = 0L;

@@ -10,10 +10,10 @@ public final class MessageAge {
   private MessageAge() {}
 
   /**
-   * The age of a message that says its time [µs], at least 0.
+   * Age of a message with a timestamp [µs], at least 0.
    *
-   * @param arrivedMicros when it came, by the clock of {@code nowMicros}
-   * @throws java.util.NoSuchElementException if it does not say its time
+   * @param arrivedMicros time of arrival, by the clock of {@code nowMicros}
+   * @throws java.util.NoSuchElementException without a timestamp
    */
   public static long micros(U2SAData message, long arrivedMicros, long nowMicros) {
     return nowMicros - Math.min(message.timestamp().orElseThrow(), arrivedMicros);

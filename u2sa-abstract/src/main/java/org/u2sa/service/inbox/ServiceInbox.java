@@ -14,18 +14,16 @@ import org.u2sa.messages.schema.U2SAData;
  * A service's bounded message queue. Any thread may put; the service's thread takes.
  *
  * <p>On latest-value channels, a message replaces the queued one of the same source in its
- * position, so a slow service sees fresh data and a flood costs no memory. A full queue rejects the
- * newest. Both are counted separately, because only the latter is a loss. Urgent messages
- * (emergency stops) have a separate queue with priority. Arming and failsafes wait among the
- * others, but the others cannot take their room. Questions that anybody may ask, which the service
- * contract answers, fill a quarter of the rest at most.
+ * position. A full queue rejects the newest. Both are counted separately, because only the latter
+ * is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming and
+ * failsafes wait among the others, but in reserved room. Requests of the service contract fill a
+ * quarter of the rest at most.
  *
- * <p>Services keep state per source of a channel, so the inbox limits the number of sources and the
- * memory of their last messages, lest invented names exhaust it ({@link KnownSources}); likewise
- * the memory of waiting messages from other processes.
+ * <p>Also limits the number of sources and the memory of their last messages ({@link
+ * KnownSources}), and the memory of waiting messages from other processes, lest invented names
+ * exhaust it.
  */
 public final class ServiceInbox {
-  /** A message and its channel. */
   public static final class Delivery {
     private final Channel<?> channel;
     private U2SAData message; // replaceable while queued; guarded by the inbox
@@ -33,19 +31,16 @@ public final class ServiceInbox {
     private KnownSources.Source<Delivery>
         source; // whose latest it is; null if each message matters
 
-    /** A message on its channel, with its time of arrival [µs]. */
     public Delivery(Channel<?> channel, U2SAData message, long arrivedMicros) {
       this.channel = channel;
       this.message = message;
       this.arrivedMicros = arrivedMicros;
     }
 
-    /** Channel of the message. */
     public Channel<?> channel() {
       return channel;
     }
 
-    /** The message. */
     public U2SAData message() {
       return message;
     }
@@ -59,7 +54,6 @@ public final class ServiceInbox {
   /** Sources of a channel whose messages it takes at the same time. */
   public static final int MAX_SOURCES = 500;
 
-  /** Outcome of queueing a message. */
   public enum Outcome {
     /** Queued. */
     KEPT,
@@ -91,8 +85,6 @@ public final class ServiceInbox {
   private ServiceInbox successor; // null until messages are forwarded
 
   /**
-   * An empty inbox.
-   *
    * @param capacity number of messages
    * @param clock for the silence of sources
    */
@@ -101,7 +93,7 @@ public final class ServiceInbox {
   }
 
   /**
-   * @param maxBytes memory of the waiting messages from other processes; a single one may be longer
+   * @param maxBytes memory of waiting messages from other processes; a single one may be longer
    */
   ServiceInbox(int capacity, Clock clock, long maxBytes) {
     this.capacity = capacity;
@@ -203,7 +195,6 @@ public final class ServiceInbox {
     return isLimited && more > 0 && bytes > 0 && bytes + more > maxBytes; // one always fits
   }
 
-  /** Counts a delivery that enters or leaves the queues. */
   private void count(Delivery delivery, int sign) {
     bytes += sign * delivery.message.receivedBytes();
     if (delivery.channel.reservesRoom() && !delivery.channel.isUrgent()) {
@@ -244,10 +235,9 @@ public final class ServiceInbox {
 
   /**
    * Moves all waiting messages, and forwards all later ones, to a successor's inbox, ahead of those
-   * already waiting there: nothing is lost, even beyond its capacity, and nothing is duplicated.
+   * already there and even beyond its capacity.
    *
-   * @param handled already handled messages that the successor must see, unless a newer one is
-   *     waiting
+   * @param handled handled messages that the successor must see, unless a newer one is waiting
    */
   public synchronized void moveTo(ServiceInbox next, Iterable<Delivery> handled) {
     synchronized (next) {
@@ -303,17 +293,16 @@ public final class ServiceInbox {
     }
   }
 
-  /** Number of messages that wait. */
   public synchronized int depth() {
     return urgent.size() + queue.size();
   }
 
-  /** Messages lost so far, because the queue was full or the source limit was exceeded. */
+  /** Messages lost so far. */
   public synchronized long dropped() {
     return dropped;
   }
 
-  /** Number of messages replaced by newer ones of the same source before being handled. */
+  /** Messages replaced by newer ones of the same source before being handled. */
   public synchronized long replaced() {
     return replaced;
   }

@@ -3,7 +3,7 @@ package org.u2sa.service.directory;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.u2sa.interfaces.communication.Channel;
@@ -29,7 +29,10 @@ class ServiceDirectoryTest {
   private static final Channel<PercentageCommand> RUDDER =
       Channel.latest("rudder", PercentageCommand.TYPE, ActuatorCommand::actuatorName);
 
-  private final ServiceKit kit = new ServiceKit();
+  @AutoClose private final ServiceKit kit = new ServiceKit();
+
+  private final ServiceDirectory directory =
+      new ServiceDirectory(kit.clock(), (channel, request) -> {});
 
   /** Looks for states, whoever has them: the example of the class's documentation. */
   private static final class Seeker extends PeriodicService {
@@ -61,19 +64,9 @@ class ServiceDirectoryTest {
     }
 
     @Override
-    public void callback(U2SAData data) {
-      unexpected(data);
-    }
-
-    @Override
     protected void step(double nowS) {
       publish(new StateInformation().sensorName("compass").x(1.0));
     }
-  }
-
-  @AfterEach
-  void end() {
-    kit.close();
   }
 
   private ServiceDirectory seek() {
@@ -166,7 +159,6 @@ class ServiceDirectoryTest {
 
   @Test
   void refresh_silentForLongerThanTheLimit_isForgotten() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING));
     kit.advance(ServiceDirectory.LOST_AFTER_S);
     directory.refresh();
@@ -180,7 +172,6 @@ class ServiceDirectoryTest {
 
   @Test
   void refresh_reportsAreRare_waitsForThreeOfThem() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING).interval(10.0));
 
     kit.advance(29.0);
@@ -191,7 +182,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_lastWordOfAnEarlierInstance_keepsTheNewOne() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING));
     directory.take(functionality("Far", "state/StateInformation"));
     directory.take(health("2", ServiceStatus.RUNNING));
@@ -206,7 +196,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_connectionLostOfTheKnownInstance_forgetsIt() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     directory.take(health("1", ServiceStatus.RUNNING));
 
     directory.take(
@@ -217,7 +206,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_conditionOfAKnownService_isKept() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
     ServiceCondition condition =
         new ServiceCondition().serviceName("Far").condition(Condition.STALLED);
     directory.take(condition);
@@ -232,7 +220,6 @@ class ServiceDirectoryTest {
 
   @Test
   void take_whatItHasNoUseFor_isLeftToTheCaller() {
-    ServiceDirectory directory = new ServiceDirectory(kit.clock(), (channel, request) -> {});
 
     assertThat(directory.take(new StateInformation().sensorName("a").x(1.0))).isFalse();
   }

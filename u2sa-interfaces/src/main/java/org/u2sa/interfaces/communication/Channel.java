@@ -80,8 +80,8 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * Creates a channel on which every message matters, such as commands and reports: a subscriber
-   * receives all of them in order, up to the capacity of its inbox.
+   * Channel on which every message matters, such as commands and reports: a subscriber receives all
+   * of them in order, up to the capacity of its inbox.
    *
    * @param name lower-case words joined by hyphens, for example {@code goal-reports}
    * @throws IllegalArgumentException if the name is not of that form
@@ -103,12 +103,8 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * Creates a channel on which a newer message replaces an older one of the same source, such as
-   * states and held commands: a slow subscriber receives only the newest.
-   *
-   * @param name lower-case words joined by hyphens, for example {@code sensed-state}
-   * @param source identifies the source of a message, for example by sensor name
-   * @throws IllegalArgumentException if the name is not of that form
+   * Channel on which a newer message replaces an older one of the same source, such as states and
+   * held commands: a slow subscriber receives only the newest. Parameters as for {@link #every}.
    */
   public static <T extends U2SAData> Channel<T> latest(
       String name, MessageType<T> type, Function<? super T, String> source) {
@@ -130,35 +126,27 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * Like {@link #retained()}, for several sources: the broker retains the last message of each,
-   * under a topic that ends with the source's name.
+   * {@link #retained()} per source: the broker retains the last message of each, under a topic that
+   * ends with its name.
    */
   public Channel<T> retainedBySource() {
     return with(Trait.RETAINED, Trait.BY_SOURCE);
   }
 
-  /**
-   * Copy whose messages overtake all others in a service's inbox. Only useful where every message
-   * matters.
-   */
+  /** Copy whose messages overtake all others in a service's inbox. */
   public Channel<T> urgent() {
     return with(Trait.URGENT);
   }
 
-  /**
-   * Copy whose messages have reserved space in a service's inbox; they are still delivered in
-   * order.
-   */
+  /** Copy whose messages have reserved space in a service's inbox, in order of arrival. */
   public Channel<T> reservingRoom() {
     return with(Trait.RESERVED);
   }
 
-  /** Name used in the topic. */
   public String name() {
     return name;
   }
 
-  /** Base message type. */
   public MessageType<T> type() {
     return type;
   }
@@ -194,9 +182,8 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * Whether the channel carries a message: its type must be the channel's type or a permitted
-   * subclass. A channel of any message carries none of the service contract's types, which have
-   * their own channels.
+   * Whether the message's type is the channel's or a permitted subclass. A channel of any message
+   * carries none of the service contract's types.
    */
   public boolean carries(U2SAData message) {
     return messageClass.isInstance(message) && (carried == null || carried.include(message.type()));
@@ -213,7 +200,6 @@ public final class Channel<T extends U2SAData> {
     return carried == null || carried.types().isEmpty() ? List.of(type) : carried.types();
   }
 
-  /** Whether this is a valid channel name. */
   static boolean isName(String name) {
     return NAME.matcher(name).matches();
   }
@@ -234,11 +220,7 @@ public final class Channel<T extends U2SAData> {
     return name;
   }
 
-  /**
-   * Subclasses of its type that a channel carries.
-   *
-   * @param types permitted types, with subclasses; empty for all except the service contract's
-   */
+  /** Subclasses that a channel carries; empty: all except those of the service contract. */
   record CarriedTypes(List<MessageType<?>> types) {
     /** Packages of the service contract's messages: commands, requests, responses, reports. */
     private static final List<String> CONTRACT =
@@ -251,10 +233,7 @@ public final class Channel<T extends U2SAData> {
       return new CarriedTypes(List.of(types));
     }
 
-    /**
-     * Default for a channel of this type. Null if the type alone decides: a channel that names its
-     * type, even one of the contract, carries it.
-     */
+    /** Default for a channel of this type; null if the type alone decides. */
     static CarriedTypes by(MessageType<?> type) {
       return type == U2SAData.TYPE ? new CarriedTypes(List.of()) : null;
     }
@@ -271,7 +250,6 @@ public final class Channel<T extends U2SAData> {
       return types.isEmpty();
     }
 
-    /** Whether the type belongs to the service contract. */
     static boolean isOfContract(MessageType<?> type) {
       String name = type.messageClass().getName();
       return CONTRACT.stream().anyMatch(name::startsWith);

@@ -6,12 +6,11 @@ package org.u2sa.interfaces.communication;
 public class CommunicationException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  /** Creates an exception whose message states what was tried, where, and what to do. */
   public CommunicationException(String message, Throwable cause) {
     super(message, cause);
   }
 
-  /** Creates an exception whose message states what was tried, where, and what to do. */
+  /** Creates an exception whose message says what was tried, where, and what to do. */
   public CommunicationException(String message) {
     super(message);
   }

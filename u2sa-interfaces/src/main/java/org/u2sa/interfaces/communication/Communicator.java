@@ -5,9 +5,9 @@ import org.u2sa.interfaces.configuration.Configurator;
 /** Opens a service's communication (thesis 3.2.1.2). */
 public interface Communicator extends Configurator {
   /**
-   * Connects to the Communication Manager. Registering or publishing connects automatically.
+   * Connects to the Communication Manager; registering and publishing do so automatically.
    *
-   * @return whether the Communication Manager was reached; if not, the reason is in the log
+   * @return whether that succeeded; if not, the reason is in the log
    */
   boolean beginCommunication();
 }

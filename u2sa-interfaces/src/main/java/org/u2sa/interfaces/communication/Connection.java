@@ -7,24 +7,20 @@ import org.u2sa.messages.schema.U2SAData;
 /** A service's connection to the Communication Manager. Thread-safe. */
 public interface Connection extends AutoCloseable {
   /**
-   * Unique identifier of this connection at the Communication Manager. Health, discovery and the
-   * will message carry it, so that reports about a predecessor of the same name are not mistaken
-   * for this one. Kept on reconnection.
+   * Unique ID of this connection, kept on reconnection. Health, discovery and the will carry it, so
+   * that reports about a predecessor of the same name are not mistaken for this one.
    */
   String instance();
 
   /**
-   * Publishes a frozen message. Never waits for subscribers.
-   *
-   * @return whether it was accepted; rejected messages are counted in {@link #refused()}
+   * Publishes a frozen message without waiting for subscribers; returns whether it was accepted.
    */
   boolean publish(Channel<?> channel, U2SAData message);
 
   /**
-   * Starts receiving messages published on the channel by services of the same system.
+   * Starts receiving the channel's messages of the same system.
    *
-   * @return whether the Communication Manager accepted the subscription, or will be asked again
-   *     after an interruption
+   * @return whether the subscription was accepted, or will be requested again after an interruption
    */
   boolean subscribe(Channel<?> channel);
 
@@ -32,23 +28,16 @@ public interface Connection extends AutoCloseable {
   boolean unsubscribe(Channel<?> channel);
 
   /**
-   * Names of subscribed channels that the broker does not permit this connection to receive.
-   * Retried on each reconnection.
+   * Channels that the broker does not let this connection receive; retried on each reconnection.
    */
   default Set<String> refusedSubscriptions() {
     return Collections.emptySet();
   }
 
-  /**
-   * Number of messages that could not be delivered, or were received but could not be decoded,
-   * since the connection was created.
-   */
+  /** Messages that were not delivered, or were received and not decodable. */
   long refused();
 
-  /**
-   * Number of messages on subscribed channels lost over MQTT since the connection was created, as
-   * detected from sequence numbers.
-   */
+  /** Messages lost over MQTT, as detected from sequence numbers. */
   long missed();
 
   /** Ends all subscriptions and the connection. Idempotent. */

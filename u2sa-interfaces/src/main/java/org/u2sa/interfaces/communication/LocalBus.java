@@ -18,7 +18,7 @@ import org.u2sa.messages.schema.U2SAData;
  * subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
-  /** Memory of a channel's retained messages of other processes. */
+  /** Memory of a channel's retained messages of other processes, if it has several sources. */
   private static final long MAX_RETAINED_BYTES =
       Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
 
@@ -29,15 +29,10 @@ public final class LocalBus implements Transport {
   private final AtomicLong connections = new AtomicLong();
   private final List<Bridge> bridges = new CopyOnWriteArrayList<>();
 
-  /** Creates a bus for one system. */
   public LocalBus(String systemId) {
     this(systemId, MAX_RETAINED_BYTES);
   }
 
-  /**
-   * @param maxRetainedBytes memory of a channel's retained messages of other processes, where it
-   *     has several sources
-   */
   LocalBus(String systemId, long maxRetainedBytes) {
     this.maxRetainedBytes = maxRetainedBytes;
     this.systemId = Topic.checkSystemId(systemId);
@@ -49,13 +44,12 @@ public final class LocalBus implements Transport {
    */
   @FunctionalInterface
   public interface Bridge {
-    /** Handles a frozen message published by a local service. */
     void forward(Channel<?> channel, U2SAData message);
 
     /**
-     * Handles a retained message from another process that is now the last one on the bus, on a
-     * topic that a local service publishes too. A bridge with its own retained store forwards it,
-     * because a copy of an older message may have arrived there later.
+     * Handles a retained message from another process that is now the last one on a topic that a
+     * local service publishes, too. A bridge with its own retained store forwards it, because a
+     * copy of an older message may have arrived there later.
      */
     default void restate(Channel<?> channel, U2SAData message) {
       // not needed by observers of published messages
@@ -63,9 +57,8 @@ public final class LocalBus implements Transport {
   }
 
   /**
-   * Attaches another bridge. It immediately receives retained messages, because the broker behind
-   * it may be new; messages published meanwhile may arrive twice, but never an older one after a
-   * newer one.
+   * Attaches a bridge, which immediately receives the retained messages. Messages published
+   * meanwhile may arrive twice, but never an older one after a newer one.
    */
   public void attach(Bridge added) {
     bridges.add(added);
@@ -95,10 +88,7 @@ public final class LocalBus implements Transport {
     return publisher != null && !publisher.closed;
   }
 
-  /**
-   * Counts messages from other processes lost on the way to the bus, at most {@link
-   * Long#MAX_VALUE}.
-   */
+  /** Counts messages from other processes lost on the way here, at most {@link Long#MAX_VALUE}. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {
       subscription.owner.missed.updateAndGet(
@@ -127,7 +117,6 @@ public final class LocalBus implements Transport {
     return route != null ? route : routes.computeIfAbsent(channel.name(), name -> new Route());
   }
 
-  /** A method of a bridge. */
   @FunctionalInterface
   private interface Crossing {
     void cross(Bridge bridge, Channel<?> channel, U2SAData message);
@@ -135,8 +124,6 @@ public final class LocalBus implements Transport {
 
   private record Subscription(LocalConnection owner, Channel<?> channel, Receiver receiver) {
     /**
-     * Delivers a message if the subscriber's channel carries it.
-     *
      * @param carrier a channel known to carry the message; null if unknown
      */
     void hand(U2SAData message, Channel<?> carrier) {
@@ -166,7 +153,7 @@ public final class LocalBus implements Transport {
     /**
      * Delivers a message to all subscribers, then to the bridges.
      *
-     * @param publisher publishing connection; null for messages from another process
+     * @param publisher null for messages from another process
      */
     void deliver(Channel<?> on, U2SAData message, LocalConnection publisher) {
       Channel<?> carrier = publisher == null ? null : on; // checked on publishing
@@ -201,9 +188,9 @@ public final class LocalBus implements Transport {
     }
 
     /**
-     * Retains a message if there is room. One without room is not retained, and neither is what it
-     * replaces, because that is no longer true. That of a channel with one source, such as an
-     * emergency stop, always has room.
+     * Retains a message if there is room; otherwise neither it nor what it replaces, because that
+     * is no longer true. A message of a channel with one source, such as an emergency stop, always
+     * has room.
      */
     private void retain(String source, U2SAData message, boolean isOwn) {
       U2SAData before = retained.get(source);
@@ -285,10 +272,7 @@ public final class LocalBus implements Transport {
       }
     }
 
-    /**
-     * Counts and reports an exception of a receiver or bridge; publisher and other receivers are
-     * unaffected.
-     */
+    /** Counts and reports an exception of a receiver or bridge, without affecting the others. */
     void failed(String what, Channel<?> channel, RuntimeException error) {
       long count = refused.incrementAndGet();
       if (Long.bitCount(count) == 1) { // log at 1, 2, 4, 8…, to avoid a flood

@@ -6,11 +6,10 @@ import org.u2sa.messages.schema.U2SAData;
 /** Publishes messages to subscribers (thesis 3.2.1.3). */
 public interface Publisher extends Configurator {
   /**
-   * Announces that messages of this class will be published on the standard channel of the
-   * service's role. Called in the constructor.
+   * Announces that messages of this class will be published on the standard channel of the role.
+   * Called in the constructor.
    *
-   * @return whether the registration succeeded; if not, or if the role has no standard channel for
-   *     the class, the reason is in the log
+   * @return whether that succeeded; if not, the reason is in the log
    */
   boolean registerPublisher(Class<? extends U2SAData> dataType);
 
@@ -18,11 +17,10 @@ public interface Publisher extends Configurator {
   boolean unregisterPublisher(Class<? extends U2SAData> dataType);
 
   /**
-   * Publishes on the channel that was registered for the message's class or its nearest ancestor.
-   * The message is frozen.
+   * Freezes the message and publishes it on the channel registered for its class or nearest
+   * ancestor.
    *
-   * @return whether the message was passed to the Communication Manager; if not, the reason is in
-   *     the log
+   * @return whether it was passed on; if not, the reason is in the log
    */
   boolean publish(U2SAData data);
 }

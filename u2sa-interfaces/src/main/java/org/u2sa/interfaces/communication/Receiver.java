@@ -10,8 +10,6 @@ public interface Receiver {
   /** Handles a frozen message. */
   void receive(Channel<?> channel, U2SAData message);
 
-  /**
-   * Handles a transport problem, for the log: connection lost or restored, an unreadable message.
-   */
+  /** Handles a transport problem, for the log: connection lost or restored, unreadable message. */
   void trouble(String what);
 }

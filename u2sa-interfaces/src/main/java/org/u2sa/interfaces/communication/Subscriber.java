@@ -6,11 +6,10 @@ import org.u2sa.messages.schema.U2SAData;
 /** Receives published messages (thesis 3.2.1.4). */
 public interface Subscriber extends Configurator {
   /**
-   * Subscribes to messages of this class and its subclasses on the standard channel of the
-   * service's role. Called in the constructor.
+   * Subscribes to messages of this class and its subclasses on the standard channel of the role.
+   * Called in the constructor.
    *
-   * @return whether the registration succeeded; if not, or if the role has no standard channel for
-   *     the class, the reason is in the log
+   * @return whether that succeeded; if not, the reason is in the log
    */
   boolean registerSubscriber(Class<? extends U2SAData> dataType);
 

@@ -8,16 +8,14 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Broker topic of a message: {@code u2sa/<systemId>/<channel>/<TypeChain…>}, for example {@code
- * u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. Thesis 8.2.5: the chain lets a reader
- * treat an unknown subclass as its nearest known ancestor.
+ * u2sa/cessna/actuation/ActuatorCommand/PercentageCommand}. The chain lets a reader treat an
+ * unknown subclass as its nearest known ancestor (thesis 8.2.5).
  *
  * <p>On channels retained per source, the source follows the types, because a broker retains one
  * message per topic: {@code u2sa/cessna/actuators/ActuatorAnnouncement/=RUDDER}.
  *
- * @param systemId the vehicle
- * @param channel the channel's name
- * @param typeChain the message's types, base first
- * @param source source of the message on a channel retained per source; otherwise empty
+ * @param typeChain base type first
+ * @param source empty unless the channel is retained per source
  */
 public record Topic(String systemId, String channel, List<String> typeChain, String source) {
   /** Wildcard system ID in a filter: all systems on the broker. */
@@ -33,26 +31,21 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
     typeChain = List.copyOf(typeChain);
   }
 
-  /** Creates a topic without a source. */
   public Topic(String systemId, String channel, List<String> typeChain) {
     this(systemId, channel, typeChain, "");
   }
 
-  /** Topic of a message type. */
   public static Topic of(String systemId, Channel<?> channel, MessageType<?> type) {
     return new Topic(systemId, channel.name(), type.chain(), "");
   }
 
-  /** Topic of a message on a channel. */
   public static Topic of(String systemId, Channel<?> channel, U2SAData message) {
     String source = channel.isRetained() ? channel.sourceOf(message) : "";
     return new Topic(systemId, channel.name(), message.typeChain(), source);
   }
 
   /**
-   * Parses a topic.
-   *
-   * @throws IllegalArgumentException if it is not of the form above
+   * @throws IllegalArgumentException if the text is not a topic
    */
   public static Topic parse(String topic) {
     String[] levels = topic.split("/", -1);
@@ -81,10 +74,7 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
         hasSource ? TopicLevel.name(last.substring(SOURCE.length())) : "");
   }
 
-  /**
-   * Whether this is a Java class name; excludes wildcards, which could otherwise hide in a will
-   * topic.
-   */
+  /** Whether this is a Java class name, which excludes wildcards. */
   private static boolean isTypeName(String level) {
     return Character.isJavaIdentifierStart(level.charAt(0))
         && level
@@ -94,7 +84,7 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
   }
 
   /**
-   * Filter that matches all messages of a channel, including subclasses.
+   * Filter for all messages of a channel.
    *
    * @param systemId the vehicle, or {@link #ANY_SYSTEM}
    */
@@ -106,7 +96,7 @@ public record Topic(String systemId, String channel, List<String> typeChain, Str
   }
 
   /**
-   * Checks a system ID: 1…64 letters, digits, '_', '.' or '-', beginning with a letter or digit.
+   * Returns the ID: 1…64 letters, digits, '_', '.' or '-', beginning with a letter or digit.
    *
    * @throws IllegalArgumentException if it is invalid
    */

@@ -33,8 +33,7 @@ public final class TopicLevel {
   /**
    * Decodes a name encoded by {@link #of}, or by formats before 3, as found in recordings.
    *
-   * @throws IllegalArgumentException if the text is not a valid encoding: it is empty, '%' is not
-   *     followed by four hexadecimal digits, or they encode an unreserved character
+   * @throws IllegalArgumentException if the text is not a valid encoding
    */
   static String name(String level) {
     if (level.isEmpty()) {

@@ -3,10 +3,8 @@ package org.u2sa.interfaces.communication;
 /** Transport to the Communication Manager: in-process or over MQTT, transparently for services. */
 public interface Transport {
   /**
-   * Connects one service.
+   * Connects a service, whose name is unique within the system.
    *
-   * @param serviceName the service's name; unique within the system
-   * @param receiver called with each message of the subscribed channels
    * @throws CommunicationException if the Communication Manager is unreachable; names the address
    */
   Connection connect(String serviceName, Receiver receiver);

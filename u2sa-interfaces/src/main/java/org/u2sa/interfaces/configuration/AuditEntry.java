@@ -19,12 +19,9 @@ import org.u2sa.interfaces.JsonText;
 /**
  * A line of a configuration's audit log.
  *
- * @param revision revision after the change; for a failed change, the revision it would have had
- * @param origin author and time
- * @param outcome outcome
+ * @param revision after the change; of a failed change, the one it would have had
  * @param reason reason for rejection; empty if accepted
  * @param undoes revision of the change it undoes; empty if none
- * @param values changed variables
  */
 record AuditEntry(
     long revision,
@@ -36,7 +33,6 @@ record AuditEntry(
 
   private static final JsonFactory JSON = new JsonFactory();
 
-  /** Outcome of a change. */
   enum Outcome {
     /** About to be written; successful unless a FAILED line with the same revision follows. */
     ACCEPTED,
@@ -49,11 +45,10 @@ record AuditEntry(
   /**
    * A changed variable.
    *
-   * @param variable its name
-   * @param before previous value in the declared unit; empty if unknown
-   * @param after new value in the declared unit
-   * @param textBefore previous text in the file; empty if absent
-   * @param textAfter new text in the file; empty if removed
+   * @param before in the declared unit; empty if unknown
+   * @param after in the declared unit
+   * @param textBefore in the file; empty if absent
+   * @param textAfter in the file; empty if removed
    */
   record Value(
       String variable,
@@ -62,7 +57,6 @@ record AuditEntry(
       Optional<String> textBefore,
       Optional<String> textAfter) {}
 
-  /** The entry for the same change as failed. */
   AuditEntry failed(String why) {
     return new AuditEntry(revision, origin, Outcome.FAILED, why, undoes, values);
   }
@@ -81,7 +75,6 @@ record AuditEntry(
     return who + ": " + what + " (revision " + revision + ")";
   }
 
-  /** The entry as a line of JSON, without line end. */
   String line() {
     List<JsonText> changes = new ArrayList<>();
     for (Value value : values) {
@@ -105,7 +98,7 @@ record AuditEntry(
         .line();
   }
 
-  /** Parses a line; empty if invalid, such as truncated by a power cut or edited by hand. */
+  /** Empty if the line is invalid: truncated by a power cut, or edited by hand. */
   static Optional<AuditEntry> read(String line) {
     try (JsonParser json = JSON.createParser(line)) {
       if (json.nextToken() != JsonToken.START_OBJECT) {

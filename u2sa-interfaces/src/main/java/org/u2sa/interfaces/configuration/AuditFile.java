@@ -11,17 +11,15 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.BasicFileAttributes;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 
 /**
- * The audit log of one configuration file: JSON lines in {@code <file>.audit.jsonl} beside it, so
- * that it is moved, backed up and deleted with the file, and outlives the logs of a run. A last
- * line truncated by a power cut is removed, because its change was not started. At one megabyte the
- * log is rotated to {@code <file>.audit.jsonl.1}, replacing the previous one; the new log starts
- * with the latest changes, so rejected ones cannot displace them.
+ * The audit log of one configuration file: JSON lines in {@code <file>.audit.jsonl} beside it. A
+ * last line truncated by a power cut is removed, because its change was not started. At one
+ * megabyte the log is rotated to {@code <file>.audit.jsonl.1}; the new log starts with the latest
+ * changes, so rejected ones cannot displace them.
  *
  * <p>Read once; afterwards only additions by others are read.
  */
@@ -35,13 +33,12 @@ final class AuditFile implements ChangeJournal {
   private Tail known = Tail.NONE; // accessed under the folder's lock, or before any change
 
   /**
-   * @param configuration configuration file, possibly a symbolic link
+   * @param configuration possibly a symbolic link
    */
   AuditFile(Path configuration) {
     this.configuration = configuration;
   }
 
-  /** The configuration file with links resolved. */
   private Path target() throws IOException {
     return Files.exists(configuration)
         ? configuration.toRealPath()
@@ -78,7 +75,7 @@ final class AuditFile implements ChangeJournal {
     return known.entries();
   }
 
-  /** Whether the log exists. Links are rejected, because they would be written through. */
+  /** Rejects links, because they would be written through. */
   private static boolean exists(Path path) throws IOException {
     if (!Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
       return false;
@@ -121,14 +118,8 @@ final class AuditFile implements ChangeJournal {
     }
   }
 
-  /** Copies the configuration file's permissions. */
   private void create(Path path) throws IOException {
-    if (path.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-      Files.createFile(
-          path, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-    } else {
-      Files.createFile(path);
-    }
+    WholeFile.createPrivate(path);
     WholeFile.sync(path.getParent());
   }
 
@@ -172,34 +163,29 @@ final class AuditFile implements ChangeJournal {
   }
 
   /**
-   * Latest entries read from an audit log: the latest changes and the last rejection. Immutable.
+   * Latest changes read from an audit log, and the last rejection.
    *
    * @param key file key of the file system; null if unavailable
    * @param end end of the last complete line read [bytes]
    * @param entries oldest first
    */
   private record Tail(Object key, long end, List<AuditEntry> entries) {
-    /** Tail of a missing log. */
     static final Tail NONE = new Tail(null, 0, List.of());
 
     private static final int MAX_ENTRIES = 200;
 
-    /** Tail of an unread log, starting at an offset. */
     static Tail of(Object key, long from) {
       return new Tail(key, from, List.of());
     }
 
     /**
-     * Whether it belongs to the file with this key. File systems without keys are assumed to have
-     * one name per file.
+     * Whether it belongs to the file with this key, as it always does on file systems without keys.
      */
     boolean isOf(Object otherKey) {
       return end > 0 && Objects.equals(key, otherKey);
     }
 
     /**
-     * This tail extended by the rest of the file.
-     *
      * @param cut whether the first line is incomplete and must be skipped
      */
     Tail with(byte[] bytes, int length, boolean cut) {

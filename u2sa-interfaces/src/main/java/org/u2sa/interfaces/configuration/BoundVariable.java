@@ -8,8 +8,8 @@ import org.u2sa.interfaces.units.Units;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * A variable that combines a service's declaration and the file's entry; at least one exists.
- * Values and limits are in the declared unit, or in the file's if undeclared.
+ * A variable with its declaration, its file entry, or both. Values and limits are in the declared
+ * unit, or in the file's if undeclared.
  */
 final class BoundVariable {
   /** Rounding tolerance between a converted and the declared limit. */
@@ -42,12 +42,10 @@ final class BoundVariable {
     limits = narrowedLimits();
   }
 
-  /** Unit of values and limits; empty if none. */
   private String unit() {
     return declared.map(VariableDeclaration::unit).orElseGet(this::fileUnit);
   }
 
-  /** Description from the declaration, else from the file. */
   private String description() {
     return declared
         .map(VariableDeclaration::description)
@@ -79,9 +77,9 @@ final class BoundVariable {
   }
 
   /**
-   * Validates a value or parses its text.
+   * Parses and validates.
    *
-   * @throws ConfigurationException if it is invalid
+   * @throws ConfigurationException if the value is invalid
    */
   Object checked(Object value) {
     Object typed;
@@ -98,7 +96,6 @@ final class BoundVariable {
     return typed;
   }
 
-  /** Copy with the file's entry set to a validated {@code value}. */
   FileVariable restated(Object value) {
     FileVariable before =
         stated.orElseGet(
@@ -115,7 +112,6 @@ final class BoundVariable {
     return before.withText(fileText(value));
   }
 
-  /** Converts it for a configuration response. */
   ConfigurationVariable described(Object value) {
     ConfigurationVariable message =
         new ConfigurationVariable()
@@ -139,7 +135,6 @@ final class BoundVariable {
     return message;
   }
 
-  /** Text of a validated {@code value} in the file's unit. */
   private String fileText(Object value) {
     return value instanceof Double number && converts()
         ? Double.toString(Units.convert(number, unit(), fileUnit()))
@@ -242,7 +237,6 @@ final class BoundVariable {
     return converts() ? Units.convert(value, fileUnit(), unit()) : value;
   }
 
-  /** Formats in the file's unit, or else in the declared unit. */
   private Range inFile(Range range) {
     return converts()
         ? range.between(

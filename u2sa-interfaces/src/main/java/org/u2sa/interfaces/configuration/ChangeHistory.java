@@ -33,7 +33,6 @@ final class ChangeHistory {
     }
   }
 
-  /** Revision, counted from 0. */
   long revision() {
     return revision;
   }
@@ -48,7 +47,7 @@ final class ChangeHistory {
     return standing.isEmpty() ? Optional.empty() : Optional.of(standing.get(standing.size() - 1));
   }
 
-  /** Summary of changes after a revision, for a message; empty if none is known. */
+  /** Summary of later changes, for a message; empty if none is known. */
   String since(long seen) {
     return standing.stream()
         .filter(entry -> entry.revision() > seen)

@@ -9,19 +9,13 @@ import java.util.List;
 
 /** Write-ahead journal of a configuration's changes. */
 interface ChangeJournal {
-  /**
-   * Acquires exclusive access for a change; the caller closes it.
-   *
-   * @throws IOException if that times out or fails
-   */
+  /** Acquires exclusive access for a change; the caller closes it. */
   Closeable take() throws IOException;
 
   /** Latest entries, oldest first, including at least the latest accepted one. */
   List<AuditEntry> recent() throws IOException;
 
   /**
-   * Appends an entry durably.
-   *
    * @throws IOException if writing fails; the entry is then absent
    */
   void append(AuditEntry entry) throws IOException;

@@ -10,7 +10,6 @@ import org.u2sa.interfaces.time.SystemClock;
  * @param author requester; empty if unknown
  */
 public record ChangeOrigin(long micros, String service, String author) {
-  /** A change by this program, now. */
   static ChangeOrigin here() {
     return new ChangeOrigin(new SystemClock().micros(), "", "");
   }

@@ -13,7 +13,7 @@ final class ChangePlanner {
   private final Optional<ConfigurationFile> file;
 
   /**
-   * @param file current file content; empty for a configuration without a file
+   * @param file current content; empty for a configuration without a file
    */
   ChangePlanner(ConfigurationValues memory, Optional<ConfigurationFile> file) {
     this.memory = memory;
@@ -21,10 +21,8 @@ final class ChangePlanner {
   }
 
   /**
-   * Plans the change of each variable to a value or text.
-   *
-   * @param asSeen whether the author's change is based on the values in memory
-   * @throws ConfigurationException if one is rejected
+   * @param asSeen whether the change is based on the values in memory
+   * @throws ConfigurationException if a change is rejected
    */
   List<PlannedChange> set(Map<String, ?> wanted, boolean asSeen) {
     if (wanted.isEmpty()) {
@@ -71,9 +69,8 @@ final class ChangePlanner {
   }
 
   /**
-   * Plans the reversal of each variable to its value before {@code entry}.
-   *
-   * @throws ConfigurationException if a variable has changed since, or is rejected
+   * @throws ConfigurationException if a variable has changed since the entry, or its old value is
+   *     rejected
    */
   List<PlannedChange> undo(AuditEntry entry) {
     List<PlannedChange> plan = new ArrayList<>();
@@ -139,13 +136,12 @@ final class ChangePlanner {
   }
 
   /**
-   * Planned change of a variable; validated but not applied.
+   * A validated change of a variable, not yet applied.
    *
-   * @param name variable name
    * @param before current file entry; empty if absent
    * @param after new file entry; empty to remove it
-   * @param oldValue previous value in the declared unit
-   * @param newValue new value in the declared unit
+   * @param oldValue in the declared unit
+   * @param newValue in the declared unit
    * @param changes false if file and memory already have the new value
    */
   record PlannedChange(
@@ -172,15 +168,12 @@ final class ChangePlanner {
           after.map(FileVariable::text));
     }
 
-    /** Content of {@code file} after this change. */
     ConfigurationFile in(ConfigurationFile file) {
       return after.isPresent() ? file.with(after.get()) : file.without(name);
     }
   }
 
-  /**
-   * The request as repeated in response and audit log, truncated because its content is arbitrary.
-   */
+  /** The request as repeated in response and audit log, truncated because it may be anything. */
   static final class RefusedTexts {
     private static final int LONGEST = 200;
     private static final int SHOWN = 16;
@@ -190,8 +183,6 @@ final class ChangePlanner {
     private RefusedTexts() {}
 
     /**
-     * Rejects oversized changes.
-     *
      * @throws ConfigurationException if there are too many variables, or texts are too long
      */
     static void refuseTooMuch(Map<String, ?> wanted, String origin) {
@@ -213,7 +204,7 @@ final class ChangePlanner {
           });
     }
 
-    /** The first variables with their values, truncated for display. */
+    /** The first variables with their values, truncated. */
     static Map<String, String> of(Map<String, ?> wanted) {
       Map<String, String> texts = new LinkedHashMap<>();
       for (Map.Entry<String, ?> entry : wanted.entrySet()) {

@@ -29,50 +29,35 @@ final class ConfigurationChanges {
   private volatile long revision; // written by one thread at a time
 
   /**
-   * @param file file that was read; empty if changes stay in memory
-   * @param copy copy changed instead of the file, created on the first change; empty to change the
-   *     file itself
+   * @param file empty if changes stay in memory
+   * @param copy changed instead of the file, and created on the first change; empty to change the
+   *     file
    */
   ConfigurationChanges(LiveValues live, Optional<Path> file, Optional<Path> copy) {
-    this(live, copy.isPresent() ? file : Optional.empty(), copy.isPresent() ? copy : file, 0);
-  }
-
-  private ConfigurationChanges(
-      LiveValues live, Optional<Path> original, Optional<Path> path, long revision) {
-    this(
-        live,
-        original,
-        path,
-        path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory(),
-        revision);
-  }
-
-  private ConfigurationChanges(
-      LiveValues live,
-      Optional<Path> original,
-      Optional<Path> path,
-      ChangeJournal journal,
-      long revision) {
     this.live = live;
-    this.original = original;
-    this.path = path;
-    this.journal = journal;
-    this.revision = revision;
+    original = copy.isPresent() ? file : Optional.empty();
+    path = copy.isPresent() ? copy : file;
+    journal = path.isPresent() ? new AuditFile(path.get()) : new ChangeJournal.InMemory();
   }
 
-  /** Changes for a copy of the configuration, starting from this state. */
+  private ConfigurationChanges(LiveValues live, ConfigurationChanges predecessor) {
+    this.live = live;
+    original = predecessor.original;
+    path = predecessor.path;
+    journal = predecessor.journal;
+    revision = predecessor.revision;
+  }
+
   ConfigurationChanges forSuccessor(LiveValues copy) {
-    return new ConfigurationChanges(copy, original, path, journal, revision);
+    return new ConfigurationChanges(copy, this);
   }
 
-  /** One attempt under the write lock. */
   private interface Attempt {
     WrittenChange make(
         ConfigurationValues memory, ChangeHistory history, Optional<ConfigurationFile> file)
         throws IOException;
   }
 
-  /** Reads the revision of the file just loaded. */
   void begin(Optional<ConfigurationFile> file) {
     try {
       ChangeHistory history = new ChangeHistory(journal.recent());
@@ -83,7 +68,6 @@ final class ConfigurationChanges {
     }
   }
 
-  /** Latest revision known to this object. */
   long revision() {
     return revision;
   }
@@ -270,7 +254,6 @@ final class ConfigurationChanges {
         live.origin(), history.revision(), seen, since.isEmpty() ? "" : "; since then " + since);
   }
 
-  /** {@code X.xml, variable "A": cannot be written, the old value stays: }. */
   private String place(Set<String> names) {
     String variables =
         names.stream().map(name -> "\"" + name + "\"").collect(Collectors.joining(", "));

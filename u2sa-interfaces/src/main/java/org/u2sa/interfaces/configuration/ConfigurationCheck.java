@@ -12,7 +12,7 @@ public interface ConfigurationCheck {
   /**
    * Reason for rejection; empty if accepted.
    *
-   * @param values every variable of the configuration as it would be, in the declared units
+   * @param values all variables as they would be, in the declared units
    */
   Optional<String> refusal(Map<String, Object> values);
 }

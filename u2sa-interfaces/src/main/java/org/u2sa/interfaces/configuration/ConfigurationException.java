@@ -9,17 +9,10 @@ import org.u2sa.interfaces.BadInputException;
 public class ConfigurationException extends BadInputException {
   private static final long serialVersionUID = 1L;
 
-  /**
-   * @param message file, line, variable, value and what was expected
-   */
   public ConfigurationException(String message) {
     super(message);
   }
 
-  /**
-   * @param message file, line, variable, value and what was expected
-   * @param cause what was caught
-   */
   public ConfigurationException(String message, Throwable cause) {
     super(message, cause);
   }

@@ -37,9 +37,7 @@ final class ConfigurationFile {
   }
 
   /**
-   * Reads a file.
-   *
-   * @throws ConfigurationException if it is invalid; names file, line and expectation
+   * @throws ConfigurationException if the file is invalid; names file, line and expectation
    */
   static ConfigurationFile read(Path path) {
     try {
@@ -51,18 +49,16 @@ final class ConfigurationFile {
     }
   }
 
-  /** Variables in file order. */
   Map<String, FileVariable> variables() {
     return variables;
   }
 
-  /** Entry of a variable; empty if absent. */
   Optional<FileVariable> variable(String name) {
     return Optional.ofNullable(variables.get(name));
   }
 
   /**
-   * Copy with the value of {@code variable} set or added; everything else is unchanged.
+   * Copy with the value of a variable set or added.
    *
    * @throws IllegalArgumentException if the value is not representable in XML
    */
@@ -75,14 +71,11 @@ final class ConfigurationFile {
             : text.withLastChild(root, FileVariable.ELEMENT, attributes(variable)));
   }
 
-  /** Copy without an existing variable. */
   ConfigurationFile without(String name) {
     return new ConfigurationFile(path, text.without(elements.get(name)));
   }
 
   /**
-   * Replaces the file on disk with this content.
-   *
    * @throws IOException if writing fails; the old file is kept
    */
   void write() throws IOException {

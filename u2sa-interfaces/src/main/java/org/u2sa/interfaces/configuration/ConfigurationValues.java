@@ -55,21 +55,17 @@ final class ConfigurationValues {
     values.put(name, statement.value());
   }
 
-  /** Overridden variables with their current values. */
   Map<String, Object> overrides() {
     Map<String, Object> all = new LinkedHashMap<>();
     overridden.forEach(name -> all.put(name, values.get(name)));
     return all;
   }
 
-  /** Whether the value was set by the program rather than the file. */
   boolean isOverridden(String name) {
     return overridden.contains(name);
   }
 
   /**
-   * The value of a variable.
-   *
    * @throws ConfigurationException if the variable is unknown
    */
   Object value(String name) {
@@ -84,12 +80,11 @@ final class ConfigurationValues {
     return value;
   }
 
-  /** All variables with their values. */
   Map<String, Object> all() {
     return new LinkedHashMap<>(values);
   }
 
-  /** File entry of a variable when its value was read; empty if absent. */
+  /** File entry of a variable; empty if absent. */
   Optional<FileVariable> stated(String name) {
     return Optional.ofNullable(stated.get(name));
   }
@@ -121,8 +116,6 @@ final class ConfigurationValues {
   }
 
   /**
-   * Record of the current values.
-   *
    * @throws ConfigurationException if the record rejects the combination
    */
   <T> T bind(RecordBinding<T> binding) {
@@ -181,7 +174,6 @@ final class ConfigurationValues {
     return declared.containsKey(name) || readByName.contains(name);
   }
 
-  /** Independent copy. */
   ConfigurationValues copy() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
@@ -195,7 +187,7 @@ final class ConfigurationValues {
     return copy;
   }
 
-  /** A copy of the entries without declarations, whose variables need not be declared again. */
+  /** Copy of the entries without declarations. */
   ConfigurationValues forSuccessor() {
     ConfigurationValues copy = new ConfigurationValues(origin, typed, stated);
     copy.overridden.addAll(overridden);
@@ -221,7 +213,6 @@ final class ConfigurationValues {
     return names;
   }
 
-  /** Combines a variable's declaration with its file entry. */
   BoundVariable bound(String name, Optional<FileVariable> statement) {
     Optional<VariableDeclaration<?>> declaration = Optional.ofNullable(declared.get(name));
     if (!declaration.isPresent() && !statement.isPresent()) {
@@ -231,7 +222,6 @@ final class ConfigurationValues {
     return new BoundVariable(origin, name, declaration, statement);
   }
 
-  /** Adopts the current file content. */
   void adopt(ChangePlanner.PlannedChange change) {
     if (change.after().isPresent()) {
       stated.put(change.name(), change.after().get());

@@ -5,23 +5,21 @@ import java.util.Map;
 
 /**
  * Reads and changes the named variables of a service, which persist in its configuration file
- * (thesis 3.2.1.1). Values are of the thesis's four types: {@link Integer}, {@link Double}, {@link
- * Boolean}, {@link String}.
+ * (thesis 3.2.1.1): {@link Integer}, {@link Double}, {@link Boolean} or {@link String}.
  */
 public interface Configurator {
   /**
-   * Value of a variable, in the declared unit if declared, otherwise in the file's.
+   * Value in the declared unit, or in the file's if undeclared.
    *
    * @throws ConfigurationException if the variable is unknown
    */
   Object getVariable(String variableName);
 
   /**
-   * Declares a variable and reads it: the file's value in the declared unit, or the declared
-   * default if the file has none.
+   * Declares a variable and reads it from the file, or takes the default.
    *
-   * @throws ConfigurationException if it is required and absent, of another type, of a unit that
-   *     cannot be converted, or outside its range; names file, line, variable, value and range
+   * @throws ConfigurationException if it is required and absent, of another type, of an
+   *     incompatible unit, or outside its range; names file, line, variable, value and range
    */
   <T> T getVariable(VariableDeclaration<T> variable);
 
@@ -30,7 +28,6 @@ public interface Configurator {
    *
    * @throws ConfigurationException as for {@link #getVariable(VariableDeclaration)}, and if the
    *     record rejects the combination
-   * @throws IllegalArgumentException if it is not a variables record
    */
   default <T> Settings<T> settings(Class<T> record) {
     return settings(record, "");
@@ -39,17 +36,16 @@ public interface Configurator {
   /**
    * {@link #settings(Class)} for a service with several instances of a record.
    *
-   * @param prefix prefix of each variable's name, such as {@code "LEFT MOTOR "}
+   * @param prefix prefix of each name, such as {@code "LEFT MOTOR "}
    */
   <T> Settings<T> settings(Class<T> record, String prefix);
 
   /**
-   * Changes a variable and writes it to the configuration file atomically: a power cut leaves the
-   * old or the new file.
+   * Changes a variable in memory and, atomically, in the file.
    *
    * @param value value of the variable's type or its text, in the declared unit
-   * @return false if the value was rejected or could not be written; the old value is then kept in
-   *     memory and file, and the reason is logged
+   * @return false if the value was rejected or could not be written: the old value is kept, and the
+   *     reason logged
    */
   boolean setVariable(String variableName, Object value);
 

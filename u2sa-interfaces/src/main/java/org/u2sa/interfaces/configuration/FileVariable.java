@@ -9,16 +9,11 @@ import org.u2sa.interfaces.xml.XmlElement;
 
 /**
  * A variable's entry in a configuration file, validated as far as the file alone allows. Value and
- * limits are in the file's unit. Immutable.
+ * limits are in the file's unit.
  *
  * @param place file and line, for messages
- * @param name variable name
- * @param type type of its value
- * @param text value text as written
- * @param value value of that type
- * @param unit unit of value and limits; empty if none is given
- * @param limits min and max
- * @param description description; empty if none
+ * @param text value as written
+ * @param unit empty if none is given
  */
 record FileVariable(
     String place,
@@ -29,7 +24,6 @@ record FileVariable(
     Optional<String> unit,
     Range limits,
     String description) {
-  /** XML element name. */
   static final String ELEMENT = "variable";
 
   static FileVariable of(XmlElement element) {
@@ -63,7 +57,6 @@ record FileVariable(
         element.optionalAttribute("description").orElse(""));
   }
 
-  /** Creates a variable without a file. */
   static FileVariable inMemory(String origin, String name, Object value) {
     Object typed = value instanceof InferredValue inferred ? inferred.value() : value;
     VariableType type =
@@ -78,15 +71,14 @@ record FileVariable(
         origin, name, type, String.valueOf(value), typed, Optional.empty(), Range.any(), "");
   }
 
-  /** Copy with another value of its type. */
   FileVariable withText(String newText) {
     return new FileVariable(
         place, name, type, newText, type.parse(newText), unit, limits, description);
   }
 
   /**
-   * Copy with an integer, or a text of number and unit, converted to a decimal number where one is
-   * declared.
+   * Copy converted to a decimal number, if one is declared: from an integer, or from a text of
+   * number and unit.
    */
   FileVariable withType(VariableType wanted) {
     if (wanted != VariableType.DOUBLE) {
@@ -110,7 +102,6 @@ record FileVariable(
         .orElse(this);
   }
 
-  /** Creates an exception for this variable: {@code <file>, line N, variable "NAME": what}. */
   ConfigurationException error(String what) {
     return error(place, name, what);
   }

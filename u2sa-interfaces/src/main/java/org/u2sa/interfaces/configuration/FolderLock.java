@@ -12,9 +12,9 @@ import java.nio.file.StandardOpenOption;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Lock for writers of a folder's configuration files, within and across processes. The operating
- * system releases it when its holder dies. The lock file is never deleted, because two writers
- * could then hold locks on different files of the same name.
+ * Lock for writers of a folder's configuration files, within and across processes; released when
+ * its holder dies. The lock file is never deleted, because two writers could then lock different
+ * files of the same name.
  */
 final class FolderLock implements Closeable {
   private static final String NAME = ".configuration.lock";
@@ -30,10 +30,8 @@ final class FolderLock implements Closeable {
   }
 
   /**
-   * Acquires the lock.
-   *
-   * @throws IOException if another writer holds it for 2 s, the thread is interrupted, or the lock
-   *     file cannot be created
+   * @throws IOException if another writer holds the lock for 2 s, the thread is interrupted, or the
+   *     lock file cannot be created
    */
   static FolderLock take(Path folder) throws IOException {
     boolean interrupted = Thread.interrupted(); // an earlier interrupt must not end the wait

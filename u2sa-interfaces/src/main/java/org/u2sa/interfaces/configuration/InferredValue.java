@@ -1,10 +1,9 @@
 package org.u2sa.interfaces.configuration;
 
 /**
- * A value whose type was inferred from its text, as on a command line. A variable that is declared
- * as a text gets the text as it was written.
+ * A value whose type was inferred from its text, as on a command line. A variable declared as a
+ * text gets the text.
  *
- * @param text as written
  * @param value Integer, Double or Boolean
  */
 public record InferredValue(String text, Object value) {

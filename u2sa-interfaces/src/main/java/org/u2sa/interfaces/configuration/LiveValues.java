@@ -43,7 +43,6 @@ final class LiveValues {
     return withWaiting(values.copy());
   }
 
-  /** As {@link #written}, for a service of another class with its own declarations. */
   synchronized LiveValues forSuccessor() {
     return new LiveValues(withWaiting(values.forSuccessor()));
   }
@@ -53,7 +52,6 @@ final class LiveValues {
     return copy;
   }
 
-  /** Adds written changes. */
   synchronized void await(List<ChangePlanner.PlannedChange> changes) {
     waiting.add(changes);
   }

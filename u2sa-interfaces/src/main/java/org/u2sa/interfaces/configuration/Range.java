@@ -3,10 +3,10 @@ package org.u2sa.interfaces.configuration;
 import org.u2sa.interfaces.units.NumberText;
 
 /**
- * Allowed range of a variable, inclusive unless stated otherwise.
+ * Allowed range of a variable.
  *
- * @param min lower bound; negative infinity if none
- * @param max upper bound; positive infinity if none
+ * @param min negative infinity if none
+ * @param max inclusive; positive infinity if none
  * @param minExcluded whether {@code min} is exclusive
  */
 public record Range(double min, double max, boolean minExcluded) {
@@ -24,7 +24,7 @@ public record Range(double min, double max, boolean minExcluded) {
   }
 
   /**
-   * Inclusive range from {@code min} to {@code max}; infinite bounds mean unbounded.
+   * Inclusive range.
    *
    * @throws IllegalArgumentException if a bound is NaN or {@code min} is above {@code max}
    */
@@ -32,11 +32,7 @@ public record Range(double min, double max, boolean minExcluded) {
     return new Range(min, max, false);
   }
 
-  /**
-   * {@link #of} with exclusive {@code min}.
-   *
-   * @throws IllegalArgumentException if the range is empty
-   */
+  /** {@link #of} with exclusive {@code min}. */
   public static Range above(double min, double max) {
     return new Range(min, max, true);
   }
@@ -51,12 +47,10 @@ public record Range(double min, double max, boolean minExcluded) {
     return of(0.0, Double.POSITIVE_INFINITY);
   }
 
-  /** All finite numbers. */
   public static Range any() {
     return ANY;
   }
 
-  /** Whether the range is unbounded. */
   public boolean isAny() {
     return min == Double.NEGATIVE_INFINITY && max == Double.POSITIVE_INFINITY;
   }
@@ -71,17 +65,15 @@ public record Range(double min, double max, boolean minExcluded) {
     return new Range(newMin, newMax, minExcluded && newMin == min);
   }
 
-  /**
-   * For example {@code 0…500}, {@code above 0}, {@code at least 0}, {@code at most 7}, {@code any}.
-   */
+  /** {@code 0…500}, {@code above 0}, {@code at least 0}, {@code at most 7}, {@code any number}. */
   @Override
   public String toString() {
     return withUnit("");
   }
 
   /**
-   * Reason for which this range excludes a formatted {@code value}: {@code 95 deg is outside 0…60
-   * deg}, {@code -3 m is not above 0 m}.
+   * Reason for excluding a value: {@code 95 deg is outside 0…60 deg}, {@code -3 m is not above 0
+   * m}.
    */
   String refusal(String value, String unit) {
     if (Double.isInfinite(min) || Double.isInfinite(max)) {

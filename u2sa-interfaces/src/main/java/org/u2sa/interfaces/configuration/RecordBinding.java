@@ -28,8 +28,8 @@ final class RecordBinding<T> {
 
   /**
    * @param prefix prefix of each variable's name
-   * @throws IllegalArgumentException if it is not a record whose components are all variables, or
-   *     one is declared incorrectly; names it
+   * @throws IllegalArgumentException if it is not a record of correctly declared variables; names
+   *     the first wrong one
    */
   static <T> RecordBinding<T> of(Class<T> type, String prefix) {
     return in(type, prefix)
@@ -60,7 +60,7 @@ final class RecordBinding<T> {
   /**
    * Creates the record from individually valid values.
    *
-   * @throws IllegalArgumentException if the record rejects the combination
+   * @throws IllegalArgumentException if it rejects the combination
    */
   T bind(Map<String, Object> values) {
     Parameter[] parameters = constructor.getParameters();

@@ -8,7 +8,6 @@ import java.util.function.Supplier;
  * @param <T> the record
  */
 public final class Settings<T> implements Supplier<T> {
-  /** Values of one configuration version. */
   private record Bound<T>(long version, T values) {}
 
   private final LiveValues live;

@@ -20,9 +20,9 @@ import java.lang.annotation.Target;
  * private final Settings<Variables> tuning = settings(Variables.class); // in the service
  * }</pre>
  *
- * <p>Components are double, int, boolean, String or an enum, whose constants are the choices. The
- * record's compact constructor may check combinations: an {@link IllegalArgumentException} naming
- * the variables rejects the configuration at startup and any such change.
+ * <p>Components are double, int, boolean, String or an enum. The compact constructor may check
+ * combinations: an {@link IllegalArgumentException} naming the variables rejects the configuration
+ * at startup and any such change.
  */
 @Retention(RetentionPolicy.RUNTIME)
 @Target(ElementType.PARAMETER) // on the canonical constructor's parameters, readable on Android
@@ -36,13 +36,11 @@ public @interface Variable {
   /** Unit delivered to the service, for example {@code m/s}; empty for none. */
   String unit() default "";
 
-  /** Minimum of a number. */
   double min() default Double.NEGATIVE_INFINITY;
 
   /** Makes {@link #min} exclusive. */
   boolean minExcluded() default false;
 
-  /** Maximum of a number. */
   double max() default Double.POSITIVE_INFINITY;
 
   /** Numeric default; if unset, the variable is required. */

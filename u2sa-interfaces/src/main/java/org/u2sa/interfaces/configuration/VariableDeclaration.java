@@ -9,9 +9,9 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.units.NumberText;
 
 /**
- * Declaration of a configuration variable: name, type, unit, range, default and description. A
- * record with {@link Variable}s is shorter; use this for properties known only at run time, such as
- * a subclass's default. Immutable: each call returns a copy.
+ * Declaration of a configuration variable. A record with {@link Variable}s is shorter; use this for
+ * properties known only at run time, such as a subclass's default. Immutable: each call returns a
+ * copy.
  *
  * <pre>{@code
  * static final VariableDeclaration<Double> GAIN =
@@ -21,13 +21,9 @@ import org.u2sa.interfaces.units.NumberText;
  *
  * @param <T> {@link Double}, {@link Integer}, {@link String} or {@link Boolean}
  * @param name name in the file, unique within the service
- * @param type type required in the file
- * @param javaType corresponding Java type
  * @param unit unit delivered to the service; empty if none
- * @param range allowed range
  * @param ifAbsent default; empty if the variable is required
  * @param choices allowed values; empty for any
- * @param description description; empty if none
  */
 public record VariableDeclaration<T>(
     String name,
@@ -39,8 +35,7 @@ public record VariableDeclaration<T>(
     List<T> choices,
     String description) {
   /**
-   * @throws IllegalArgumentException if the name is missing, or range or choices exclude the
-   *     default
+   * @throws IllegalArgumentException if the name is missing, or the default is not allowed
    */
   public VariableDeclaration {
     if (name.trim().isEmpty()) {
@@ -67,14 +62,12 @@ public record VariableDeclaration<T>(
   }
 
   /**
-   * Declares a decimal number in {@code unit}, for example {@code "m/s"}; empty for a dimensionless
-   * number.
+   * Decimal number in {@code unit}, for example {@code "m/s"}; empty for a dimensionless number.
    */
   public static VariableDeclaration<Double> number(String name, String unit) {
     return of(name, VariableType.DOUBLE, Double.class, unit);
   }
 
-  /** Declares an integer without a unit, such as a count or port. */
   public static VariableDeclaration<Integer> integer(String name) {
     return integer(name, "");
   }
@@ -84,20 +77,16 @@ public record VariableDeclaration<T>(
     return of(name, VariableType.INTEGER, Integer.class, unit);
   }
 
-  /** Declares a text, such as an address, path or name. */
   public static VariableDeclaration<String> text(String name) {
     return of(name, VariableType.STRING, String.class, "");
   }
 
-  /** Declares a boolean. */
   public static VariableDeclaration<Boolean> flag(String name) {
     return of(name, VariableType.BOOLEAN, Boolean.class, "");
   }
 
   /**
-   * Sets the allowed range, in the variable's unit.
-   *
-   * @throws IllegalArgumentException if it is not numeric, or the default lies outside
+   * @throws IllegalArgumentException if the variable is not numeric, or the default lies outside
    */
   public VariableDeclaration<T> range(Range newRange) {
     if (!type.isNumber()) {
@@ -108,16 +97,14 @@ public record VariableDeclaration<T>(
   }
 
   /**
-   * Sets the default; without it the variable is required.
-   *
-   * @throws IllegalArgumentException if range or choices exclude it
+   * @throws IllegalArgumentException if range or choices exclude the default
    */
   public VariableDeclaration<T> ifAbsent(T value) {
     return new VariableDeclaration<>(
         name, type, javaType, unit, range, Optional.of(value), choices, description);
   }
 
-  /** Sets the description for the user, as a sentence. */
+  /** Sets the description for the user, a sentence. */
   public VariableDeclaration<T> describedAs(String newDescription) {
     return new VariableDeclaration<>(
         name, type, javaType, unit, range, ifAbsent, choices, newDescription);
@@ -134,15 +121,11 @@ public record VariableDeclaration<T>(
         name, type, javaType, unit, range, ifAbsent, List.copyOf(only), description);
   }
 
-  /** Casts a {@code value} of this variable's type. */
   T cast(Object value) {
     return javaType.cast(value);
   }
 
-  /**
-   * Reason for rejecting a {@code value} of this variable's type and unit: {@code 95 deg is outside
-   * …}.
-   */
+  /** Reason for rejecting a value in the declared unit: {@code 95 deg is outside …}. */
   Optional<String> refusal(Object value) {
     return refusal(value, unit, range, choices);
   }
@@ -158,7 +141,6 @@ public record VariableDeclaration<T>(
     return Optional.empty();
   }
 
-  /** Choices formatted for a message: {@code "a", "b"}. */
   String choicesText() {
     return text(choices);
   }

@@ -30,17 +30,14 @@ public enum VariableType {
     this.expected = expected;
   }
 
-  /** Value of the {@code type} attribute. */
   public String xmlName() {
     return xmlName;
   }
 
-  /** Whether values are numeric and may have a range and unit. */
   public boolean isNumber() {
     return this == DOUBLE || this == INTEGER;
   }
 
-  /** Type for a {@code type} attribute, case-insensitive. */
   public static Optional<VariableType> named(String xmlName) {
     String wanted = xmlName.trim().toLowerCase(Locale.ROOT);
     if (wanted.equals("integer")) {
@@ -49,15 +46,15 @@ public enum VariableType {
     return Arrays.stream(values()).filter(type -> type.xmlName.equals(wanted)).findFirst();
   }
 
-  /** Type of a Java value; empty if unsupported. */
+  /** Empty if the class is not supported. */
   public static Optional<VariableType> of(Object value) {
     return Arrays.stream(values()).filter(type -> type.javaType.isInstance(value)).findFirst();
   }
 
   /**
-   * Parses {@code text}; spaces around numbers and booleans are ignored.
+   * Ignores spaces around numbers and booleans.
    *
-   * @throws IllegalArgumentException if it is invalid: {@code "abc" is not a number}
+   * @throws IllegalArgumentException if the text is invalid: {@code "abc" is not a number}
    */
   public Object parse(String text) {
     String trimmed = text.trim();
@@ -88,7 +85,7 @@ public enum VariableType {
   }
 
   /**
-   * Converts {@code value} to this type: as-is, parsed from text, or from integer to decimal.
+   * Returns a value of this type as-is, a text parsed, an integer as a decimal number.
    *
    * @throws IllegalArgumentException if it has another type
    */

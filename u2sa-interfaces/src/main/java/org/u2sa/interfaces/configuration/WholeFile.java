@@ -11,20 +11,17 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.nio.file.attribute.PosixFileAttributes;
+import java.nio.file.attribute.PosixFilePermissions;
 
-/**
- * Replaces a file atomically by writing a temporary file beside it, syncing and renaming: after a
- * power cut the old or the new file exists.
- */
+/** Replaces files atomically: after a power cut the old or the new file exists. */
 public final class WholeFile {
   private static final String SUFFIX = ".tmp";
 
   private WholeFile() {}
 
   /**
-   * Replaces the content of an existing {@code file}, preserving owner, group, permissions and
-   * links to it. Call under the folder's lock: other writers' temporary files are treated as
-   * leftovers of a power cut.
+   * Replaces the content of an existing file, preserving owner, group, permissions and links to it.
+   * Call under the folder's lock: other temporary files are deleted as leftovers of a power cut.
    *
    * @throws IOException if that fails; the old content is kept
    */
@@ -53,8 +50,7 @@ public final class WholeFile {
   }
 
   /**
-   * Fills {@code temporary}, an empty file beside {@code target}, and renames it to the target once
-   * its content is synced.
+   * Fills an empty file beside the target, syncs it, and renames it to the target.
    *
    * @throws IOException if that fails; the old file, if any, is kept
    */
@@ -68,7 +64,16 @@ public final class WholeFile {
     sync(target.toAbsolutePath().getParent());
   }
 
-  /** Writes the whole buffer at the channel's position. */
+  /** Creates an empty file that only its owner may read or write. */
+  public static void createPrivate(Path file) throws IOException {
+    if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
+      Files.createFile(
+          file, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
+    } else {
+      Files.createFile(file);
+    }
+  }
+
   static void write(FileChannel out, byte[] content) throws IOException {
     ByteBuffer left = ByteBuffer.wrap(content);
     while (left.hasRemaining()) {
@@ -109,13 +114,12 @@ public final class WholeFile {
     return name.startsWith(prefix) && name.endsWith(SUFFIX);
   }
 
-  /** Ownership and permissions of a file, transferred to its replacement. */
   static final class FileOwnership {
     private FileOwnership() {}
 
     /**
-     * Copies owner, group and permissions of {@code from} to {@code to}, a private file of this
-     * process. Permissions are never wider in between than at the end.
+     * Copies owner, group and permissions to a private file of this process; permissions are never
+     * wider in between than at the end.
      *
      * @throws IOException if this user may not set the owner or group
      */

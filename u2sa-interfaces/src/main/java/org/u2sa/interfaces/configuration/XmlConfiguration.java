@@ -55,39 +55,31 @@ public final class XmlConfiguration implements Configurator {
   /**
    * Reads a configuration file.
    *
-   * @throws ConfigurationException if it is missing, unreadable or invalid; names file, line,
-   *     variable, value and expectation
+   * @throws ConfigurationException if it is missing or invalid; names file, line, variable, value
+   *     and expectation
    */
   public static XmlConfiguration load(Path file) {
-    ConfigurationFile content = ConfigurationFile.read(file);
-    return new XmlConfiguration(
-        file.toString(),
-        Optional.of(file),
-        Optional.empty(),
-        content.variables(),
-        Optional.of(content));
+    return load(file, Optional.empty(), ConfigurationFile.read(file));
   }
 
   /**
-   * Reads a configuration file that must not be modified: changes go to a copy, created on the
-   * first change. An existing copy is read instead of the file.
+   * Reads a file that must not be modified, or its copy if that exists: changes go to the copy.
    *
    * @throws ConfigurationException like {@link #load(Path)}
    */
   public static XmlConfiguration load(Path file, Path copy) {
-    ConfigurationFile content = ConfigurationFile.read(Files.exists(copy) ? copy : file);
+    return load(file, Optional.of(copy), ConfigurationFile.read(Files.exists(copy) ? copy : file));
+  }
+
+  private static XmlConfiguration load(Path file, Optional<Path> copy, ConfigurationFile content) {
     return new XmlConfiguration(
-        file.toString(),
-        Optional.of(file),
-        Optional.of(copy),
-        content.variables(),
-        Optional.of(content));
+        file.toString(), Optional.of(file), copy, content.variables(), Optional.of(content));
   }
 
   /**
-   * Creates an in-memory configuration without a file.
+   * Creates a configuration without a file.
    *
-   * @param name name used in messages
+   * @param name used in messages
    * @param values Integer, Double, Boolean or String by variable, in the declared units
    * @throws IllegalArgumentException if a value is of another class
    */
@@ -99,8 +91,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Overrides a variable for the lifetime of this object without changing the file. Call before the
-   * variable is declared.
+   * Overrides a variable until the end of this object, before it is declared; the file stays as it
+   * is.
    *
    * @param value Integer, Double, Boolean, String or {@link InferredValue}, in the declared unit
    * @throws IllegalArgumentException if the value is of another class
@@ -109,42 +101,37 @@ public final class XmlConfiguration implements Configurator {
     values.update(all -> all.override(variableName, value));
   }
 
-  /** Variables that were {@linkplain #override overridden}, with their values. */
   public Map<String, Object> overrides() {
     return values.get(ConfigurationValues::overrides);
   }
 
-  /** Path of the configuration; empty without a file. */
+  /** The file; empty for a configuration in memory. */
   public Optional<Path> file() {
     return file;
   }
 
-  /**
-   * Copy for a successor service of another class: variables declared only by the current service
-   * need not be declared again.
-   */
+  /** Copy for a successor service of another class, which need not declare the same variables. */
   public XmlConfiguration forSuccessor() {
     return new XmlConfiguration(this);
   }
 
-  /** Tolerates undeclared variables in the file. */
+  /** Tolerates variables in the file that are not declared. */
   public void tolerate(Collection<String> variableNames) {
     values.update(all -> all.tolerate(variableNames));
   }
 
-  /** Variables a successor need not declare: all declared or tolerated so far. */
+  /** Variables that a successor need not declare: all declared or tolerated so far. */
   public Set<String> tolerated() {
     return values.get(ConfigurationValues::tolerated);
   }
 
-  /** Tolerated but undeclared variables of the file; they have no effect. */
+  /** Tolerated variables of the file that are not declared. */
   public List<String> withoutEffect() {
     return values.get(ConfigurationValues::withoutEffect);
   }
 
   /**
-   * Resolves a file named by a variable: relative to the configuration file, so that a system runs
-   * from any working directory, or to the working directory without a file.
+   * Resolves a path relative to the configuration file, or to the working directory without a file.
    */
   public Path resolve(String path) {
     return file.map(own -> own.resolveSibling(path).normalize()).orElseGet(() -> Paths.get(path));
@@ -171,15 +158,14 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Rejects undeclared variables in the file, which are usually misspelt.
-   *
-   * @throws ConfigurationException naming the first of them and the nearest declared name
+   * @throws ConfigurationException if the file has an undeclared variable, usually misspelt: names
+   *     the first one and the nearest declared name
    */
   public void refuseUndeclared() {
     values.update(ConfigurationValues::refuseUndeclared);
   }
 
-  /** Declarations so far, in order; the list belongs to the caller. */
+  /** Declarations so far, in order. */
   public List<VariableDeclaration<?>> declared() {
     return values.get(ConfigurationValues::declared);
   }
@@ -189,12 +175,7 @@ public final class XmlConfiguration implements Configurator {
     return !change(variableName, value).isPresent();
   }
 
-  /**
-   * {@link #setVariable} with a reason.
-   *
-   * @return empty if the variable has the new value in memory and file; otherwise the reason, and
-   *     the old value is kept
-   */
+  /** {@link #setVariable}, with the reason for a refusal; empty if the variable was set. */
   public Optional<String> change(String variableName, Object value) {
     return change(
             Collections.singletonMap(variableName, value),
@@ -208,8 +189,8 @@ public final class XmlConfiguration implements Configurator {
    * Changes several variables atomically, in memory and file.
    *
    * @param wanted values of the variables' types, or their texts, in the declared units
-   * @param seen the {@link #revision} the author relies on; if outdated, nothing is changed; empty
-   *     for last writer wins
+   * @param seen {@link #revision} on which the change relies: if outdated, nothing is changed;
+   *     empty if the last writer wins
    * @param check validates the combination before anything is written
    */
   public ConfigurationOutcome change(
@@ -219,14 +200,14 @@ public final class XmlConfiguration implements Configurator {
 
   /**
    * The blocking part of {@link #change(Map, OptionalLong, ChangeOrigin, ConfigurationCheck)},
-   * waiting up to seconds for disk and other writers. The change is not in memory yet.
+   * which waits for disk and other writers, up to seconds. Nothing is in memory yet.
    */
   public WrittenChange write(
       Map<String, ?> wanted, OptionalLong seen, ChangeOrigin by, ConfigurationCheck check) {
     return changes.change(wanted, seen, by, check);
   }
 
-  /** Rejects a change without evaluating it; not recorded in the audit log. */
+  /** Rejects a change unread and without an entry in the audit log. */
   public WrittenChange refuse(String reason) {
     ConfigurationOutcome outcome =
         new ConfigurationOutcome(Optional.of(reason), List.of(), Set.of(), revision());
@@ -234,8 +215,7 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Undoes the latest change not undone yet; the next undo reverts the one before. The audit log
-   * remembers some hundred changes, by any process.
+   * Undoes the latest change not undone yet, by any process; the audit log remembers some hundred.
    *
    * @param check validates the combination before anything is written
    */
@@ -258,7 +238,7 @@ public final class XmlConfiguration implements Configurator {
     return values.get(ConfigurationValues::enumerated);
   }
 
-  /** All variables with type, value, unit, limits and description, for a configuration response. */
+  /** All variables with type, value, unit, limits and description. */
   public List<ConfigurationVariable> describe() {
     return values.get(ConfigurationValues::described);
   }

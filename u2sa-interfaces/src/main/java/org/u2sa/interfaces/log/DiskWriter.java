@@ -12,9 +12,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * The thread of this process that accesses log and progress files in real time: a failing memory
- * card or a network drive may not answer for minutes, and a service that waits for it would not
- * obey stops. Jobs run one at a time in the order given. Each user bounds its pending jobs.
+ * The thread of this process that accesses log and progress files in real time, because a failing
+ * memory card or a network drive may not answer for minutes. Jobs run one at a time in order; each
+ * user bounds its pending jobs.
  */
 public final class DiskWriter implements Executor {
   private static final DiskWriter OF_PROCESS = new DiskWriter();
@@ -32,7 +32,6 @@ public final class DiskWriter implements Executor {
     start(); // early: when the system is short of threads, the log is needed most
   }
 
-  /** The only one of this process, because it keeps the order of accesses to a file. */
   public static DiskWriter ofProcess() {
     return OF_PROCESS;
   }
@@ -58,7 +57,7 @@ public final class DiskWriter implements Executor {
     }
   }
 
-  /** Outlives every failure of a job: the thread might not be replaceable. */
+  /** Survives every failure of a job: the thread might not be replaceable. */
   private void runAll() {
     while (true) {
       try {
@@ -73,7 +72,7 @@ public final class DiskWriter implements Executor {
   /**
    * Runs a job after all earlier ones and waits for its result; an interrupt does not end the wait.
    *
-   * @param withinMs maximum wait [ms], begun again by an interrupt; the job may still run later
+   * @param withinMs maximum wait [ms]; the job may still run later
    * @throws IOException if the job throws it, or the disk does not answer in time
    */
   public <T> T call(Callable<T> job, long withinMs) throws IOException {

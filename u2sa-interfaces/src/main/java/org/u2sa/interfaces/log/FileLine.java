@@ -13,10 +13,9 @@ import org.u2sa.interfaces.time.Clock;
 /**
  * A line of a {@link LogFile}.
  *
- * @param micros when it was logged [µs of the run's clock]
- * @param thread ID of the thread that logged it
+ * @param micros time of the run's clock [µs]
  * @param message text, which may have several lines
- * @param dropped number of lines dropped directly before it
+ * @param dropped lines dropped directly before it
  */
 record FileLine(long micros, long thread, LogLevelEnum level, String message, long dropped) {
   private static final long NANOS_PER_MICRO = 1_000L;
@@ -30,8 +29,6 @@ record FileLine(long micros, long thread, LogLevelEnum level, String message, lo
   private static final int CHARS_OF_START = 64; // rounded up, with the line's object
 
   /**
-   * The message of a line.
-   *
    * @param thrown cause, whose stack trace follows; or null
    */
   static String message(String message, Throwable thrown) {
@@ -44,7 +41,6 @@ record FileLine(long micros, long thread, LogLevelEnum level, String message, lo
     return text;
   }
 
-  /** Truncates long messages: foreign content must not fill the disk. */
   private static String shortened(String text, int maxChars) {
     return text.length() <= maxChars
         ? text
@@ -56,14 +52,12 @@ record FileLine(long micros, long thread, LogLevelEnum level, String message, lo
     return CHARS_OF_START + message.length();
   }
 
-  /** The line that tells how many lines before this one are missing. */
   FileLine aboutLost(long lines) {
     String text =
         lines + (lines == 1 ? " line" : " lines") + " before this one could not be written";
     return new FileLine(micros, thread, LogLevelEnum.WARN, text, 0);
   }
 
-  /** Appends the line as it is in the file. */
   void appendTo(StringBuilder text, String serviceName) {
     Instant time =
         Instant.ofEpochSecond(

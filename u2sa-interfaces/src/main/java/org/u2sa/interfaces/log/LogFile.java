@@ -58,10 +58,10 @@ public final class LogFile implements AutoCloseable {
   private boolean said;
 
   /**
-   * Appends to {@code file}, creating it and its folder if absent.
+   * Appends to the file, creating it and its folder if absent.
    *
    * @param lowest minimum level written
-   * @param clock clock of the run, for line timestamps
+   * @param clock clock of the run
    */
   public LogFile(Path file, String serviceName, LogLevelEnum lowest, Clock clock) {
     // A plain stream, because an interrupt would close a channel.
@@ -113,24 +113,18 @@ public final class LogFile implements AutoCloseable {
     this.clock = clock;
   }
 
-  /**
-   * Shares the open file with a successor service.
-   *
-   * @param successors the successor's clock
-   */
+  /** Shares the open file with a successor service, which has its own clock. */
   public LogFile forSuccessor(Clock successors) {
     return new LogFile(this, successors);
   }
 
-  /** Writes a line unless {@code level} is below the minimum. */
   public void log(LogLevelEnum level, String message) {
     log(level, message, null);
   }
 
   /**
-   * Writes a line with an indented stack trace.
-   *
-   * @param thrown cause, or null
+   * Writes a line, with the stack trace if {@code thrown} is not null, unless the level is below
+   * the minimum.
    */
   public void log(LogLevelEnum level, String message, Throwable thrown) {
     if (writes(level)) {
@@ -139,7 +133,7 @@ public final class LogFile implements AutoCloseable {
     }
   }
 
-  /** Whether this level is written, to avoid composing costly messages. */
+  /** Whether the level is written. */
   public boolean writes(LogLevelEnum level) {
     return level.compareTo(lowest) >= 0;
   }
@@ -193,8 +187,6 @@ public final class LogFile implements AutoCloseable {
   }
 
   /**
-   * Writes a line.
-   *
    * @param looksForFile whether to create the file again if somebody deleted or moved it
    */
   private void write(FileLine line, boolean looksForFile) {
@@ -220,8 +212,8 @@ public final class LogFile implements AutoCloseable {
   }
 
   /**
-   * Closes the file after what waits for it was written; later lines are dropped. Waits for a disk
-   * that hangs for a second; it may still write the lines later. Idempotent.
+   * Closes the file after writing pending lines, waiting at most a second for the disk; later lines
+   * are dropped. Idempotent.
    */
   @Override
   public void close() {
@@ -252,7 +244,6 @@ public final class LogFile implements AutoCloseable {
     }
   }
 
-  /** Called by the {@link DiskWriter} between two jobs, when no line is added any more. */
   private void writeRest() {
     while (true) {
       synchronized (waiting) {
@@ -275,14 +266,11 @@ public final class LogFile implements AutoCloseable {
     out = null;
   }
 
-  /** Number of lines that could not be written. */
   public long failures() {
     return first.failures.get();
   }
 
-  /**
-   * What is wrong with the file, such as a disk that hangs, for health reports; empty if nothing.
-   */
+  /** Fault of the file for health reports, such as a disk that hangs; empty if none. */
   public String trouble() {
     return first.findTrouble();
   }
@@ -297,7 +285,6 @@ public final class LogFile implements AutoCloseable {
     return failures.get() == 0 ? "" : failures.get() + " lines could not be written";
   }
 
-  /** Opens the file before its first line. */
   private void openEarly() {
     try {
       open();

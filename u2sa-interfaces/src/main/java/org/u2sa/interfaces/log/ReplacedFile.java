@@ -7,9 +7,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A file that is replaced as a whole, of which only the last content matters. In real time the
- * {@link DiskWriter} accesses it, and of several changes that wait for the disk only the last is
- * made; in simulated time the caller does.
+ * A file that is replaced as a whole. In real time the {@link DiskWriter} accesses it, and of
+ * several pending changes makes only the last; in simulated time the caller does.
  */
 public final class ReplacedFile {
   private static final long READS_WITHIN_MS = 5_000;
@@ -17,21 +16,16 @@ public final class ReplacedFile {
   private final boolean atOnce;
   private final AtomicReference<Change> waiting = new AtomicReference<>();
 
-  /** An access that replaces or deletes the file. */
   public interface Change {
-    /** Makes the change. */
     void make() throws IOException;
   }
 
-  /**
-   * @param clock clock of the run
-   */
   public ReplacedFile(Clock clock) {
     atOnce = clock.isSimulated();
   }
 
   /**
-   * Makes the change instead of one that still waits.
+   * Makes the change, replacing a pending one.
    *
    * @param failed called if it fails, possibly later on another thread
    */
@@ -52,7 +46,7 @@ public final class ReplacedFile {
   }
 
   /**
-   * Reads the file after all changes asked for.
+   * Reads the file after all requested changes.
    *
    * @throws IOException if reading throws it, or the disk does not answer within 5 s
    */

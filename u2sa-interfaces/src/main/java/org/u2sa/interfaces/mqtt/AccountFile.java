@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
@@ -16,9 +15,9 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.configuration.WholeFile;
 
 /**
- * A file for the other programs of this account, in each of its {@link AccountFolders}; only the
- * account can read it. A copy that disappears is written again, because the system removes such
- * folders with an account's last session. Thread-safe.
+ * A file for the other programs of this account, in each of its {@link AccountFolders}, readable by
+ * the account only. Rewritten if it disappears, because the system removes such folders with an
+ * account's last session. Thread-safe.
  */
 public final class AccountFile implements AutoCloseable {
   private static final long LOOK_MS = 1_000;
@@ -34,7 +33,6 @@ public final class AccountFile implements AutoCloseable {
   /**
    * Writes the file, and keeps it until {@link #close}.
    *
-   * @param name of the file, without a folder
    * @param failures receives a line for each folder where it cannot be written, once per cause
    */
   public AccountFile(
@@ -84,13 +82,7 @@ public final class AccountFile implements AutoCloseable {
   private void replace(Path file) throws IOException {
     Path beside = file.resolveSibling(name + ".new");
     Files.deleteIfExists(beside);
-    if (file.getFileSystem().supportedFileAttributeViews().contains("posix")) {
-      Files.createFile(
-          beside,
-          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")));
-    } else {
-      Files.createFile(beside);
-    }
+    WholeFile.createPrivate(beside);
     WholeFile.fillAndRename(beside, content, file);
   }
 

@@ -14,9 +14,9 @@ import java.util.Set;
 
 /**
  * Folders in which programs of one account leave files for each other: {@code
- * $XDG_RUNTIME_DIR/u2sa} and {@code ~/.u2sa/run}. Every file is written to and looked for in both,
- * because sessions of one account differ in the variable, and its folder is removed with the
- * account's last session.
+ * $XDG_RUNTIME_DIR/u2sa} and {@code ~/.u2sa/run}. Files are written to and looked for in both,
+ * because sessions of one account differ in the variable, and its folder is removed with the last
+ * session.
  */
 public final class AccountFolders {
   private static final String UNKNOWN = "?"; // the JVM's name of an account without an entry
@@ -27,22 +27,20 @@ public final class AccountFolders {
 
   /**
    * @param runtime value of {@code XDG_RUNTIME_DIR}; empty if unset
-   * @param home home folder of the account
    */
   public AccountFolders(String runtime, String home) {
     this.runtime = runtime;
     this.home = home;
   }
 
-  /** Folders of the account of this process. */
   public static AccountFolders ofProcess() {
     String runtime = System.getenv("XDG_RUNTIME_DIR");
     return new AccountFolders(runtime == null ? "" : runtime, System.getProperty("user.home", ""));
   }
 
   /**
-   * The folders, whether they exist yet or not. That in {@code XDG_RUNTIME_DIR} is listed only
-   * while the latter exists and nobody else can replace what is in it.
+   * The folders, existing or not; that in {@code XDG_RUNTIME_DIR} only if nobody else can replace
+   * its content.
    */
   public List<Path> all() {
     List<Path> all = new ArrayList<>();
@@ -53,7 +51,7 @@ public final class AccountFolders {
     return all;
   }
 
-  /** The folders whose files can be trusted: those that exist and that nobody else can write to. */
+  /** The existing folders to which nobody else can write. */
   public List<Path> readable() {
     List<Path> readable = new ArrayList<>();
     for (Path folder : all()) {

@@ -6,8 +6,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Pending broker responses by packet identifier: confirmations of publications and responses to
- * requests. Identifiers are assigned by one thread at a time; responses may arrive on another.
+ * Pending broker responses by packet identifier. Identifiers are assigned by one thread at a time;
+ * responses may arrive on another.
  */
 final class AwaitedAnswers {
   private static final int CONFIRMATIONS_AT_MOST = 4_096;
@@ -19,28 +19,21 @@ final class AwaitedAnswers {
   private final Map<Integer, CompletableFuture<byte[]>> questions = new ConcurrentHashMap<>();
   private int lastPacket;
 
-  /** Whether the limit of unconfirmed messages is reached. */
   boolean isFull() {
     return unconfirmed.size() >= CONFIRMATIONS_AT_MOST;
   }
 
-  /** Number of unconfirmed messages. */
   int unconfirmed() {
     return unconfirmed.size();
   }
 
-  /**
-   * Assigns an identifier to a message that requires confirmation.
-   *
-   * @param confirmed action on confirmation; null for none
-   */
+  /** Identifier of a message; {@code confirmed} may be null. */
   int publishing(Runnable confirmed) {
     int packet = nextPacket();
     unconfirmed.put(packet, confirmed == null ? NOBODY : confirmed);
     return packet;
   }
 
-  /** Assigns an identifier to a request. */
   int asking(CompletableFuture<byte[]> answer) {
     int packet = nextPacket();
     questions.put(packet, answer);
@@ -60,7 +53,6 @@ final class AwaitedAnswers {
     questions.remove(packet);
   }
 
-  /** Completes the pending request or publication. */
   void answered(int packet, byte[] codes) {
     Runnable confirmed = unconfirmed.remove(packet);
     if (confirmed != null) {

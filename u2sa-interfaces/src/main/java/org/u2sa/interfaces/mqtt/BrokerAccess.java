@@ -20,10 +20,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Variable;
 
-/**
- * Credentials of a client of the Communication Manager: user, password and encryption. Immutable;
- * files are read once, on creation.
- */
+/** Credentials of a client of the Communication Manager. Immutable; files are read once. */
 public final class BrokerAccess {
   /** Login variables for a Communication Manager in another process. */
   public record Login(
@@ -58,13 +55,13 @@ public final class BrokerAccess {
     this.tls = tls;
   }
 
-  /** Anonymous and unencrypted, as accepted by a local broker by default. */
+  /** Anonymous and unencrypted. */
   public static BrokerAccess open() {
     return OPEN;
   }
 
   /**
-   * Creates access from the variables of {@link Login}.
+   * Access from the variables of {@link Login}.
    *
    * @throws BadInputException if a file is missing or invalid, or the settings contradict each
    *     other
@@ -101,11 +98,10 @@ public final class BrokerAccess {
   }
 
   /**
-   * Creates access with a password given directly.
+   * Access with a password given directly.
    *
-   * @param user name of the user, not empty
+   * @param user not empty
    * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
-   * @throws BadInputException if the file is missing or invalid
    */
   public static BrokerAccess of(String user, char[] password, String caFile) {
     return new BrokerAccess(user, password.clone(), caFile.isEmpty() ? null : context(caFile));
@@ -175,12 +171,10 @@ public final class BrokerAccess {
     }
   }
 
-  /** Name of the user; empty without one. */
   public Optional<String> user() {
     return user.isEmpty() ? Optional.empty() : Optional.of(user);
   }
 
-  /** Whether the connection is encrypted. */
   public boolean isEncrypted() {
     return tls != null;
   }

@@ -7,8 +7,8 @@ import org.u2sa.interfaces.communication.TopicLevel;
 
 /**
  * MQTT client IDs of this process: {@code <system>/<service>/<run>/<connection>}. The run is a
- * secret that a process shares with the processes it starts, by which a broker recognises them as
- * one sender. Both last levels are random and published nowhere.
+ * secret that a process shares with its child processes, by which a broker recognises them as one
+ * sender. Both last levels are random and published nowhere.
  */
 public final class ClientIds {
   /** Environment variable by which a process passes its run to the processes it starts. */
@@ -22,7 +22,7 @@ public final class ClientIds {
 
   private ClientIds() {}
 
-  /** The run that the environment names; without one, or with one that is no UUID, a new one. */
+  /** The run in the environment, or a new one if that is absent or not a UUID. */
   static String run(Map<String, String> environment) {
     String given = environment.getOrDefault(ENVIRONMENT, "");
     return RANDOM.matcher(given).matches() ? given : UUID.randomUUID().toString();
@@ -33,7 +33,6 @@ public final class ClientIds {
     return OF_PROCESS;
   }
 
-  /** A new client ID of a service of this process. */
   public static String of(String systemId, String serviceName) {
     return String.join(
         "/",

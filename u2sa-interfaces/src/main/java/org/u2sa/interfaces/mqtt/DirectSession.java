@@ -22,9 +22,9 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * An MQTT session by our own client. Messages are sent on the publisher's thread and received on
- * one reader thread: two thread hand-offs fewer than with Paho. Publishing never blocks on the
- * network: the reader thread sends later what the socket does not accept immediately.
+ * An MQTT session by our own client: messages are sent on the publisher's thread and received on
+ * one reader thread, two hand-offs fewer than with Paho. Publishing never blocks on the network:
+ * the reader thread sends later what the socket does not accept.
  */
 final class DirectSession implements MqttSession {
   private static final int REFUSED = 0x80; // failure code in a SUBACK
@@ -104,10 +104,9 @@ final class DirectSession implements MqttSession {
       tls.shakeHands(selector, clock, withinMs);
       return tls;
     }
-    return new PlainChannel(socket);
+    return new BrokerChannel.Plain(socket);
   }
 
-  /** Waits for the broker's answer from the reader thread. */
   private <T> T await(CompletableFuture<T> answer) throws MqttException {
     try {
       return answer.get(answerWithinMs, TimeUnit.MILLISECONDS);
@@ -209,7 +208,6 @@ final class DirectSession implements MqttSession {
     ask(packet -> MqttPackets.unsubscribe(packet, filters));
   }
 
-  /** Creates a packet that is answered, given its identifier. */
   @FunctionalInterface
   private interface Question {
     ByteBuffer numbered(int packet);
@@ -345,7 +343,6 @@ final class DirectSession implements MqttSession {
     broke(why);
   }
 
-  /** Sends acknowledgements and the unsent rest. */
   private void sendRest() throws MqttException {
     synchronized (lock) {
       if (!outbox.isEmpty()) {
@@ -374,7 +371,6 @@ final class DirectSession implements MqttSession {
     }
   }
 
-  /** Used by the reader thread only. */
   private final class FromBroker implements MqttPacketReader.Handler {
     @Override
     public void connected(int code) {

@@ -11,7 +11,7 @@ import org.u2sa.messages.schema.Origin;
  * before the first one received do not count. Thread-safe.
  */
 public final class Gaps {
-  /** Maximum number of senders and topics remembered; a gap of a forgotten one is not detected. */
+  /** Senders and topics remembered; a gap of a forgotten one is not detected. */
   private static final int REMEMBERED = 4_096;
 
   private record Stream(String sender, String topic) {}
@@ -28,10 +28,8 @@ public final class Gaps {
   private long missed;
 
   /**
-   * Registers a received message, in any order.
-   *
-   * @param origin origin of the message; without one nothing is counted
-   * @return number of messages missing immediately before this one
+   * Returns the number of messages missing immediately before this one; without an origin nothing
+   * is counted.
    */
   public synchronized long arrived(String topic, Optional<Origin> origin) {
     if (!origin.isPresent()) {
@@ -49,12 +47,12 @@ public final class Gaps {
     return gap;
   }
 
-  /** Resets some topics: their next message is treated as the first. */
+  /** The next message on such a topic is treated as the first. */
   public synchronized void forget(Predicate<String> topics) {
     last.keySet().removeIf(stream -> topics.test(stream.topic()));
   }
 
-  /** Number of messages missed since the start, at most {@link Long#MAX_VALUE}. */
+  /** Messages missed since the start, at most {@link Long#MAX_VALUE}. */
   public synchronized long missed() {
     return missed;
   }

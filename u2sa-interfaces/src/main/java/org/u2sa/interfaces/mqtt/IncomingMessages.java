@@ -22,7 +22,6 @@ final class IncomingMessages {
     this.receiver = receiver;
   }
 
-  /** Decodes a message and delivers it. */
   void hand(Channel<?> channel, Topic topic, byte[] payload) {
     try {
       U2SAData data = codec.decode(topic.typeChain(), payload);
@@ -48,7 +47,7 @@ final class IncomingMessages {
     }
   }
 
-  /** Resets a channel: messages sent until it is subscribed again do not count as missed. */
+  /** Messages sent until the channel is subscribed again do not count as missed. */
   void forget(Channel<?> channel) {
     gaps.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }

@@ -27,7 +27,6 @@ final class LinkCheck {
     heardMicros = clock.getAsLong();
   }
 
-  /** Registers received data. */
   void heard() {
     heardMicros = clock.getAsLong();
     askedMicros = 0;
@@ -38,11 +37,7 @@ final class LinkCheck {
     return giveUpAfterMicros / MICROS_PER_MS; // the opener waits for the response
   }
 
-  /**
-   * Time until the next check.
-   *
-   * @param sentMicros time of the last transmission
-   */
+  /** Time until the next check; {@code sentMicros} is the time of the last transmission. */
   long waitMs(long sentMicros) {
     long dueMicros = askedMicros != 0 ? askedMicros + giveUpAfterMicros : askMicros(sentMicros);
     return Math.max(1, (dueMicros - clock.getAsLong()) / MICROS_PER_MS);
@@ -51,7 +46,6 @@ final class LinkCheck {
   /**
    * Whether to ping the broker now.
    *
-   * @param sentMicros time of the last transmission
    * @throws IOException if a ping was not answered
    */
   boolean isToAsk(long sentMicros) throws IOException {

@@ -12,8 +12,8 @@ import org.u2sa.interfaces.BadInputException;
 
 /**
  * Login token of a local broker, in a file readable only by the account that started it: that
- * account's programs log in as user {@value #USER} automatically, other accounts cannot.
- * Regenerated at each broker start, so a later owner of the port learns nothing useful.
+ * account's programs log in as user {@value #USER}, other accounts cannot. Regenerated at each
+ * broker start.
  */
 public final class LocalToken {
   /** User name for token logins. */
@@ -26,12 +26,9 @@ public final class LocalToken {
   private LocalToken() {}
 
   /**
-   * Name of a broker's token file, in each of the {@link AccountFolders}. Each loopback address has
-   * its own file, because on an address where the broker does not listen another account could, and
+   * Name of a broker's token file in each of the {@link AccountFolders}. Each loopback address has
+   * its own file, because another account could listen on an address where the broker does not, and
    * would receive the token.
-   *
-   * @param address listening address of the broker
-   * @param port listening port of the broker
    */
   public static String fileName(String address, int port) {
     String other = loopback(address).orElse(address);
@@ -40,9 +37,8 @@ public final class LocalToken {
   }
 
   /**
-   * Token of a local broker; empty if this account has none. A file that others could read or write
-   * is not used. Of several, the newest is the running broker's: the others were left by killed
-   * ones.
+   * Token of a local broker; empty if this account has none, or if others could read or write the
+   * file. Of several, the newest is the running broker's.
    */
   public static Optional<char[]> read(String host, int port) {
     return read(AccountFolders.ofProcess(), host, port);
@@ -80,8 +76,7 @@ public final class LocalToken {
   }
 
   /**
-   * Where a token of the broker was looked for, if this account has none; empty if it has one or
-   * the broker is on another host.
+   * Where a token was looked for in vain; empty if there is one, or the broker is on another host.
    */
   public static List<Path> missing(String host, int port) {
     return missing(AccountFolders.ofProcess(), host, port);

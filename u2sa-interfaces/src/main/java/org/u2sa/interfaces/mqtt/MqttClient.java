@@ -40,8 +40,6 @@ public enum MqttClient {
   }
 
   /**
-   * Creates an unopened session.
-   *
    * @param address {@code tcp://HOST:PORT} or {@code ssl://HOST:PORT}
    * @param linkThread maintains Paho's link
    * @throws MqttException if the address is invalid

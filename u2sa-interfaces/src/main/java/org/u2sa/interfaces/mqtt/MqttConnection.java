@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.Origin;
 import org.u2sa.messages.schema.U2SAData;
 
-/** A service's MQTT connection: publications and subscriptions, with automatic reconnection. */
+/** A service's MQTT connection with automatic reconnection. */
 final class MqttConnection implements Connection, MqttSession.Owner {
   private static final int AT_LEAST_ONCE = 1;
   private static final int TOPICS_REMEMBERED = 1_024;
@@ -43,7 +43,6 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   private volatile long refusedBefore; // value at the last disconnect
   private volatile boolean closed;
 
-  /** Creates an unopened connection; see {@link #open}. */
   MqttConnection(
       String address,
       String systemId,
@@ -70,7 +69,7 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   /**
    * Connects for the first time.
    *
-   * @param options connect options without the will; created for each attempt
+   * @param options without the will; created for each attempt
    * @param patienceS time limit for all attempts [s]
    * @throws CommunicationException if the broker is unreachable within that time
    */
@@ -87,7 +86,6 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     }
   }
 
-  /** Adds the will message, which the broker publishes when the connection breaks. */
   private MqttConnectOptions withWill(MqttConnectOptions options) {
     if (!systemId.equals(Topic.ANY_SYSTEM)) {
       ConnectionLost lost = new ConnectionLost();
@@ -118,7 +116,6 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     }
   }
 
-  /** Whether it is clear which system the message is for. */
   private boolean isAddressed(U2SAData message) {
     return !systemId.equals(Topic.ANY_SYSTEM) || !message.systemId().isEmpty();
   }
@@ -174,20 +171,15 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     return subscriptions.refused();
   }
 
-  /**
-   * Restores subscriptions and retained messages on a new session before it is used. Called on the
-   * link thread.
-   */
+  /** Restores subscriptions and retained messages on a new session, on the link thread. */
   void renew(MqttSession session) throws MqttException, InterruptedException {
     retained.restore(session);
     subscriptions.renew(session);
   }
 
   /**
-   * Completes requests on the current session that were made before it was in use or that it could
-   * not accept. Called on the link thread.
-   *
-   * @return whether everything is done
+   * Completes requests that the session could not accept or that preceded it, on the link thread.
+   * Returns whether everything is done.
    */
   boolean catchUp(MqttSession session) throws MqttException {
     subscriptions.renew(session);
@@ -235,7 +227,6 @@ final class MqttConnection implements Connection, MqttSession.Owner {
     link.lost(session, why);
   }
 
-  /** Called when the link is lost. */
   void interrupted(String why) {
     refusedBefore = incoming.refused();
     receiver.trouble(why);
@@ -252,12 +243,10 @@ final class MqttConnection implements Connection, MqttSession.Owner {
             incoming.refused() - refusedBefore));
   }
 
-  /** Called when reconnection fails for a new reason. */
   void trouble(String what) {
     receiver.trouble(what);
   }
 
-  /** Counts messages whose delivery is unknown. */
   void unconfirmed(long messages) {
     incoming.refuse(messages);
   }
@@ -281,8 +270,8 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   }
 
   /**
-   * Cache of a system's outgoing topics by channel and type. Without a system of its own, each
-   * message's system counts, and nothing is cached.
+   * Cache of outgoing topics by channel and type. Without a system of its own, each message's
+   * system counts, and nothing is cached.
    */
   static final class TopicNames {
     private final String systemId;

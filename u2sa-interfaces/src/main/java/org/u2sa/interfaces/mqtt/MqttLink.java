@@ -14,11 +14,9 @@ import org.eclipse.paho.client.mqttv3.MqttException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Maintains a connection's link to the broker: creates a new session when one breaks, and declares
- * it open only after all subscriptions are confirmed. Paho's automatic reconnect would hide
- * failures of that.
- *
- * <p>A daemon thread, the link thread, creates sessions and supervises the link.
+ * Maintains a connection's link to the broker on a daemon thread: creates a new session when one
+ * breaks, and declares it open only after all subscriptions are confirmed, which Paho's automatic
+ * reconnect does not.
  */
 final class MqttLink {
   private static final long ANSWER_WITHIN_MS = 4_000;
@@ -41,7 +39,6 @@ final class MqttLink {
   private String lastFailure = ""; // used by the link thread only
   private long lostAtMicros; // used by the link thread only
 
-  /** Creates an unopened link; see {@link #open}. */
   MqttLink(String address, String clientId, MqttConnection owner, MqttClient client) {
     this.client = client;
     this.address = address;
@@ -100,8 +97,8 @@ final class MqttLink {
   }
 
   /**
-   * Whether the broker rejects us permanently. "Bad user name or password" without credentials does
-   * not count, because a starting embedded broker answers so.
+   * Whether the broker rejects us permanently. "Bad user name or password" does not count without
+   * credentials, because a starting embedded broker answers so.
    */
   private boolean isRefusal(MqttException failure) {
     int code = failure.getReasonCode();
@@ -173,12 +170,11 @@ final class MqttLink {
     }
   }
 
-  /** Current session; null if none. */
   MqttSession session() {
     return current.get();
   }
 
-  /** Handles a broken session and starts reconnecting. Called on the session's threads. */
+  /** Starts reconnecting. Called on the session's threads. */
   void lost(MqttSession session, String why) {
     owner.unconfirmed(session.end());
     if (!current.compareAndSet(session, null) || closed) {
@@ -235,8 +231,7 @@ final class MqttLink {
 
   /**
    * Ends the session after pending messages are sent, and stops all attempts. A running attempt is
-   * not interrupted before the broker answers or it times out, because Paho leaks threads if
-   * interrupted while starting them.
+   * not interrupted, because Paho would leak threads.
    */
   void close() {
     closed = true;
@@ -257,8 +252,8 @@ final class MqttLink {
   }
 
   /**
-   * Exponential back-off with jitter between connection attempts, so that a vehicle's services do
-   * not all hit a restarted broker at once.
+   * Exponential back-off with jitter, so that a vehicle's services do not all hit a restarted
+   * broker at once.
    */
   static final class BackOff {
     private static final long FIRST_MS = 100;
@@ -272,17 +267,13 @@ final class MqttLink {
       this.random = random;
     }
 
-    /**
-     * Wait before the next attempt [ms]: random between half and all of a value that doubles each
-     * time.
-     */
+    /** Wait before the next attempt [ms]: random between half and all of a value that doubles. */
     synchronized long nextMs() {
       long whole = nextMs;
       nextMs = Math.min(LONGEST_MS, 2 * nextMs);
       return Math.round(whole * (MIN_PART + (1 - MIN_PART) * random.nextDouble()));
     }
 
-    /** Resets to the shortest wait after success. */
     synchronized void reset() {
       nextMs = FIRST_MS;
     }

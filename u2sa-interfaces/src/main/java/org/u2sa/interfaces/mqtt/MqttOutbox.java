@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * Output buffer of a broker connection. The writer also sends, without blocking; data the network
- * does not accept is kept for later. Not thread-safe.
+ * Output buffer of a broker connection. The writer also sends, without blocking; the rest is kept
+ * for later. Not thread-safe.
  */
 final class MqttOutbox {
   private static final int FIRST_BUFFER = 1 << 14;
@@ -18,7 +18,6 @@ final class MqttOutbox {
     this.channel = channel;
   }
 
-  /** Whether everything was sent. */
   boolean isEmpty() {
     return waiting.position() == 0 && !channel.hasUnsent();
   }

@@ -20,16 +20,11 @@ final class MqttPacketReader {
   private static final int TOPICS = 256; // must be a power of two
   private static final int LONGEST_KEPT_TOPIC = 1_024;
 
-  /** Receives parsed packets. */
   interface Handler {
     /** CONNACK with return code; 0 means accepted. */
     void connected(int code);
 
-    /**
-     * PUBLISH.
-     *
-     * @param packetId identifier to acknowledge; 0 for none
-     */
+    /** PUBLISH; a packet identifier of 0 needs no acknowledgement. */
     void message(String topic, byte[] payload, int packetId, boolean retained);
 
     /** PUBACK, SUBACK or UNSUBACK. */

@@ -51,7 +51,7 @@ final class MqttPackets {
     return whole(packet);
   }
 
-  /** SUBSCRIBE to filters, all with the same QoS. */
+  /** SUBSCRIBE, all filters with the same QoS. */
   static ByteBuffer subscribe(int packetId, int quality, String... filters) {
     ByteBuffer packet = packet(0x82, Short.BYTES + length(filters) + filters.length);
     packet.putShort((short) packetId);
@@ -62,7 +62,6 @@ final class MqttPackets {
     return whole(packet);
   }
 
-  /** UNSUBSCRIBE from filters. */
   static ByteBuffer unsubscribe(int packetId, String... filters) {
     ByteBuffer packet = packet(0xa2, Short.BYTES + length(filters));
     packet.putShort((short) packetId);
@@ -83,11 +82,7 @@ final class MqttPackets {
     return LONGEST_HEAD + 2 * Short.BYTES + topic.length + payload.length;
   }
 
-  /**
-   * PUBLISH.
-   *
-   * @param packetId 1…65535 with QoS 1; 0 with QoS 0
-   */
+  /** PUBLISH; packet identifier 1…65535 with QoS 1, 0 with QoS 0. */
   static void putPublish(
       ByteBuffer to, byte[] topic, byte[] payload, int packetId, boolean retained) {
     to.put((byte) (0x30 | (packetId == 0 ? 0 : 0x02) | (retained ? 0x01 : 0)));
@@ -99,15 +94,12 @@ final class MqttPackets {
     to.put(payload);
   }
 
-  /** PUBACK. */
   static void putPubAck(ByteBuffer to, int packetId) {
     to.put((byte) 0x40).put((byte) Short.BYTES).putShort((short) packetId);
   }
 
   /**
-   * UTF-8 bytes of a text.
-   *
-   * @throws IllegalArgumentException if it is longer than MQTT allows
+   * @throws IllegalArgumentException if the text is longer than MQTT allows
    */
   static byte[] text(String text) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);

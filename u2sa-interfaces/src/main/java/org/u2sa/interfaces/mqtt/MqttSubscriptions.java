@@ -10,8 +10,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
 
 /**
- * Subscribed channels of an MQTT connection, across sessions, and those rejected by the broker.
- * Thread-safe.
+ * Subscribed channels of a connection, across sessions, and those the broker rejected. Thread-safe.
  */
 final class MqttSubscriptions {
   private final String address;
@@ -21,7 +20,6 @@ final class MqttSubscriptions {
   private final Set<String> refused = ConcurrentHashMap.newKeySet();
 
   /**
-   * @param address broker address, for error messages
    * @param trouble notified of rejected or unanswered requests
    */
   MqttSubscriptions(String address, String systemId, Consumer<String> trouble) {
@@ -35,26 +33,22 @@ final class MqttSubscriptions {
     return wanted.get(channelName);
   }
 
-  /** Names of channels rejected by the broker. */
   Set<String> refused() {
     return new TreeSet<>(refused);
   }
 
-  /** Adds a channel to subscribe to on every session. */
   void want(Channel<?> channel) {
     wanted.put(channel.name(), channel);
   }
 
-  /** Reverts {@link #want}. */
   void forget(Channel<?> channel) {
     wanted.remove(channel.name());
     refused.remove(channel.name());
   }
 
   /**
-   * Subscribes on a session.
-   *
-   * @return whether the broker accepts, or will be asked on the next session because this one broke
+   * Returns whether the broker accepts, or will be asked on the next session because this one
+   * broke.
    */
   boolean begin(MqttSession session, Channel<?> channel) {
     try {
@@ -65,7 +59,6 @@ final class MqttSubscriptions {
     }
   }
 
-  /** Unsubscribes on a session; returns likewise. */
   boolean end(MqttSession session, Channel<?> channel) {
     try {
       session.unsubscribe(Topic.filter(systemId, channel));
@@ -77,8 +70,7 @@ final class MqttSubscriptions {
   }
 
   /**
-   * Subscribes to channels not yet requested on this session. Rejected channels are skipped and
-   * retried on the next session.
+   * Subscribes to channels not yet requested on this session; rejected ones wait for the next.
    *
    * @throws MqttException if the broker does not answer
    */

@@ -13,14 +13,10 @@ import org.u2sa.messages.schema.MessageCodec;
 /**
  * Transport to a Communication Manager in another process, or to any other MQTT broker.
  *
- * @param host the broker's name or address
- * @param port the broker's TCP port, 1…65535
+ * @param port TCP port, 1…65535
  * @param systemId system whose messages are exchanged; {@link Topic#ANY_SYSTEM} receives from all
  *     systems on the broker and publishes only messages that name their system
- * @param codec message codec
- * @param access credentials
  * @param patienceS time limit of the first connection [s]
- * @param client MQTT client implementation
  */
 public record MqttTransport(
     String host,
@@ -31,10 +27,7 @@ public record MqttTransport(
     double patienceS,
     MqttClient client)
     implements Transport {
-  /**
-   * Keep-alive. A dead link is detected within twice this time here and within 1.5 times by the
-   * broker.
-   */
+  /** A dead link is detected within twice this time here, within 1.5 times by the broker. */
   private static final int KEEP_ALIVE_S = 2;
 
   private static final int CONNECT_WITHIN_S = 3;
@@ -55,7 +48,7 @@ public record MqttTransport(
     }
   }
 
-  /** Creates a transport for a broker without login or encryption. */
+  /** Without login or encryption. */
   public MqttTransport(String host, int port, String systemId, MessageCodec codec) {
     this(host, port, systemId, codec, BrokerAccess.open());
   }
@@ -67,30 +60,20 @@ public record MqttTransport(
   }
 
   /**
-   * Copy with a time limit for the first connection, so that a host can be started before the
-   * broker's.
+   * Copy that waits for an absent broker at the first connection.
    *
-   * @param seconds time to wait for an absent broker [s], at least 0
+   * @param seconds time limit [s], at least 0
    */
   public MqttTransport waiting(double seconds) {
     return new MqttTransport(host, port, systemId, codec, access, seconds, client);
   }
 
-  /**
-   * Copy with another client implementation.
-   *
-   * @param other client implementation, overriding the process default
-   */
+  /** Copy with another client implementation than the process default. */
   public MqttTransport by(MqttClient other) {
     return new MqttTransport(host, port, systemId, codec, access, patienceS, other);
   }
 
-  /**
-   * Transport to another system on the same broker, whose systems are otherwise isolated from each
-   * other.
-   *
-   * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to receive from all
-   */
+  /** Copy for another system on the same broker, or {@link Topic#ANY_SYSTEM}. */
   public MqttTransport ofSystem(String otherSystemId) {
     return new MqttTransport(host, port, otherSystemId, codec, access, patienceS, client);
   }

@@ -12,12 +12,10 @@ public final class OriginNumbers {
   private final String sender;
   private final Map<String, Stream> streams = new ConcurrentHashMap<>();
 
-  /** Creates numbers for a sender with a unique name. */
   OriginNumbers(String sender) {
     this.sender = sender;
   }
 
-  /** Creates numbers for a new sender with a random name. */
   public static OriginNumbers ofNewSender() {
     return new OriginNumbers(newSender());
   }
@@ -32,10 +30,7 @@ public final class OriginNumbers {
     return stream != null ? stream : streams.computeIfAbsent(topic, name -> new Stream());
   }
 
-  /**
-   * Sequence of a topic. Callers hold the stream's lock from taking a number until the message is
-   * sent, so that messages leave in order.
-   */
+  /** Sequence of a topic. Callers hold its lock from taking a number until the message is sent. */
   public final class Stream {
     private long last;
 

@@ -40,7 +40,6 @@ final class PahoSession implements MqttSession {
   private volatile boolean closing;
   private boolean gone; // Paho client closed; guarded by this
 
-  /** Creates an unopened session; see {@link #open}. */
   PahoSession(
       String address,
       String clientId,
@@ -210,8 +209,8 @@ final class PahoSession implements MqttSession {
   }
 
   /**
-   * Schedules Paho's keep-alive on the connection's own thread. Paho's own ping senders keep the
-   * JVM alive or interrupt the thread that detected the dead link.
+   * Schedules Paho's keep-alive on the link thread, because Paho's own ping senders keep the JVM
+   * alive or interrupt the thread that detected the dead link.
    */
   private static final class KeepAlive implements MqttPingSender {
     private final ScheduledExecutorService thread;

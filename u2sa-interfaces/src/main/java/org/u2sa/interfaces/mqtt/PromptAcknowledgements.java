@@ -6,9 +6,9 @@ import java.nio.channels.SocketChannel;
 import java.util.Optional;
 
 /**
- * Disables delayed TCP acknowledgements where supported (Linux). A broker without TCP_NODELAY, such
- * as Mosquitto by default, delays its next small packet until the previous one is acknowledged (RFC
- * 896), otherwise up to 40 ms (RFC 1122, 4.2.3.2).
+ * Disables delayed TCP acknowledgements (Linux). A broker without TCP_NODELAY, such as Mosquitto by
+ * default, holds back a small packet until the previous one is acknowledged (RFC 896), by default
+ * up to 40 ms (RFC 1122, 4.2.3.2).
  */
 final class PromptAcknowledgements {
   private final SocketChannel channel;

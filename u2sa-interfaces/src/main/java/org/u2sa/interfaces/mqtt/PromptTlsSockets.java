@@ -20,7 +20,7 @@ final class PromptTlsSockets extends SSLSocketFactory {
     sockets = context.getSocketFactory();
   }
 
-  /** The same for a channel: verifies that the certificate is that of this host. */
+  /** Engine for a channel; verifies that the certificate is that of this host. */
   SSLEngine engine(String host, int port) {
     SSLEngine engine = context.createSSLEngine(host, port);
     engine.setUseClientMode(true);

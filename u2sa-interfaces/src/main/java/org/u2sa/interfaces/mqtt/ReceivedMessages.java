@@ -6,9 +6,8 @@ import java.util.Map;
 import java.util.function.Predicate;
 
 /**
- * Last message received on each retained topic. Bounded, because others may invent topics: the ones
- * not heard for longest are forgotten, and would be delivered again after a reconnection, which is
- * harmless. Thread-safe.
+ * Last message received on each retained topic. Bounded, because others may invent topics;
+ * forgotten ones are delivered again after a reconnection. Thread-safe.
  */
 final class ReceivedMessages {
   private static final int MAX_TOPICS = 4_096;
@@ -28,12 +27,10 @@ final class ReceivedMessages {
     return before;
   }
 
-  /** The remembered topics. */
   synchronized List<String> topics() {
     return List.copyOf(last.keySet());
   }
 
-  /** Forgets topics. */
   synchronized void forget(Predicate<String> topics) {
     last.keySet().removeIf(topics);
     bytes = last.values().stream().mapToLong(payload -> payload.length).sum();

@@ -17,9 +17,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Topic;
 
 /**
- * Retained messages known to a connection: the last published on each topic, so that a broker that
- * lost them receives them again, and the last received, so that a renewed subscription delivers
- * none twice. Thread-safe.
+ * Retained messages of a connection: the last published on each topic, for brokers that lost them,
+ * and the last received, so that a renewed subscription delivers none twice. Thread-safe.
  */
 final class RetainedTopics {
   private static final long ANSWER_WITHIN_MS = 300;
@@ -41,7 +40,6 @@ final class RetainedTopics {
     this.refuse = refuse;
   }
 
-  /** A published message and its confirmation status. */
   static final class Published {
     private final byte[] payload;
     private volatile boolean confirmed;
@@ -51,18 +49,16 @@ final class RetainedTopics {
       this.payload = payload;
     }
 
-    /** Marks the message as sent to the session's broker, or as no longer needed there. */
+    /** Marks the message as held by the session's broker, or no longer needed there. */
     void settle(MqttSession session) {
       settled = session;
     }
 
-    /** Marks the message as confirmed. */
     void confirm() {
       confirmed = true;
     }
   }
 
-  /** Topics with a pending query response. */
   private record Inquiry(Set<String> unanswered, CountDownLatch answers) {
     boolean answered(String topic) {
       boolean awaited = unanswered.remove(topic);
@@ -73,7 +69,7 @@ final class RetainedTopics {
     }
   }
 
-  /** Registers a message before publication; returns its delivery record. */
+  /** Registers a message before publication. */
   Published publishing(String topic, byte[] payload) {
     Published last = new Published(payload);
     published.put(topic, last);
@@ -93,17 +89,14 @@ final class RetainedTopics {
     return !(first && Arrays.equals(before, payload));
   }
 
-  /** Forgets messages received on a channel, so that a new subscription delivers them again. */
+  /** Forgets what was received on a channel, so that a new subscription delivers it again. */
   void forget(Channel<?> channel) {
     received.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }
 
   /**
-   * Republishes to a new session's broker the messages it does not hold or may not have received.
-   * Messages published since by other connections are left alone.
-   *
-   * @param session not in use yet, so no other thread publishes on it
-   * @throws MqttException if the broker does not answer
+   * Republishes what a new session's broker does not hold or may not have received, unless another
+   * connection has published since. The session is not in use yet.
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
     knownBefore.clear();
@@ -143,7 +136,6 @@ final class RetainedTopics {
     return lacking;
   }
 
-  /** Asks within one packet. */
   private Set<String> notHeld(MqttSession session, List<String> asked)
       throws MqttException, InterruptedException {
     Set<String> lacking = ConcurrentHashMap.newKeySet();
@@ -163,12 +155,11 @@ final class RetainedTopics {
   }
 
   /**
-   * Publishes on the current session the messages it lacks: those published while it was being
-   * created, or rejected when first sent.
+   * Publishes what the current session lacks: published while it was created, or rejected when
+   * sent.
    *
    * @param lockOf lock held while publishing on a topic, so that no message overtakes a newer one
    * @return whether the session now has everything
-   * @throws MqttException if the session breaks
    */
   boolean catchUp(MqttSession session, Function<String, ?> lockOf) throws MqttException {
     boolean all = true;

@@ -22,7 +22,7 @@ final class SecretFiles {
   /**
    * Rejects a file that is accessible to others, or not a regular file.
    *
-   * @param variable variable that names the file, for the message
+   * @param variable names the file in the message
    * @throws BadInputException if it is rejected; a missing file is reported when it is read
    */
   static void requireClosed(String variable, Path file) {
@@ -30,8 +30,7 @@ final class SecretFiles {
   }
 
   /**
-   * Rejects a world-writable file, since its content decides which brokers are trusted, or one that
-   * is not a regular file.
+   * Rejects a file that is world-writable, or not a regular file.
    *
    * @throws BadInputException as {@link #requireClosed}
    */

@@ -12,8 +12,8 @@ import javax.net.ssl.SSLEngineResult.HandshakeStatus;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A {@link BrokerChannel} with TLS, which never blocks after its handshake. MQTT says itself when a
- * session ends, so closing sends no close_notify.
+ * A {@link BrokerChannel} with TLS, which never blocks after its handshake. Sends no close_notify,
+ * because MQTT says itself when a session ends.
  */
 final class TlsChannel implements BrokerChannel {
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);
@@ -39,12 +39,11 @@ final class TlsChannel implements BrokerChannel {
   }
 
   /**
-   * Shakes hands, before the first read and write.
+   * Performs the handshake, before the first read and write.
    *
    * @param selector announces when the socket is readable
-   * @throws SocketTimeoutException if the broker does not answer within this time
-   * @throws IOException if the broker's certificate is not trusted or belongs to another host, no
-   *     protocol is common to both, or the connection breaks
+   * @throws IOException if the certificate is not trusted or belongs to another host, no protocol
+   *     is common to both, the broker does not answer in time, or the connection breaks
    */
   void shakeHands(Selector selector, Clock clock, long withinMs) throws IOException {
     long deadline = clock.micros() + TimeUnit.MILLISECONDS.toMicros(withinMs);

@@ -20,9 +20,7 @@ public interface Clock {
    */
   long micros();
 
-  /**
-   * Whether time stands still while threads work, so that nothing is late by waiting for a disk.
-   */
+  /** Whether time stands still while threads work. */
   default boolean isSimulated() {
     return false;
   }
@@ -35,11 +33,9 @@ public interface Clock {
   Waiter newWaiter(String name);
 
   /**
-   * {@link #newWaiter(String)} for a low-latency thread: in real time it spins for a while before
-   * it sleeps, at the cost of that much CPU time, and again before a deadline. In simulated time it
-   * does not spin.
+   * {@link #newWaiter(String)} for a low-latency thread: in real time it spins (busy-waits) at the
+   * start of a wait and before a deadline.
    *
-   * @param name name for diagnostics
    * @param spinMicros maximum spin time per wait [µs]; 0 to not spin
    */
   default Waiter newWaiter(String name, long spinMicros) {
@@ -47,21 +43,17 @@ public interface Clock {
   }
 
   /**
-   * {@link #newWaiter(String)} for a thread whose code may also wait elsewhere, such as in {@link
-   * Thread#sleep} or for a device. Simulated time advances without the thread meanwhile.
+   * {@link #newWaiter(String)} for a thread that may also block elsewhere, such as in {@link
+   * Thread#sleep}; simulated time then advances without it.
    *
-   * @param thread the waiting thread, started after this call
-   * @param outOfStep called by the driving thread when simulated time first advances without the
-   *     thread
+   * @param thread started after this call
+   * @param outOfStep called by the driving thread when that first happens
    */
   default Waiter newWaiter(Thread thread, Runnable outOfStep) {
     return newWaiter(thread.getName());
   }
 
-  /**
-   * The thread on whose behalf the caller runs: the one that {@linkplain Waiter#lend lent} the
-   * current turn if the clock runs it on another thread, else the calling thread.
-   */
+  /** The thread that {@linkplain Waiter#lend lent} the current turn, or else the calling thread. */
   static Thread runningThread() {
     return Thread.currentThread() instanceof TurnThread carrier
         ? carrier.lender()
@@ -87,21 +79,16 @@ public interface Clock {
     /**
      * Runs one turn.
      *
-     * @return deadline of the next turn, time of the clock [µs], or {@link Clock#NEVER}; a signal
-     *     starts the turn earlier; {@link #OVER} at the end
-     * @throws InterruptedException if the thread was interrupted
+     * @return deadline of the next turn [µs] or {@link Clock#NEVER}; a signal starts it earlier;
+     *     {@link #OVER} at the end
      */
     long take() throws InterruptedException;
   }
 
-  /**
-   * The waiting point of one thread. Only that thread may call {@link #await} and {@link #lend};
-   * any thread may call the other methods.
-   */
+  /** The waiting point of one thread, which alone may call {@link #await} and {@link #lend}. */
   interface Waiter extends AutoCloseable {
     /**
-     * Waits until {@link #signal} was called since the last wait, or until the clock reaches the
-     * deadline.
+     * Waits for a {@link #signal} since the last wait, or for the deadline.
      *
      * @param deadlineMicros time of this clock [µs], or {@link Clock#NEVER}
      * @throws InterruptedException if the waiting thread was interrupted
@@ -111,10 +98,9 @@ public interface Clock {
     /**
      * Runs turns until they are over, {@linkplain #await waiting} between them.
      *
-     * <p>The thread lends its turns: the clock may run some of them on its own thread while this
-     * one is blocked in the call. Turns run one at a time, each sees the writes of earlier ones,
-     * and no lock may be held between turns. Interrupting this thread interrupts the running turn.
-     * {@link Clock#runningThread} is this thread in all of them.
+     * <p>The clock may run some of them on its own thread while this one is blocked in the call.
+     * Turns run one at a time, each sees the writes of earlier ones, and no lock may be held
+     * between turns. Interrupting this thread interrupts the running turn.
      *
      * @throws InterruptedException if this thread was interrupted, or a turn threw it; any other
      *     exception of a turn is rethrown here
@@ -128,10 +114,7 @@ public interface Clock {
     /** Ends the current wait, or the next one if the thread is not waiting. Never blocks. */
     void signal();
 
-    /**
-     * Releases the waiter: waits return immediately from now on, and a simulation advances without
-     * this thread. Idempotent.
-     */
+    /** Releases the waiter: waits return at once, and a simulation advances without this thread. */
     @Override
     void close();
   }

@@ -3,21 +3,18 @@ package org.u2sa.interfaces.time;
 import java.util.ArrayDeque;
 
 /**
- * Worker threads on which a {@link LockstepClock} runs lent turns. Usually one; more are created
- * while code in a lent turn waits for another turn or hangs. They end when no thread lends turns
- * any more. Guarded by the clock's lock.
+ * Worker threads on which a {@link LockstepClock} runs lent turns: usually one, more while a turn
+ * waits inside or hangs. They end when no thread lends turns any more. Guarded by the clock's lock.
  */
 final class LentTurnThreads {
   private final ArrayDeque<Carrier> free = new ArrayDeque<>(); // LIFO
   private int lenders;
   private int made;
 
-  /** Registers a thread that starts lending turns. */
   void join() {
     lenders++;
   }
 
-  /** Unregisters a thread that stops lending. */
   void leave() {
     lenders--;
     if (lenders == 0) {
@@ -26,7 +23,6 @@ final class LentTurnThreads {
     }
   }
 
-  /** Runs a lent turn on a carrier. */
   void carry(LentTurns loan) {
     Carrier carrier = free.poll();
     if (carrier == null) {
@@ -38,7 +34,6 @@ final class LentTurnThreads {
     carrier.carry(loan);
   }
 
-  /** Releases the carrier of a loan for the next turn. */
   void release(LentTurns loan) {
     Carrier carrier = loan.carrier();
     loan.carriedBy(null);
@@ -50,7 +45,6 @@ final class LentTurnThreads {
     }
   }
 
-  /** A thread that runs lent turns. */
   static final class Carrier extends Thread implements TurnThread {
     private final TurnWait wait = new TurnWait();
     private LentTurns loan; // null while idle, and at the end

@@ -19,8 +19,6 @@ final class LentTurns {
   private boolean interrupted;
 
   /**
-   * Creates a loan of the calling thread's turns.
-   *
    * @param goesOn evaluated on the carrier after each turn: whether it runs the next one, too
    */
   LentTurns(Clock.Turns turns, Predicate<LentTurns> goesOn) {
@@ -32,12 +30,10 @@ final class LentTurns {
     return lender;
   }
 
-  /** Lends the turns. */
   void begin() {
     wait.begin();
   }
 
-  /** Sets the carrier that runs the turn, or null for none. */
   void carriedBy(LentTurnThreads.Carrier taker) {
     carrier = taker;
   }
@@ -57,27 +53,22 @@ final class LentTurns {
     } while (goesOn.test(this));
   }
 
-  /**
-   * Whether the lender must continue by itself after this turn; called on the carrier, once per
-   * turn.
-   */
+  /** Whether the lender must continue by itself; called on the carrier, once per turn. */
   boolean isEnding() {
     interrupted = Thread.interrupted();
     return interrupted || thrown != null || deadlineMicros == Clock.Turns.OVER;
   }
 
-  /** Deadline of the next turn [µs]. */
   long deadlineMicros() {
     return deadlineMicros;
   }
 
-  /** Ends the loan: the lender continues by itself. */
   void giveBack() {
     carrier = null;
     wait.end();
   }
 
-  /** Forwards an interrupt of the lender to the running turn; called by the lender. */
+  /** Forwards an interrupt of the lender to the running turn. */
   void passInterruptOn() {
     if (carrier == null) {
       lender.interrupt();
@@ -86,12 +77,11 @@ final class LentTurns {
     }
   }
 
-  /** Blocks until the loan is returned or the thread is interrupted; called by the lender. */
+  /** Blocks the lender until the loan is returned or the thread is interrupted. */
   void await() {
     wait.await();
   }
 
-  /** Whether the loan is still outstanding. */
   boolean isLent() {
     return wait.isWaiting();
   }
@@ -99,7 +89,7 @@ final class LentTurns {
   /**
    * Whether the turns are over; called by the lender after the loan was returned.
    *
-   * @throws InterruptedException if that turn threw it, or was interrupted and did not end them
+   * @throws InterruptedException if a turn threw it, or was interrupted and did not end them
    */
   boolean isOver() throws InterruptedException {
     if (thrown instanceof Error error) {

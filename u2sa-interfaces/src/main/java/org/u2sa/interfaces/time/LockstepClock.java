@@ -79,11 +79,8 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Advances time by the span, running everything due up to and including its end; returns when all
-   * threads wait.
-   *
-   * @param micros span [µs], not negative; 0 only lets threads handle pending signals
-   * @throws InterruptedException if the calling thread was interrupted
+   * Advances time by a span [µs], running everything due up to and including its end; returns when
+   * all threads wait. A span of 0 only lets threads handle pending signals.
    */
   public void advance(long micros) throws InterruptedException {
     if (micros < 0) {
@@ -96,12 +93,9 @@ public final class LockstepClock implements Clock {
   /**
    * Advances time until the condition holds or the limit is reached.
    *
-   * @param condition evaluated each time before time advances, while no service runs; must not
-   *     block
-   * @param limitMicros time of this clock [µs] at which to give up
+   * @param condition evaluated before each advance, while no service runs; must not block
+   * @param limitMicros time of this clock [µs]
    * @return whether the condition held
-   * @throws InterruptedException if the calling thread was interrupted
-   * @throws RuntimeException if the condition threw it
    */
   public boolean runUntil(BooleanSupplier condition, long limitMicros) throws InterruptedException {
     drive(condition, limitMicros);
@@ -127,7 +121,6 @@ public final class LockstepClock implements Clock {
     }
   }
 
-  /** The caller holds the lock. */
   private void awaitEndOfDrive() throws InterruptedException {
     while (driving) {
       if (unreliable.isEmpty()) {
@@ -149,9 +142,8 @@ public final class LockstepClock implements Clock {
   }
 
   /**
-   * Whether the driver's condition holds. It is evaluated on the last thread to wait, but its
-   * exceptions go to the driver: they must neither kill that thread's service nor leave the driver
-   * blocked.
+   * Evaluates the driver's condition on the last thread to wait. Exceptions go to the driver: they
+   * must neither kill that thread's service nor leave the driver blocked.
    */
   private boolean isDone() {
     try {
@@ -291,7 +283,6 @@ public final class LockstepClock implements Clock {
       }
     }
 
-    /** Lends the following turns, unless the next one is due immediately. */
     private boolean isLent(LentTurns mine, long deadline) {
       synchronized (lock) {
         if (goesOn()) {
@@ -326,7 +317,6 @@ public final class LockstepClock implements Clock {
       return mine.isOver();
     }
 
-    /** Whether the carrier of a finished turn runs the next one immediately. */
     private boolean goesOn(LentTurns lent) {
       synchronized (lock) {
         boolean isEnding = lent.isEnding();

@@ -1,16 +1,14 @@
 package org.u2sa.interfaces.time;
 
 /**
- * Detects whether a thread that has its turn on a {@link LockstepClock} is blocked on something
- * else. Polled during the turn. Guarded by the clock's lock.
+ * Detects whether a thread that has its turn on a {@link LockstepClock} blocks elsewhere. Guarded
+ * by the clock's lock.
  */
 final class StepWatch {
-  /**
-   * Consecutive polls that must find the thread asleep; waits for a lock or a log file are shorter.
-   */
+  /** Consecutive polls that must find it asleep; waits for locks and log files are shorter. */
   private static final int ASLEEP_LOOKS = 3;
 
-  /** Polls of a thread that appears runnable, but may block in a system call or loop forever. */
+  /** Polls of a thread that seems to run, but may block in a system call or loop forever. */
   private static final int BUSY_LOOKS = 200;
 
   private final Thread thread;
@@ -19,21 +17,16 @@ final class StepWatch {
   private int asleep; // consecutive polls that found it asleep
   private boolean hasTold;
 
-  /**
-   * @param outOfStep called when the thread first blocks on something else
-   */
   StepWatch(Thread thread, Runnable outOfStep) {
     this.thread = thread;
     this.outOfStep = outOfStep;
   }
 
-  /** Resets the watch: the thread waits on the clock. */
   void reset() {
     looks = 0;
     asleep = 0;
   }
 
-  /** Polls once. */
   boolean isElsewhere() {
     Thread.State state = thread.getState();
     if (state == Thread.State.TERMINATED) {

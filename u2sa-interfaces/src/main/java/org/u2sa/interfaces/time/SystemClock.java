@@ -21,7 +21,6 @@ public final class SystemClock implements Clock {
 
   private final TimeBase base;
 
-  /** Creates a clock with the time of this process. */
   public SystemClock() {
     this(OF_PROCESS);
   }
@@ -30,19 +29,12 @@ public final class SystemClock implements Clock {
     this.base = base;
   }
 
-  /**
-   * Creates a clock with an offset to this one.
-   *
-   * @param offsetMicros offset [µs]; positive is ahead
-   */
+  /** Clock with an offset to this one [µs]; positive is ahead. */
   public SystemClock ahead(long offsetMicros) {
     return new SystemClock(new TimeBase(base.zeroMicros() + offsetMicros));
   }
 
-  /**
-   * The JVM option that makes a child process on this machine, started now, agree with this process
-   * on the time.
-   */
+  /** JVM option by which a child process started now agrees with this one on the time. */
   public static String option() {
     return "-D" + PROPERTY + "=" + OF_PROCESS.text(System.nanoTime());
   }
@@ -64,7 +56,6 @@ public final class SystemClock implements Clock {
   }
 
   private final class ParkingWaiter implements Waiter {
-    /** Spin iterations between two yields. */
     private static final int LOOKS_BEFORE_YIELD = 64;
 
     private final AtomicBoolean signalled = new AtomicBoolean();
@@ -107,7 +98,6 @@ public final class SystemClock implements Clock {
       }
     }
 
-    /** Spins until a signal, the deadline or the end of the spin time. */
     private void lookOut(long deadlineMicros) {
       long until = Math.min(deadlineMicros, micros() + spinMicros);
       for (int looks = 1; !signalled.get() && !closed && micros() < until; looks++) {
@@ -134,26 +124,21 @@ public final class SystemClock implements Clock {
   }
 
   /**
-   * Maps the machine's monotonic clock to the time of day. It is determined once per process and
-   * handed to child processes, so that none of them sees changes of the machine's time of day. On
-   * Linux and Android all processes share the monotonic clock; elsewhere an inherited base is
-   * detected as implausible and ignored.
+   * Maps the machine's monotonic clock to the time of day, which is read once per process tree.
+   * Where processes do not share the monotonic clock (they do on Linux and Android), an inherited
+   * base is implausible and ignored.
    *
    * @param zeroMicros time of day when the monotonic clock read 0 [µs since 1970-01-01T00:00Z]
    */
   record TimeBase(long zeroMicros) {
-    /** An inherited base is valid only if the process started within this time of the hand-over. */
+    /** Maximum age of an inherited base. */
     private static final long STARTS_WITHIN_NANOS = 600_000_000_000L;
 
     private static final long NANOS_PER_MICRO = 1_000L;
     private static final long MICROS_PER_MILLI = 1_000L;
 
     /**
-     * The base of this process.
-     *
      * @param handed {@link #text} of the parent process; empty if none
-     * @param timeOfDayMillis the machine's time of day [ms since 1970-01-01T00:00Z]
-     * @param monotonicNanos the machine's monotonic clock [ns]
      */
     static TimeBase of(String handed, LongSupplier timeOfDayMillis, LongSupplier monotonicNanos) {
       String[] parts = handed.split(",", -1);
@@ -175,12 +160,10 @@ public final class SystemClock implements Clock {
       return new TimeBase(timeOfDayMillis.getAsLong() * MICROS_PER_MILLI - monotonicMicros);
     }
 
-    /** The time of day at a reading of the monotonic clock [µs since 1970-01-01T00:00Z]. */
     long micros(long monotonicNanos) {
       return zeroMicros + monotonicNanos / NANOS_PER_MICRO;
     }
 
-    /** The base to hand to a child process started now. */
     String text(long monotonicNanos) {
       return zeroMicros + "," + monotonicNanos;
     }

@@ -19,18 +19,15 @@ final class TurnWait {
   private volatile boolean called;
   private volatile Thread asleep; // null while the thread is awake
 
-  /** Whether the thread is still waiting for its turn. */
   boolean isWaiting() {
     return waiting;
   }
 
-  /** Marks the thread as about to {@link #await} its turn. */
   void begin() {
     called = false;
     waiting = true;
   }
 
-  /** Ends the wait. */
   void end() {
     waiting = false;
     wake();

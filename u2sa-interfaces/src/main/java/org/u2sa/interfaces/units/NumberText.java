@@ -28,15 +28,11 @@ public final class NumberText {
         : rounded.toString();
   }
 
-  /**
-   * Formats a value of a variable's type: decimals as {@link #of(double)}, integers and texts
-   * as-is.
-   */
+  /** Decimals as {@link #of(double)}, integers and texts as-is. */
   public static String ofValue(Object value) {
     return value instanceof Double number ? of(number) : String.valueOf(value);
   }
 
-  /** {@link #ofValue(Object)} followed by the unit, if any. */
   public static String withUnit(Object value, String unit) {
     return unit.isEmpty() ? ofValue(value) : ofValue(value) + " " + unit;
   }

@@ -4,19 +4,14 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/**
- * A number with a unit, as typed by users: {@code 25 deg}.
- *
- * @param number number as typed, parsable by {@link Double#parseDouble}
- * @param unit unit as typed, not validated
- */
+/** A number with a unit, as typed by users: {@code 25 deg}. The unit is not validated. */
 public record NumberWithUnit(String number, String unit) {
   /** Possessive quantifiers, so that the end of a bare number is not mistaken for a unit. */
   private static final Pattern FORM =
       Pattern.compile(
           "\\s*([+-]?+(?:\\d++\\.?+\\d*+|\\.\\d++)(?:[eE][+-]?+\\d++)?+)\\s*+([^\\s\\d].*?)\\s*");
 
-  /** Parses a text; empty unless it is a number with a unit. */
+  /** Empty unless the text is a number with a unit. */
   public static Optional<NumberWithUnit> of(String text) {
     Matcher form = FORM.matcher(text);
     return form.matches()
@@ -24,14 +19,11 @@ public record NumberWithUnit(String number, String unit) {
         : Optional.empty();
   }
 
-  /** The number, in the unit that was written. */
   public double value() {
     return Double.parseDouble(number);
   }
 
   /**
-   * Converts the number to another unit.
-   *
    * @throws IllegalArgumentException if a unit is unknown or measures a different quantity
    */
   public double in(String other) {

@@ -90,9 +90,9 @@ public final class Units {
   }
 
   /**
-   * Converts {@code value} from one unit to another. A unit converts to itself even if unknown.
+   * Converts between units; a unit converts to itself even if unknown.
    *
-   * @throws IllegalArgumentException if a unit is unknown or the two measure different quantities;
+   * @throws IllegalArgumentException if a unit is unknown or they measure different quantities;
    *     lists valid units
    */
   public static double convert(double value, String from, String to) {

@@ -14,9 +14,7 @@ public final class XmlNumbers {
    * Number in an element, converted from its {@code unit} attribute.
    *
    * @param ifUnset unit without the attribute
-   * @param to unit of the result
-   * @throws org.u2sa.interfaces.BadInputException if it is not a number, or its unit is of another
-   *     dimension
+   * @throws org.u2sa.interfaces.BadInputException if it is not a number, or of another dimension
    */
   public static double converted(XmlElement element, String ifUnset, String to) {
     String unit = element.optionalAttribute("unit").orElse(ifUnset);
@@ -35,17 +33,14 @@ public final class XmlNumbers {
     }
   }
 
-  /** Rejects an invalid longitude. */
   public static void checkLongitude(XmlElement element, double longitudeDeg) {
     within(element, longitudeDeg, -180.0, 180.0, "deg of longitude");
   }
 
-  /** Rejects an invalid latitude. */
   public static void checkLatitude(XmlElement element, double latitudeDeg) {
     within(element, latitudeDeg, -90.0, 90.0, "deg of latitude (x is longitude, y is latitude)");
   }
 
-  /** Rejects a number outside a range. */
   private static void within(
       XmlElement element, double value, double min, double max, String what) {
     if (!(value >= min && value <= max)) {

@@ -9,8 +9,8 @@ public final class NearestNames {
   private NearestNames() {}
 
   /**
-   * Known name with the smallest edit distance to {@code given}, ignoring case; empty if it differs
-   * in more than a third of its letters.
+   * Known name with the smallest edit distance, ignoring case; empty if more than a third of its
+   * letters differ.
    */
   public static Optional<String> nearest(String given, Collection<String> known) {
     String wanted = given.toLowerCase(Locale.ROOT);

@@ -12,12 +12,9 @@ final class XmlAttributes {
 
   private XmlAttributes() {}
 
-  /** Position of a value between its quotes, and the quote character. */
   record Value(int start, int end, char quote) {}
 
-  /**
-   * Position of the value of {@code attribute} in the start tag whose {@code <} is at {@code tag}.
-   */
+  /** Position of an attribute's value in the start tag whose {@code <} is at {@code tag}. */
   static Value find(String text, int tag, String attribute) {
     int at = tag;
     while (!Character.isWhitespace(text.charAt(at))) {
@@ -51,7 +48,7 @@ final class XmlAttributes {
   }
 
   /**
-   * Escapes {@code value} for use between {@code quote}s in a file of this encoding.
+   * Escapes a value for a file of this encoding.
    *
    * @throws IllegalArgumentException if a character is not representable in XML
    */

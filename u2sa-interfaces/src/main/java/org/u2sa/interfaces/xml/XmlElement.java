@@ -11,15 +11,11 @@ import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * An XML element with its position, for error messages. Names are case-sensitive; mixed content is
- * not supported. Immutable.
+ * An XML element with its position, for error messages. Mixed content is not supported.
  *
  * @param origin source file, as named by the user
- * @param name tag name
  * @param line line of the start tag, from 1
  * @param span position in the file's text
- * @param attributes all attributes in file order
- * @param children all child elements in file order
  * @param text trimmed text content; empty if there are child elements
  */
 public record XmlElement(
@@ -32,7 +28,6 @@ public record XmlElement(
     String text) {
   private static final int SHORT = 40;
 
-  /** Makes unmodifiable copies. */
   public XmlElement {
     attributes =
         attributes.isEmpty()
@@ -46,8 +41,6 @@ public record XmlElement(
   }
 
   /**
-   * A required attribute.
-   *
    * @throws BadInputException if it is missing
    */
   public String attribute(String attributeName) {
@@ -55,12 +48,10 @@ public record XmlElement(
         .orElseThrow(() -> error("attribute \"" + attributeName + "\" is missing"));
   }
 
-  /** An optional attribute. */
   public Optional<String> optionalAttribute(String attributeName) {
     return Optional.ofNullable(attributes.get(attributeName));
   }
 
-  /** Child elements by name, in file order. */
   public List<XmlElement> children(String childName) {
     return children.stream()
         .filter(child -> child.name.equals(childName))
@@ -68,8 +59,6 @@ public record XmlElement(
   }
 
   /**
-   * The only child element with this name, if present.
-   *
    * @throws BadInputException if there are several
    */
   public Optional<XmlElement> child(String childName) {
@@ -89,14 +78,11 @@ public record XmlElement(
     return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what);
   }
 
-  /** {@link #error(String)} with a cause. */
   public BadInputException error(String what, Throwable cause) {
     return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what, cause);
   }
 
   /**
-   * Rejects unknown attributes.
-   *
    * @throws BadInputException naming the first unknown attribute and the known ones
    */
   public void refuseUnknownAttributes(String... known) {
@@ -112,8 +98,6 @@ public record XmlElement(
   }
 
   /**
-   * Rejects unknown child elements.
-   *
    * @throws BadInputException at the first unknown child, naming the known ones
    */
   public void refuseUnknownChildren(String... known) {
@@ -131,9 +115,7 @@ public record XmlElement(
   }
 
   /**
-   * Rejects text content.
-   *
-   * @throws BadInputException quoting the start of the text
+   * @throws BadInputException quoting the start of the text, if there is any
    */
   public void refuseText() {
     if (!text.isEmpty()) {
@@ -141,13 +123,12 @@ public record XmlElement(
     }
   }
 
-  /** Shortens a text to one line, for a message. */
   static String shortened(String text) {
     String line = oneLine(text);
     return line.length() <= SHORT ? line : line.substring(0, SHORT) + "…";
   }
 
-  /** Sanitises text for a message: no line breaks or control characters. */
+  /** Replaces line breaks and control characters, for a message. */
   static String oneLine(String text) {
     return text.replaceAll("[\\p{Cntrl}\\s]+", " ");
   }
@@ -165,10 +146,10 @@ public record XmlElement(
   }
 
   /**
-   * Position of an element in its file's text, as character offsets.
+   * Character offsets of an element in its file.
    *
-   * @param start index of the start tag's {@code <}
-   * @param endTag index of the end tag's {@code <}; undefined for an empty-element tag
+   * @param start of the start tag's {@code <}
+   * @param endTag of the end tag's {@code <}; undefined for an empty-element tag
    */
   public record Span(int start, int endTag) {}
 }

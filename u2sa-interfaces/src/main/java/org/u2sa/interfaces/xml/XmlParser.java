@@ -18,10 +18,8 @@ import javax.xml.stream.XMLStreamReader;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Parses text into elements. The only class that uses Woodstox and StAX; the factory is named
- * explicitly, because Android has no look-up for it.
- *
- * <p>External references are never followed: a DOCTYPE is rejected, and any other external access
+ * Parses text into elements. Names the factory explicitly, because Android has no look-up for it.
+ * External references are never followed: a DOCTYPE is rejected, and any other external access
  * fails.
  */
 final class XmlParser {
@@ -65,7 +63,6 @@ final class XmlParser {
     return woodstox;
   }
 
-  /** An element whose end tag has not been read yet. */
   private static final class Open {
     private final String name;
     private final int line;
@@ -102,20 +99,15 @@ final class XmlParser {
     XmlElement last = null;
     while (reader.hasNext()) {
       switch (reader.next()) {
-        case XMLStreamConstants.START_ELEMENT:
-          start();
-          break;
-        case XMLStreamConstants.END_ELEMENT:
-          last = end();
-          break;
-        case XMLStreamConstants.CHARACTERS:
-        case XMLStreamConstants.CDATA:
-          text();
-          break;
-        case XMLStreamConstants.DTD:
-          throw new BadInputException(
-              origin + ", line " + line() + ": a DOCTYPE is not allowed here");
-        default: // ignore comments, processing instructions and white space around the root
+        case XMLStreamConstants.START_ELEMENT -> start();
+        case XMLStreamConstants.END_ELEMENT -> last = end();
+        case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> text();
+        case XMLStreamConstants.DTD ->
+            throw new BadInputException(
+                origin + ", line " + line() + ": a DOCTYPE is not allowed here");
+        default -> {
+          // ignore comments, processing instructions and white space around the root
+        }
       }
     }
     return last;

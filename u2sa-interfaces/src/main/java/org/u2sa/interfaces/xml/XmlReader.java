@@ -15,19 +15,17 @@ public final class XmlReader {
   /**
    * Reads the root element of a file.
    *
-   * @param expectedRoot required name
-   * @throws BadInputException if the file is missing, unreadable or invalid; names file, line and
-   *     expectation
+   * @throws BadInputException if it is missing, unreadable, invalid, or has another root; names
+   *     file, line and expectation
    */
   public static XmlElement read(Path file, String expectedRoot) {
     return XmlText.read(file).root(expectedRoot);
   }
 
   /**
-   * Reads the root element of a stream to its end, without closing it.
+   * {@link #read(Path, String)} from a stream, which is not closed.
    *
    * @param origin name of the source in messages
-   * @throws BadInputException as {@link #read(Path, String)}
    */
   public static XmlElement read(InputStream in, String origin, String expectedRoot) {
     try {

@@ -21,10 +21,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
-/**
- * An XML file as text. {@link #root} parses it; the {@code with…} methods return the text with a
- * single change, preserving all other characters. Immutable.
- */
+/** An XML file as text. {@link #root} parses it; edits preserve all other characters. Immutable. */
 public final class XmlText {
   /** Maximum file size; a world of a hundred thousand points takes a third of it. */
   private static final int MAX_BYTES = 16 * 1024 * 1024;
@@ -45,8 +42,8 @@ public final class XmlText {
   }
 
   /**
-   * Reads a file, decoded by its byte order mark or XML declaration, otherwise as UTF-8. Regular
-   * files only, because reading a device, a pipe or a zero-size kernel file may block or never end.
+   * Reads a file, decoded by its byte order mark or XML declaration, otherwise as UTF-8. Only
+   * regular files, because reading a device or pipe may block or never end.
    *
    * @throws BadInputException if it is missing, unreadable, too large or incorrectly encoded
    */
@@ -78,7 +75,6 @@ public final class XmlText {
     }
   }
 
-  /** Reads a stream up to slightly more than the limit, because it may be endless. */
   static XmlText of(InputStream in, String origin) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     byte[] chunk = new byte[CHUNK];
@@ -112,9 +108,6 @@ public final class XmlText {
   }
 
   /**
-   * The root element.
-   *
-   * @param expectedRoot required name of the root element
    * @throws BadInputException if the text is not well-formed or has another root
    */
   public XmlElement root(String expectedRoot) {
@@ -126,10 +119,9 @@ public final class XmlText {
   }
 
   /**
-   * Copy with another value of an existing attribute of {@code element}, which was read from this
-   * text.
+   * Copy with another value of an existing attribute of an element of this text.
    *
-   * @throws IllegalArgumentException if a character of {@code value} is not representable in XML
+   * @throws IllegalArgumentException if a character is not representable in XML
    */
   public XmlText withAttribute(XmlElement element, String attribute, String value) {
     XmlAttributes.Value place = XmlAttributes.find(text, element.span().start(), attribute);
@@ -137,10 +129,10 @@ public final class XmlText {
   }
 
   /**
-   * Copy with another empty element as the last child of {@code parent}, which was read from this
-   * text, on its own line and indented like the previous child.
+   * Copy with another empty element as the last child, on its own line and indented like the
+   * previous one.
    *
-   * @throws IllegalArgumentException if a character of an attribute is not representable in XML
+   * @throws IllegalArgumentException if a character is not representable in XML
    */
   public XmlText withLastChild(XmlElement parent, String name, Map<String, String> attributes) {
     StringBuilder child = new StringBuilder("<").append(name);
@@ -175,10 +167,7 @@ public final class XmlText {
         : with(end, end, newline + childIndent + child + newline + parentIndent);
   }
 
-  /**
-   * Copy without {@code element}, which was read from this text, and without its line if otherwise
-   * empty.
-   */
+  /** Copy without an element of this text, and without its line if otherwise empty. */
   public XmlText without(XmlElement element) {
     int from = element.span().start();
     int close = XmlAttributes.tagEnd(text, from);
@@ -193,7 +182,6 @@ public final class XmlText {
     return ownLine ? with(lineStart, lineEnd, "") : with(from, to, "");
   }
 
-  /** Encoded bytes of the file. */
   public byte[] bytes() {
     return text.getBytes(charset);
   }

@@ -39,38 +39,22 @@ class TopicLevelTest {
     assertThat(TopicLevel.name("1.5 > *%0025")).isEqualTo("1.5 > *%");
   }
 
-  @Test
-  void name_halfAsBeforeFormat3_isRefused() {
-    assertThatThrownBy(() -> TopicLevel.name("a b%0020c"))
-        .hasMessage("source \"a b%0020c\": expected \"a%0020b%0020c\"");
-  }
-
-  @Test
-  void name_escapeCutShort_isRefused() {
-    assertThatThrownBy(() -> TopicLevel.name("a%002"))
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          ''        | expected the source's name behind '='
+          a b%0020c | source "a b%0020c": expected "a%0020b%0020c"
+          a%002     | source "a%002": expected four hexadecimal digits after '%'
+          %00+F     | source "%00+F": expected four hexadecimal digits after '%'
+          a%002fb   | source "a%002fb": expected "a%002Fb"
+          %0041     | source "%0041": expected "A"
+          a#        | source "a#": expected "a%0023"
+          """)
+  void name_otherSpelling_isRefused(String level, String message) {
+    assertThatThrownBy(() -> TopicLevel.name(level))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("source \"a%002\": expected four hexadecimal digits after '%'");
-  }
-
-  @Test
-  void name_escapeOfOtherThanHexadecimalDigits_isRefused() {
-    assertThatThrownBy(() -> TopicLevel.name("%00+F"))
-        .hasMessage("source \"%00+F\": expected four hexadecimal digits after '%'");
-  }
-
-  @Test
-  void name_secondSpelling_isRefusedAndNamesTheFirst() {
-    assertThatThrownBy(() -> TopicLevel.name("a%002fb"))
-        .hasMessage("source \"a%002fb\": expected \"a%002Fb\"");
-    assertThatThrownBy(() -> TopicLevel.name("%0041"))
-        .hasMessage("source \"%0041\": expected \"A\"");
-    assertThatThrownBy(() -> TopicLevel.name("a#"))
-        .hasMessage("source \"a#\": expected \"a%0023\"");
-  }
-
-  @Test
-  void name_empty_isRefused() {
-    assertThatThrownBy(() -> TopicLevel.name(""))
-        .hasMessage("expected the source's name behind '='");
+        .hasMessage(message);
   }
 }

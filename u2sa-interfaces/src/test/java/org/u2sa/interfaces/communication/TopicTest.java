@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -60,22 +61,55 @@ class TopicTest {
   }
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "",
-        "u2sa",
-        "u2sa/a/state",
-        "other/a/state/T",
-        "u2sa//state/T",
-        "u2sa/a/state/T/",
-        "u2sa/a b/state/T",
-        "u2sa/a/actuators/=RUDDER",
-        "u2sa/a/actuators/T/=",
-        "u2sa/a/actuators/T/=%2F",
-        "u2sa/a/actuators/T/=%0041",
-        "u2sa/a/actuators/T/=%002f"
-      })
-  void parse_otherForm_isRefused(String topic) {
-    assertThatThrownBy(() -> Topic.parse(topic)).isInstanceOf(IllegalArgumentException.class);
+  @ValueSource(strings = {"1Tide", "-Tide", "Ti-de", "Tide+", "T#", "Ti de", "\u200bT", "T\u200b"})
+  void parse_levelThatIsNoTypesName_isRefused(String type) {
+    String topic = "u2sa/a/state/" + type;
+    assertThatThrownBy(() -> Topic.parse(topic))
+        .hasMessage("topic \"" + topic + "\": expected a channel's name and then names of types");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          ''                           | topic "": expected u2sa/<systemId>/<channel>/<type…>
+          u2sa/a/state                 | expected u2sa/<systemId>/<channel>/<type…>
+          u2sb/a/state/T               | expected u2sa/<systemId>/<channel>/<type…>
+          u2sa//state/T                | expected u2sa/<systemId>/<channel>/<type…>
+          u2sa/a/state//T              | expected u2sa/<systemId>/<channel>/<type…>
+          u2sa/a/state/T/              | expected u2sa/<systemId>/<channel>/<type…>
+          u2sa/a b/state/T             | system ID "a b": expected 1 to 64 letters
+          u2sa/a/State/T               | expected a channel's name and then names of types
+          u2sa/a/state/=GPS            | expected a type before the source "=GPS"
+          u2sa/a/actuators/T/=         | expected the source's name behind '='
+          u2sa/a/actuators/T/=%2F      | expected four hexadecimal digits after '%'
+          u2sa/a/actuators/T/=%0041    | source "%0041": expected "A"
+          u2sa/a/actuators/T/=%002f    | source "%002f": expected "%002F"
+          """)
+  void parse_otherForm_saysWhatWasExpected(String topic, String expected) {
+    assertThatThrownBy(() -> Topic.parse(topic))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining(expected);
+  }
+
+  @Test
+  void parse_severalTypes_areTheChainAndTheRest() {
+    Topic topic = Topic.parse("u2sa/b-1/state/Ti_de/$Ebb2/=GPS");
+
+    assertThat(topic.systemId()).isEqualTo("b-1");
+    assertThat(topic.channel()).isEqualTo("state");
+    assertThat(topic.typeChain()).containsExactly("Ti_de", "$Ebb2");
+    assertThat(topic.source()).isEqualTo("GPS");
+  }
+
+  @Test
+  void systemId_ofTheGreatestLength_isOneAndALongerOneIsNot() {
+    assertThat(Topic.checkSystemId("x".repeat(64))).hasSize(64);
+    assertThatThrownBy(() -> Topic.checkSystemId("x".repeat(65)))
+        .hasMessage(
+            "system ID \""
+                + "x".repeat(65)
+                + "\": expected 1 to 64 letters, digits, '_', '.' or '-'");
   }
 }

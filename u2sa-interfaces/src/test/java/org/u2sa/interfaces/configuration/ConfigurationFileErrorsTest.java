@@ -6,6 +6,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What a file must be. */
 class ConfigurationFileErrorsTest extends RefusedFile {
@@ -14,8 +17,64 @@ class ConfigurationFileErrorsTest extends RefusedFile {
     assertRefused(() -> XmlConfiguration.load(file), afterTheFile);
   }
 
-  private void assertVariableRefused(String attributes, String afterTheFile) {
-    assertRefused(() -> configuration("<variable " + attributes + "/>"), afterTheFile);
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      textBlock =
+          """
+          name='A' type='int' vlaue='1' | <variable>: unknown attribute "vlaue"; expected name, type, value, unit, min, max, description; did you mean "value"?
+          type='int' value='1' | <variable>: attribute "name" is missing
+          name=' ' type='int' value='1' | <variable>: attribute "name" is empty
+          name='A' value='1' | variable "A": attribute "type" is missing
+          name='A' type='int' | variable "A": attribute "value" is missing
+          name='A' type='float' value='1' | variable "A": unknown type "float"; expected string, double, int, boolean
+          name='A' type='double' value='1e999' | variable "A": value "1e999" is too large for a number
+          name='A' type='BOOLEAN' value='yes' | variable "A": value "yes" is not true or false
+          name='A' type='double' value='1' min='5' max='4' | variable "A": min 5 is above max 4
+          name='A' type='string' value='1' min='5' | variable "A": min and max are for numbers, the type is string
+          name='A' type='int' value='1' min='low' | variable "A": min "low" is not a number
+          name='A' type='double' value='95' unit='deg' min='0' max='60' | variable "A": 95 deg is outside 0…60 deg
+          name='B' type='int' value='1'/><variable name='B' type='int' value='2' | variable "B": appears twice; it is in line 2 already
+          """)
+  void load_wrongVariable_namesLineVariableAndExpectation(String attributes, String expected) {
+    assertRefused(() -> configuration("<variable " + attributes + "/>"), ", line 2, " + expected);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"abc", "NaN", "Infinity", "1d", "0x10", "1,5", ""})
+  void load_notANumber_showsValue(String text) {
+    assertRefused(
+        () -> configuration("<variable name='A' type='double' value='" + text + "'/>"),
+        ", line 2, variable \"A\": value \"" + text + "\" is not a number");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"1.5", "2147483648", ""})
+  void load_notAWholeNumber_showsValueAndBounds(String text) {
+    assertRefused(
+        () -> configuration("<variable name='A' type='Integer' value='" + text + "'/>"),
+        ", line 2, variable \"A\": value \""
+            + text
+            + "\" is not a whole number from -2147483648 to 2147483647");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      textBlock =
+          """
+          `` | : is empty, expected an XML file
+          <configuration>⏎<variable>⏎</configuration> | , line 3: not well-formed XML: Unexpected close tag </configuration>; expected </variable>.
+          <!-- a -->⏎<mission/> | , line 2, <mission>: expected the root element <configuration>
+          <configuration>⏎<varible name='A'/></configuration> | , line 2, <varible>: unknown element in <configuration>; expected variable; did you mean "variable"?
+          <configuration>hello</configuration> | , line 1, <configuration>: unexpected text "hello"
+          <configuration version='1'/> | , line 1, <configuration>: unknown attribute "version"; no attribute is expected here
+          <!DOCTYPE c [<!ENTITY a SYSTEM "file:///etc/passwd">]>⏎<configuration><variable name='A' type='string' value='&a;'/></configuration> | , line 1: a DOCTYPE is not allowed here
+          """)
+  void load_wrongFile_namesLineAndExpectation(String text, String expected) {
+    assertLoadRefused(text.replace('⏎', '\n'), expected);
   }
 
   @Test
@@ -31,162 +90,9 @@ class ConfigurationFileErrorsTest extends RefusedFile {
   }
 
   @Test
-  void load_emptyFile_saysSo() {
-    assertLoadRefused("", ": is empty, expected an XML file");
-  }
-
-  @Test
-  void load_tagsCrossed_namesLine() {
-    assertLoadRefused(
-        "<configuration>\n<variable>\n</configuration>",
-        ", line 3: not well-formed XML: Unexpected close tag </configuration>;"
-            + " expected </variable>.");
-  }
-
-  @Test
-  void load_anotherRoot_namesBoth() {
-    assertLoadRefused(
-        "<!-- a -->\n<mission/>", ", line 2, <mission>: expected the root element <configuration>");
-  }
-
-  @Test
-  void load_anotherElement_namesTheExpectedOne() {
-    assertLoadRefused(
-        "<configuration>\n<varible name='A'/></configuration>",
-        ", line 2, <varible>: unknown element in <configuration>; expected variable;"
-            + " did you mean \"variable\"?");
-  }
-
-  @Test
-  void load_textBetweenVariables_showsIt() {
-    assertLoadRefused(
-        "<configuration>hello</configuration>",
-        ", line 1, <configuration>: unexpected text \"hello\"");
-  }
-
-  @Test
-  void load_anotherAttribute_namesTheExpectedOnes() {
-    assertVariableRefused(
-        "name='A' type='int' vlaue='1'",
-        ", line 2, <variable>: unknown attribute \"vlaue\"; expected name, type, value, unit, min,"
-            + " max, description; did you mean \"value\"?");
-  }
-
-  @Test
-  void load_noName_namesLine() {
-    assertVariableRefused(
-        "type='int' value='1'", ", line 2, <variable>: attribute \"name\" is missing");
-  }
-
-  @Test
-  void load_emptyName_namesLine() {
-    assertVariableRefused(
-        "name=' ' type='int' value='1'", ", line 2, <variable>: attribute \"name\" is empty");
-  }
-
-  @Test
-  void load_noType_namesVariable() {
-    assertVariableRefused(
-        "name='A' value='1'", ", line 2, variable \"A\": attribute \"type\" is missing");
-  }
-
-  @Test
-  void load_noValue_namesVariable() {
-    assertVariableRefused(
-        "name='A' type='int'", ", line 2, variable \"A\": attribute \"value\" is missing");
-  }
-
-  @Test
-  void load_unknownType_listsTypes() {
-    assertVariableRefused(
-        "name='A' type='float' value='1'",
-        ", line 2, variable \"A\": unknown type \"float\"; expected string, double, int, boolean");
-  }
-
-  @Test
-  void load_notANumber_showsValue() {
-    for (String text : new String[] {"abc", "NaN", "Infinity", "1d", "0x10", "1,5", ""}) {
-      assertVariableRefused(
-          "name='A' type='double' value='" + text + "'",
-          ", line 2, variable \"A\": value \"" + text + "\" is not a number");
-    }
-  }
-
-  @Test
-  void load_numberTooLarge_showsValue() {
-    assertVariableRefused(
-        "name='A' type='double' value='1e999'",
-        ", line 2, variable \"A\": value \"1e999\" is too large for a number");
-  }
-
-  @Test
-  void load_notAWholeNumber_showsValueAndBounds() {
-    for (String text : new String[] {"1.5", "2147483648", ""}) {
-      assertVariableRefused(
-          "name='A' type='Integer' value='" + text + "'",
-          ", line 2, variable \"A\": value \""
-              + text
-              + "\" is not a whole number from -2147483648 to 2147483647");
-    }
-  }
-
-  @Test
-  void load_notATruthValue_showsValue() {
-    assertVariableRefused(
-        "name='A' type='BOOLEAN' value='yes'",
-        ", line 2, variable \"A\": value \"yes\" is not true or false");
-  }
-
-  @Test
-  void load_minAboveMax_showsBoth() {
-    assertVariableRefused(
-        "name='A' type='double' value='1' min='5' max='4'",
-        ", line 2, variable \"A\": min 5 is above max 4");
-  }
-
-  @Test
-  void load_minOfAText_saysWhatItIsFor() {
-    assertVariableRefused(
-        "name='A' type='string' value='1' min='5'",
-        ", line 2, variable \"A\": min and max are for numbers, the type is string");
-  }
-
-  @Test
-  void load_minNotANumber_showsIt() {
-    assertVariableRefused(
-        "name='A' type='int' value='1' min='low'",
-        ", line 2, variable \"A\": min \"low\" is not a number");
-  }
-
-  @Test
-  void load_valueOutsideTheFilesOwnLimits_showsRange() {
-    assertVariableRefused(
-        "name='A' type='double' value='95' unit='deg' min='0' max='60'",
-        ", line 2, variable \"A\": 95 deg is outside 0…60 deg");
-  }
-
-  @Test
-  void load_sameNameTwice_namesBothLines() {
-    assertRefused(
-        () ->
-            configuration(
-                "<variable name='A' type='int' value='1'/>\n\n"
-                    + "<variable name='A' type='int' value='2'/>"),
-        ", line 4, variable \"A\": appears twice; it is in line 2 already");
-  }
-
-  @Test
   void load_notUtf8_namesLine() throws IOException {
     Files.write(file, "<configuration>\n<!-- \u00e9 -->".getBytes(StandardCharsets.ISO_8859_1));
     assertRefused(() -> XmlConfiguration.load(file), ", line 2: these bytes are not UTF-8 text");
-  }
-
-  @Test
-  void load_entityBomb_isRefusedAtItsDoctype() {
-    assertLoadRefused(
-        "<!DOCTYPE c [<!ENTITY a SYSTEM \"file:///etc/passwd\">]>\n"
-            + "<configuration><variable name='A' type='string' value='&a;'/></configuration>",
-        ", line 1: a DOCTYPE is not allowed here");
   }
 
   @Test

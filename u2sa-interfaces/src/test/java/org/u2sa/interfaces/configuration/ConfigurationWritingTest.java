@@ -14,6 +14,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -25,6 +26,14 @@ class ConfigurationWritingTest {
           + "</configuration>\n";
 
   @TempDir Path folder;
+  private Path file;
+  private XmlConfiguration configuration;
+
+  @BeforeEach
+  void load() throws IOException {
+    file = write("X.xml", two(1, "x"));
+    configuration = XmlConfiguration.load(file);
+  }
 
   private Path write(String name, String text) throws IOException {
     Path file = folder.resolve(name);
@@ -42,8 +51,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_otherChangedTheFileMeanwhile_bothChangesStand() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
     write("X.xml", "<!-- by hand -->" + two(1, "by hand"));
 
     assertThat(configuration.setVariable("A", 2)).isTrue();
@@ -54,9 +61,8 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_changesGoToACopy_theFileStaysAndTheCopyIsReadNext() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
     Path copy = folder.resolve("run/changed/X.xml");
-    XmlConfiguration configuration = XmlConfiguration.load(file, copy);
+    configuration = XmlConfiguration.load(file, copy);
     assertThat(copy.getParent()).doesNotExist();
 
     assertThat(configuration.setVariable("A", 2)).isTrue();
@@ -72,8 +78,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_otherNarrowedTheRangeMeanwhile_isRefused() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
     String narrowed = two(1, "x").replace("value=\"1\"", "value=\"1\" max=\"5\"");
     write("X.xml", narrowed);
 
@@ -86,8 +90,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_otherIsInTheMiddleOfAnEdit_isRefused() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
     write("X.xml", "<configuration>\n<variable nam");
 
     assertThat(configuration.change("A", 2).get())
@@ -99,8 +101,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_fileGone_isRefused() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
     Files.delete(file);
 
     assertThat(configuration.change("A", 2)).contains(file + ": there is no such file");
@@ -111,12 +111,8 @@ class ConfigurationWritingTest {
   @Test
   void setVariable_cannotBeWritten_oldFileAndValueStay() throws IOException {
     // The temporary file's name would be longer than file systems take; holds for root, too.
-    StringBuilder name = new StringBuilder();
-    while (name.length() < 230) {
-      name.append('x');
-    }
-    Path file = write(name + ".xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
+    file = write("x".repeat(230) + ".xml", two(1, "x"));
+    configuration = XmlConfiguration.load(file);
 
     assertThat(configuration.setVariable("A", 2)).isFalse();
     assertThat(configuration.change("A", 2).get())
@@ -127,14 +123,12 @@ class ConfigurationWritingTest {
     assertThat(configuration.getVariable("A")).isEqualTo(1);
     String own = file.getFileName().toString();
     assertThat(folder.toFile().list())
-        .containsExactlyInAnyOrder(own, own + ".audit.jsonl", ".configuration.lock");
+        .containsExactlyInAnyOrder("X.xml", own, own + ".audit.jsonl", ".configuration.lock");
     assertThat(configuration.revision()).isZero();
   }
 
   @Test
   void setVariable_refusedValues_giveTheReasonAndChangeNothing() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
 
     assertThat(configuration.change("A", "abc"))
         .contains(
@@ -151,8 +145,8 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_twoThreads_noChangeIsLost() throws Exception {
-    Path file = write("X.xml", two(0, "0"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
+    file = write("X.xml", two(0, "0"));
+    configuration = XmlConfiguration.load(file);
     List<Callable<Boolean>> writers = new ArrayList<>();
     writers.add(() -> setUpTo(configuration, "A", 50));
     writers.add(() -> setUpTo(configuration, "B", 50));
@@ -178,8 +172,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_interruptedThread_writesAndStaysInterrupted() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
     Thread.currentThread().interrupt();
 
     boolean set = configuration.setVariable("A", 2);
@@ -191,7 +183,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_linkedFile_linkAndPermissionsStay() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r--r--"));
     Path link = Files.createSymbolicLink(folder.resolve("link.xml"), file);
 
@@ -205,7 +196,6 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_leftoverOfAPowerCut_isDeleted() throws IOException {
-    Path file = write("X.xml", two(1, "x"));
     Path leftover = write(".X.xml.1.tmp", "<conf");
     Path others = write(".Y.xml.1.tmp", "<conf");
 
@@ -217,11 +207,11 @@ class ConfigurationWritingTest {
 
   @Test
   void setVariable_fileInAnotherUnit_isWrittenInThatUnit() throws IOException {
-    Path file =
+    file =
         write(
             "X.xml",
             "<configuration><variable unit='ft' name='Z' type='double' value='10'/></configuration>");
-    XmlConfiguration configuration = XmlConfiguration.load(file);
+    configuration = XmlConfiguration.load(file);
     assertThat(configuration.getVariable(VariableDeclaration.number("Z", "m"))).isEqualTo(3.048);
 
     assertThat(configuration.setVariable("Z", 6.096)).isTrue();
@@ -235,9 +225,8 @@ class ConfigurationWritingTest {
     String text =
         "<?xml version='1.0' encoding='ISO-8859-1'?>\n"
             + "<configuration><!-- é --><variable name='B' type='string' value='%s'/></configuration>";
-    Path file = folder.resolve("X.xml");
     Files.write(file, String.format(text, "é").getBytes(StandardCharsets.ISO_8859_1));
-    XmlConfiguration configuration = XmlConfiguration.load(file);
+    configuration = XmlConfiguration.load(file);
 
     assertThat(configuration.setVariable("B", "ü→'")).isTrue();
 

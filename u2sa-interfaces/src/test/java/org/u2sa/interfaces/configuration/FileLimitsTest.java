@@ -92,15 +92,6 @@ class FileLimitsTest extends RefusedFile {
   }
 
   @Test
-  void load_attributeOfTheRoot_isRefused() {
-    write("<configuration version='1'/>");
-
-    assertRefused(
-        () -> XmlConfiguration.load(file),
-        ", line 1, <configuration>: unknown attribute \"version\"; no attribute is expected here");
-  }
-
-  @Test
   void change_valueThatTheFilesUnitCannotHold_isRefused() {
     XmlConfiguration configuration =
         configuration("<variable name='Z' type='double' value='1' unit='mm'/>");

@@ -2,7 +2,6 @@ package org.u2sa.interfaces.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
@@ -39,13 +38,11 @@ class HalfWrittenTest {
   @Test
   @Timeout(60)
   void change_writeEndsHalfway_oldFileAndValueStayAndTheReasonIsTold() throws Exception {
-    StringBuilder text =
-        new StringBuilder("<configuration><variable name='N' type='int' value='1'/><!-- ");
-    while (text.length() < PADDING) {
-      text.append("comment ");
-    }
-    byte[] before = text.append("--></configuration>").toString().getBytes(StandardCharsets.UTF_8);
-    Path file = Files.write(folder.resolve("X.xml"), before);
+    String before =
+        "<configuration><variable name='N' type='int' value='1'/><!-- "
+            + "comment ".repeat(PADDING / 8)
+            + "--></configuration>";
+    Path file = Files.writeString(folder.resolve("X.xml"), before);
 
     List<String> said = runLimited(file);
 
@@ -53,7 +50,7 @@ class HalfWrittenTest {
         .startsWith(file + ", variable \"N\": cannot be written, the old value stays: ")
         .contains("File too large");
     assertThat(said.get(1)).isEqualTo("1");
-    assertThat(Files.readAllBytes(file)).isEqualTo(before);
+    assertThat(Files.readString(file)).isEqualTo(before);
     assertThat(folder.toFile().list())
         .containsExactlyInAnyOrder("X.xml", "X.xml.audit.jsonl", ".configuration.lock");
     List<String> audit = Files.readAllLines(folder.resolve("X.xml.audit.jsonl"));

@@ -79,17 +79,14 @@ class PowerCutTest {
 
   private void killAndLook(int kills, long seed) throws Exception {
     Random random = new Random(seed);
-    StringBuilder padding = new StringBuilder();
-    while (padding.length() < PADDING) {
-      padding.append("comment ");
-    }
+    String padding = "comment ".repeat(PADDING / 8);
     Path file = folder.resolve("X.xml");
-    Files.write(file, text(0, padding.toString()).getBytes(StandardCharsets.UTF_8));
+    Files.write(file, text(0, padding).getBytes(StandardCharsets.UTF_8));
     int torn = 0;
     for (int kill = 1; kill <= kills; kill++) {
-      int last = writeAndKill(file, 1 + random.nextInt(6), random, padding.toString());
+      int last = writeAndKill(file, 1 + random.nextInt(6), random, padding);
 
-      int n = assertWhole(file, padding.toString());
+      int n = assertWhole(file, padding);
       assertThat(n).as("kill %d", kill).isBetween(last, last + 1);
       XmlConfiguration configuration = XmlConfiguration.load(file);
       assertThat(configuration.getVariable("N")).isEqualTo(n);

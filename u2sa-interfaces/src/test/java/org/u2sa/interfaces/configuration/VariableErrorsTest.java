@@ -2,7 +2,10 @@ package org.u2sa.interfaces.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What a variable must be, to be got. */
 class VariableErrorsTest extends RefusedFile {
@@ -15,12 +18,6 @@ class VariableErrorsTest extends RefusedFile {
   private static final VariableDeclaration<String> LEVEL =
       VariableDeclaration.text("LOG LEVEL").oneOf("debug", "info").ifAbsent("info");
 
-  private void assertDeclarationRefused(
-      VariableDeclaration<?> variable, String attributes, String after) {
-    XmlConfiguration configuration = configuration("<variable " + attributes + "/>");
-    assertRefused(() -> configuration.getVariable(variable), after);
-  }
-
   @Test
   void getVariable_requiredAndMissing_describesIt() {
     assertRefused(
@@ -29,70 +26,32 @@ class VariableErrorsTest extends RefusedFile {
             + " 0…1.047197551 (Largest bank that is flown.)");
   }
 
-  @Test
-  void getVariable_anotherType_namesBoth() {
-    assertDeclarationRefused(
-        PORT,
-        "name='PORT' type='string' value='1883'",
-        ", line 2, variable \"PORT\": type is string, expected int");
-  }
-
-  @Test
-  void getVariable_outsideRange_namesRange() {
-    assertDeclarationRefused(
-        PORT,
-        "name='PORT' type='int' value='70000'",
-        ", line 2, variable \"PORT\": 70000 is outside 1…65535");
-  }
-
-  @Test
-  void getVariable_outsideRangeInTheFilesUnit_speaksTheFilesUnit() {
-    assertDeclarationRefused(
-        BANK_LIMIT,
-        "name='BANK LIMIT' type='double' value='95' unit='deg'",
-        ", line 2, variable \"BANK LIMIT\": 95 deg is outside 0…60 deg");
-  }
-
-  @Test
-  void getVariable_unitOfAnotherKind_listsThoseThatWouldDo() {
-    assertDeclarationRefused(
-        BANK_LIMIT,
-        "name='BANK LIMIT' type='double' value='1' unit='ft'",
-        ", line 2, variable \"BANK LIMIT\": unit \"ft\" measures length, expected angle: rad, deg, °");
-  }
-
-  @Test
-  void getVariable_unknownUnit_listsThoseThatWouldDo() {
-    assertDeclarationRefused(
-        BANK_LIMIT,
-        "name='BANK LIMIT' type='double' value='1' unit='degr'",
-        ", line 2, variable \"BANK LIMIT\": unknown unit \"degr\"; expected angle: rad, deg, °;"
-            + " did you mean \"deg\"?");
-  }
-
-  @Test
-  void getVariable_unitOfAVariableWithoutOne_saysSo() {
-    assertDeclarationRefused(
-        PORT,
-        "name='PORT' type='int' value='1' unit='m'",
-        ", line 2, variable \"PORT\": unit \"m\" is given, the variable has none");
-  }
-
-  @Test
-  void getVariable_fileWidensRange_isRefused() {
-    assertDeclarationRefused(
-        BANK_LIMIT,
-        "name='BANK LIMIT' type='double' value='30' unit='deg' max='90'",
-        ", line 2, variable \"BANK LIMIT\": max 90 deg is outside 0…60 deg;"
-            + " a file may narrow the range, not widen it");
-  }
-
-  @Test
-  void getVariable_noneOfTheChoices_listsThem() {
-    assertDeclarationRefused(
-        LEVEL,
-        "name='LOG LEVEL' type='string' value='loud'",
-        ", line 2, variable \"LOG LEVEL\": \"loud\" is not one of \"debug\", \"info\"");
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      textBlock =
+          """
+          PORT | type='string' value='1883' | type is string, expected int
+          PORT | type='int' value='70000' | 70000 is outside 1…65535
+          PORT | type='int' value='1' unit='m' | unit "m" is given, the variable has none
+          BANK LIMIT | type='double' value='95' unit='deg' | 95 deg is outside 0…60 deg
+          BANK LIMIT | type='double' value='1' unit='ft' | unit "ft" measures length, expected angle: rad, deg, °
+          BANK LIMIT | type='double' value='1' unit='degr' | unknown unit "degr"; expected angle: rad, deg, °; did you mean "deg"?
+          BANK LIMIT | type='double' value='30' unit='deg' max='90' | max 90 deg is outside 0…60 deg; a file may narrow the range, not widen it
+          LOG LEVEL | type='string' value='loud' | "loud" is not one of "debug", "info"
+          """)
+  void getVariable_outsideRange_namesRange(String name, String attributes, String expected) {
+    VariableDeclaration<?> declared =
+        List.of(BANK_LIMIT, PORT, LEVEL).stream()
+            .filter(variable -> variable.name().equals(name))
+            .findFirst()
+            .orElseThrow();
+    assertRefused(
+        () ->
+            configuration("<variable name='" + name + "' " + attributes + "/>")
+                .getVariable(declared),
+        ", line 2, variable \"" + name + "\": " + expected);
   }
 
   @Test

@@ -43,16 +43,6 @@ class GapsTest {
   }
 
   @Test
-  void missed_gapsBeyondTheLargestCount_isTheLargest() {
-    for (String sender : new String[] {"a", "b"}) {
-      arrived(sender, 1);
-      arrived(sender, Long.MAX_VALUE);
-    }
-
-    assertThat(gaps.missed()).isEqualTo(Long.MAX_VALUE);
-  }
-
-  @Test
   void arrived_withoutOrigin_countsNothing() {
     assertThat(gaps.arrived(TOPIC, Optional.empty())).isZero();
   }

@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Receiver;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
@@ -48,5 +51,17 @@ class MqttConnectionTest {
 
     arrives(1_025);
     assertThat(troubles).containsExactly("a message on a topic of 1025 characters (1 so far)");
+  }
+
+  @Test
+  void topicNames_ofEachMessage_areThoseOfTheTopic() {
+    MqttConnection.TopicNames names = new MqttConnection.TopicNames("cessna");
+    StateInformation state = new StateInformation();
+
+    assertThat(names.of(Channels.STATE, state)).isEqualTo("u2sa/cessna/state/StateInformation");
+    assertThat(names.of(Channels.STATE, state)).isSameAs(names.of(Channels.STATE, state));
+    assertThat(names.of(Channels.GOALS, new GoalList())).isEqualTo("u2sa/cessna/goals/GoalList");
+    assertThat(names.of(Channels.SENSED_STATE, state))
+        .isEqualTo("u2sa/cessna/sensed-state/StateInformation");
   }
 }

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Turns that threads lend a {@link LockstepClock}: which thread takes them, and how they end. */
@@ -77,6 +78,56 @@ class LentTurnsTest {
           events.add(name + "@" + clock.micros());
           return clock.micros() + periodMicros;
         });
+  }
+
+  /** Takes a first turn at 0 µs, and the given ones from 10 µs on. */
+  private Lender lenderFrom10(String name, Clock.Turns later) {
+    return lender(name, () -> clock.micros() == 0 ? 10 : later.take());
+  }
+
+  /** Waiter of the thread whose turn it is. */
+  private static Clock.Waiter waiter() {
+    return ((Lender) Clock.runningThread()).waiter;
+  }
+
+  private interface Body {
+    void run(Clock.Waiter waiter) throws InterruptedException;
+  }
+
+  /** Starts another thread that waits on the clock. */
+  private Thread start(String name, Body body) {
+    Clock.Waiter waiter = clock.newWaiter(name);
+    return started(
+        () -> {
+          try (waiter) {
+            waiter.await(0);
+            body.run(waiter);
+          }
+        });
+  }
+
+  /** Advances the clock on another thread. */
+  private Thread drive(long micros) {
+    return started(() -> clock.advance(micros));
+  }
+
+  private Thread started(ThrowingRunnable body) {
+    Thread thread =
+        new Thread(
+            () -> {
+              try {
+                body.run();
+              } catch (InterruptedException e) {
+                events.add("unexpected interrupt");
+              }
+            });
+    thread.setDaemon(true);
+    thread.start();
+    return thread;
+  }
+
+  private interface ThrowingRunnable {
+    void run() throws InterruptedException;
   }
 
   private static void awaitWaiting(Thread thread) {
@@ -166,22 +217,16 @@ class LentTurnsTest {
 
   @Test
   void lend_over_theLenderGoesOnBeforeAnybodyElseDoes() throws InterruptedException {
-    Clock.Waiter waiter = clock.newWaiter("first");
     Thread first =
-        new Thread(
-            () -> {
-              try (waiter) {
-                waiter.await(0);
-                AtomicInteger turn = new AtomicInteger();
-                waiter.lend(() -> turn.incrementAndGet() < 3 ? 10 * turn.get() : Clock.Turns.OVER);
-                events.add("over@" + clock.micros());
-                waiter.await(clock.micros() + 5);
-                events.add("later@" + clock.micros());
-              } catch (InterruptedException e) {
-                events.add("interrupted");
-              }
+        start(
+            "first",
+            waiter -> {
+              AtomicInteger turn = new AtomicInteger();
+              waiter.lend(() -> turn.incrementAndGet() < 3 ? 10 * turn.get() : Clock.Turns.OVER);
+              events.add("over@" + clock.micros());
+              waiter.await(clock.micros() + 5);
+              events.add("later@" + clock.micros());
             });
-    first.start();
     periodic("b", 10);
 
     clock.advance(30);
@@ -193,17 +238,15 @@ class LentTurnsTest {
   @Test
   void lend_turnWaitsInside_othersTakeTurnsMeanwhileAndItGoesOnWhereItWas()
       throws InterruptedException {
-    Lender[] a = new Lender[1];
-    a[0] =
-        new Lender(
+    Lender a =
+        lender(
             "a",
             () -> {
               events.add("a begins@" + clock.micros());
-              a[0].waiter.await(clock.micros() + 25);
+              waiter().await(clock.micros() + 25);
               events.add("a ends@" + clock.micros());
               return clock.micros() + 100;
             });
-    a[0].start();
     Lender b = periodic("b", 10);
 
     clock.advance(150);
@@ -211,24 +254,21 @@ class LentTurnsTest {
     assertThat(events.subList(0, 7))
         .containsExactly("a begins@0", "b@0", "b@10", "b@20", "a ends@25", "b@30", "b@40");
     assertThat(events).contains("a begins@125", "a ends@150");
-    assertThat(b.takers.get(b.takers.size() - 2)).isNotIn(a[0].takers.get(1), b, a[0]);
+    assertThat(b.takers.get(b.takers.size() - 2)).isNotIn(a.takers.get(1), b, a);
   }
 
   @Test
   void signal_duringItsOwnTurn_theNextTurnComesAtOnce() throws InterruptedException {
-    Lender[] a = new Lender[1];
     AtomicInteger signals = new AtomicInteger(3);
-    a[0] =
-        new Lender(
-            "a",
-            () -> {
-              events.add("a@" + clock.micros());
-              if (clock.micros() > 0 && signals.getAndDecrement() > 0) {
-                a[0].waiter.signal();
-              }
-              return clock.micros() + 10;
-            });
-    a[0].start();
+    lender(
+        "a",
+        () -> {
+          events.add("a@" + clock.micros());
+          if (clock.micros() > 0 && signals.getAndDecrement() > 0) {
+            waiter().signal();
+          }
+          return clock.micros() + 10;
+        });
     periodic("b", 10);
 
     clock.advance(10);
@@ -261,70 +301,38 @@ class LentTurnsTest {
             "listener@0", "speaker@0", "listener@0", "b@0", "speaker@10", "listener@10", "b@10");
   }
 
-  @Test
-  void lend_turnThrows_isThrownInTheLenderAndOthersGoOn() throws InterruptedException {
-    IllegalStateException failure = new IllegalStateException("turn");
+  static List<Throwable> failures() {
+    return List.of(
+        new IllegalStateException("turn"), new AssertionError("turn"), new IOException("turn"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("failures")
+  void lend_turnThrows_isThrownInTheLenderAndOthersGoOn(Throwable failure)
+      throws InterruptedException {
     Lender a =
-        lender(
+        lenderFrom10(
             "a",
             () -> {
-              if (clock.micros() > 0) {
-                throw failure;
-              }
-              return 10;
+              LentTurnsTest.<RuntimeException>throwUndeclared(failure);
+              return 0;
             });
     periodic("b", 10);
 
     clock.advance(20);
 
     a.join();
-    assertThat(a.thrown).isSameAs(failure);
+    if (failure instanceof IOException) { // which take() does not declare
+      assertThat(a.thrown).isInstanceOf(UndeclaredThrowableException.class).hasCause(failure);
+    } else {
+      assertThat(a.thrown).isSameAs(failure);
+    }
     assertThat(events).containsExactly("b@0", "b@10", "b@20");
-  }
-
-  @Test
-  void lend_turnThrowsAnError_isThrownInTheLender() throws InterruptedException {
-    AssertionError failure = new AssertionError("turn");
-    Lender a =
-        lender(
-            "a",
-            () -> {
-              if (clock.micros() > 0) {
-                throw failure;
-              }
-              return 10;
-            });
-
-    clock.advance(20);
-
-    a.join();
-    assertThat(a.thrown).isSameAs(failure);
   }
 
   @SuppressWarnings("unchecked") // so that the compiler lets it pass, as other languages do
   private static <T extends Throwable> void throwUndeclared(Throwable what) throws T {
     throw (T) what;
-  }
-
-  @Test
-  void lend_turnThrowsWhatItDoesNotDeclare_isThrownInTheLender() throws InterruptedException {
-    IOException failure = new IOException("turn");
-    Lender a =
-        lender(
-            "a",
-            () -> {
-              if (clock.micros() > 0) {
-                LentTurnsTest.<RuntimeException>throwUndeclared(failure);
-              }
-              return 10;
-            });
-    periodic("b", 10);
-
-    clock.advance(20);
-
-    a.join();
-    assertThat(a.thrown).isInstanceOf(UndeclaredThrowableException.class).hasCause(failure);
-    assertThat(events).contains("b@20");
   }
 
   @Test
@@ -345,25 +353,18 @@ class LentTurnsTest {
 
   @Test
   void interrupt_whileItWaits_theLenderTakesItsOwnTurnsAgain() throws InterruptedException {
-    Clock.Waiter waiter = clock.newWaiter("interrupted");
     Thread lender =
-        new Thread(
-            () -> {
-              try (waiter) {
-                waiter.await(0);
-                try {
-                  waiter.lend(() -> Clock.NEVER);
-                } catch (InterruptedException e) {
-                  events.add("interrupted");
-                }
-                waiter.await(clock.micros() + 15);
-                events.add("later@" + clock.micros());
+        start(
+            "interrupted",
+            waiter -> {
+              try {
+                waiter.lend(() -> Clock.NEVER);
               } catch (InterruptedException e) {
-                events.add("interrupted again");
+                events.add("interrupted");
               }
+              waiter.await(clock.micros() + 15);
+              events.add("later@" + clock.micros());
             });
-    lender.setDaemon(true);
-    lender.start();
     periodic("b", 10);
     clock.advance(10);
 
@@ -381,27 +382,16 @@ class LentTurnsTest {
     CountDownLatch blocks = new CountDownLatch(1);
     AtomicReference<Thread> carrier = new AtomicReference<>();
     Lender a =
-        lender(
+        lenderFrom10(
             "a",
             () -> {
-              if (clock.micros() > 0) {
-                carrier.set(Thread.currentThread());
-                blocks.countDown();
-                new CountDownLatch(1).await();
-              }
-              return 10;
+              carrier.set(Thread.currentThread());
+              blocks.countDown();
+              new CountDownLatch(1).await();
+              return 0;
             });
     periodic("b", 10);
-    Thread driver =
-        new Thread(
-            () -> {
-              try {
-                clock.advance(20);
-              } catch (InterruptedException e) {
-                events.add("interrupted");
-              }
-            });
-    driver.start();
+    Thread driver = drive(20);
     blocks.await();
 
     a.interrupt();
@@ -418,12 +408,10 @@ class LentTurnsTest {
   void interrupt_turnSetsItsThreadsFlag_endsTheLoanAndNotThatOfAnother()
       throws InterruptedException {
     Lender a =
-        lender(
+        lenderFrom10(
             "a",
             () -> {
-              if (clock.micros() > 0) {
-                Thread.currentThread().interrupt(); // as code does that caught an interrupt
-              }
+              Thread.currentThread().interrupt(); // as code does that caught an interrupt
               return 10;
             });
     Lender b = periodic("b", 10);
@@ -439,12 +427,9 @@ class LentTurnsTest {
   @Test
   void interrupt_inTheLastTurn_staysTheLendersFlag() throws InterruptedException {
     Lender a =
-        lender(
+        lenderFrom10(
             "a",
             () -> {
-              if (clock.micros() == 0) {
-                return 10;
-              }
               Thread.currentThread().interrupt();
               return Clock.Turns.OVER;
             });
@@ -479,46 +464,32 @@ class LentTurnsTest {
       throws InterruptedException {
     CountDownLatch hangs = new CountDownLatch(1);
     CountDownLatch ends = new CountDownLatch(1);
-    Lender[] a = new Lender[1];
-    a[0] =
-        new Lender(
+    Lender a =
+        lenderFrom10(
             "a",
             () -> {
-              if (clock.micros() > 0) {
-                hangs.countDown();
-                ends.await();
-                if (waitsInside) {
-                  a[0].waiter.await(Clock.NEVER); // it is closed: no wait
-                }
-                a[0].turns.set(() -> Clock.Turns.OVER); // for the lender itself
-                return clock.micros() + 10;
+              hangs.countDown();
+              ends.await();
+              if (waitsInside) {
+                waiter().await(Clock.NEVER); // it is closed: no wait
               }
-              return 10;
+              ((Lender) Clock.runningThread()).turns.set(() -> Clock.Turns.OVER);
+              return clock.micros() + 10;
             });
-    a[0].start();
     periodic("b", 10);
-    Thread driver =
-        new Thread(
-            () -> {
-              try {
-                clock.advance(30);
-              } catch (InterruptedException e) {
-                events.add("interrupted");
-              }
-            });
-    driver.start();
+    Thread driver = drive(30);
     hangs.await();
 
-    a[0].waiter.close();
+    a.waiter.close();
     driver.join();
 
     assertThat(events).containsExactly("b@0", "b@10", "b@20", "b@30");
-    awaitWaiting(a[0]);
-    assertThat(a[0].ended).isFalse();
+    awaitWaiting(a);
+    assertThat(a.ended).isFalse();
     ends.countDown();
-    a[0].join();
-    assertThat(a[0].thrown).isNull();
-    assertThat(a[0].takers).endsWith(a[0]);
+    a.join();
+    assertThat(a.thrown).isNull();
+    assertThat(a.takers).endsWith(a);
   }
 
   @Test
@@ -527,26 +498,14 @@ class LentTurnsTest {
     CountDownLatch hangs = new CountDownLatch(1);
     CountDownLatch ends = new CountDownLatch(1);
     Lender a =
-        lender(
+        lenderFrom10(
             "a",
             () -> {
-              if (clock.micros() == 0) {
-                return 10;
-              }
               hangs.countDown();
               ends.await();
               return Clock.Turns.OVER;
             });
-    Thread driver =
-        new Thread(
-            () -> {
-              try {
-                clock.advance(30);
-              } catch (InterruptedException e) {
-                events.add("interrupted");
-              }
-            });
-    driver.start();
+    Thread driver = drive(30);
     hangs.await();
     Thread carrier = a.takers.get(1);
 
@@ -584,26 +543,20 @@ class LentTurnsTest {
 
   @Test
   void lend_againAfterTheTurnsWereOver_isCarriedAgain() throws InterruptedException {
-    Clock.Waiter waiter = clock.newWaiter("again");
     List<Thread> takers = Collections.synchronizedList(new ArrayList<>());
     Thread again =
-        new Thread(
-            () -> {
-              try (waiter) {
-                waiter.await(0);
-                for (int i = 0; i < 2; i++) {
-                  AtomicInteger left = new AtomicInteger(3);
-                  waiter.lend(
-                      () -> {
-                        takers.add(Thread.currentThread());
-                        return left.decrementAndGet() > 0 ? clock.micros() + 10 : Clock.Turns.OVER;
-                      });
-                }
-              } catch (InterruptedException e) {
-                events.add("interrupted");
+        start(
+            "again",
+            waiter -> {
+              for (int i = 0; i < 2; i++) {
+                AtomicInteger left = new AtomicInteger(3);
+                waiter.lend(
+                    () -> {
+                      takers.add(Thread.currentThread());
+                      return left.decrementAndGet() > 0 ? clock.micros() + 10 : Clock.Turns.OVER;
+                    });
               }
             });
-    again.start();
     periodic("b", 10);
 
     clock.advance(100);

@@ -51,39 +51,42 @@ class LockstepClockTest {
     assertThat(clock.micros()).isEqualTo(60);
   }
 
-  @Test
-  void signal_fromTheThreadThatRuns_wakesBeforeTimeMoves() throws InterruptedException {
-    Clock.Waiter follower = clock.newWaiter("follower");
-    Thread following =
+  private interface Body {
+    void run() throws InterruptedException;
+  }
+
+  private void start(Body forever) {
+    Thread thread =
         new Thread(
             () -> {
               try {
                 while (true) {
-                  follower.await(Clock.NEVER);
-                  events.add("follower@" + clock.micros());
+                  forever.run();
                 }
               } catch (InterruptedException e) {
                 events.add("interrupted");
               }
             });
-    following.setDaemon(true);
-    following.start();
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  @Test
+  void signal_fromTheThreadThatRuns_wakesBeforeTimeMoves() throws InterruptedException {
+    Clock.Waiter follower = clock.newWaiter("follower");
+    start(
+        () -> {
+          follower.await(Clock.NEVER);
+          events.add("follower@" + clock.micros());
+        });
     Clock.Waiter leader = clock.newWaiter("leader");
-    Thread leading =
-        new Thread(
-            () -> {
-              try {
-                for (long due = 10; ; due += 10) {
-                  leader.await(due);
-                  events.add("leader@" + clock.micros());
-                  follower.signal();
-                }
-              } catch (InterruptedException e) {
-                events.add("interrupted");
-              }
-            });
-    leading.setDaemon(true);
-    leading.start();
+    AtomicInteger due = new AtomicInteger();
+    start(
+        () -> {
+          leader.await(due.addAndGet(10));
+          events.add("leader@" + clock.micros());
+          follower.signal();
+        });
 
     clock.advance(20);
 
@@ -128,21 +131,13 @@ class LockstepClockTest {
     AtomicInteger mostAtOnce = new AtomicInteger();
     for (int i = 0; i < 8; i++) {
       Clock.Waiter waiter = clock.newWaiter("w" + i);
-      Thread thread =
-          new Thread(
-              () -> {
-                try {
-                  for (long due = 0; ; due++) {
-                    waiter.await(due);
-                    mostAtOnce.accumulateAndGet(running.incrementAndGet(), Math::max);
-                    running.decrementAndGet();
-                  }
-                } catch (InterruptedException e) {
-                  mostAtOnce.set(Integer.MAX_VALUE);
-                }
-              });
-      thread.setDaemon(true);
-      thread.start();
+      AtomicInteger due = new AtomicInteger();
+      start(
+          () -> {
+            waiter.await(due.getAndIncrement());
+            mostAtOnce.accumulateAndGet(running.incrementAndGet(), Math::max);
+            running.decrementAndGet();
+          });
     }
 
     clock.advance(500);

@@ -12,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
 
 class XmlReaderTest {
@@ -85,25 +87,19 @@ class XmlReaderTest {
         .isEqualTo("é");
   }
 
-  @Test
-  void read_unknownEncoding_isRefused() {
-    assertRefused(
-        "<?xml version='1.0' encoding='KLINGON-8'?><mission/>",
-        "m.xml, line 1: unknown encoding \"KLINGON-8\"; expected UTF-8");
-  }
-
-  @Test
-  void read_textBetweenElements_isRefused() {
-    assertRefused(
-        "<mission>\n<home><x>1</x> 5 </home></mission>",
-        "m.xml, line 2, <home>: text \"5\" stands between its elements");
-  }
-
-  @Test
-  void read_unknownEntity_isRefused() {
-    assertRefused(
-        "<mission>\n&nbsp;</mission>",
-        "m.xml, line 2: not well-formed XML: Undeclared general entity \"nbsp\"");
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      textBlock =
+          """
+          <?xml version='1.0' encoding='KLINGON-8'?><mission/> | 1: unknown encoding "KLINGON-8"; expected UTF-8
+          <mission>⏎<home><x>1</x> 5 </home></mission> | 2, <home>: text "5" stands between its elements
+          <mission>⏎&nbsp;</mission> | 2: not well-formed XML: Undeclared general entity "nbsp"
+          <mission a='1' a='2'/> | 1: not well-formed XML: Duplicate attribute 'a'.
+          """)
+  void read_wrongText_isRefusedInItsLine(String text, String expected) {
+    assertRefused(text.replace('⏎', '\n'), "m.xml, line " + expected);
   }
 
   @Test
@@ -111,13 +107,6 @@ class XmlReaderTest {
     assertThatThrownBy(() -> read("<mission/>\n<mission/>"))
         .isInstanceOf(BadInputException.class)
         .hasMessageStartingWith("m.xml, line 2: not well-formed XML: ");
-  }
-
-  @Test
-  void read_sameAttributeTwice_isRefused() {
-    assertThatThrownBy(() -> read("<mission a='1' a='2'/>"))
-        .isInstanceOf(BadInputException.class)
-        .hasMessage("m.xml, line 1: not well-formed XML: Duplicate attribute 'a'.");
   }
 
   @Test
