@@ -114,20 +114,12 @@ final class CompositionOfRunning {
   }
 
   private static List<String> channels(List<DataOffer> offers) {
-    List<String> channels = new ArrayList<>();
-    for (DataOffer offer : offers) {
-      if (!channels.contains(offer.channel())) {
-        channels.add(offer.channel());
-      }
-    }
-    return channels;
+    return offers.stream().map(DataOffer::channel).distinct().toList();
   }
 
   private List<HeardSource> sources() {
     synchronized (sources) {
-      List<HeardSource> heard = new ArrayList<>();
-      sources.values().forEach(source -> heard.add(source.heard()));
-      return heard;
+      return sources.values().stream().map(SourceRecord::heard).toList();
     }
   }
 

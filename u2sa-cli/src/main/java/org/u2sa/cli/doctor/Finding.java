@@ -1,5 +1,7 @@
 package org.u2sa.cli.doctor;
 
+import org.u2sa.interfaces.JsonText;
+
 /**
  * Result of one check.
  *
@@ -35,5 +37,13 @@ record Finding(String subject, Grade grade, String found, String advice) {
 
   static Finding failure(String subject, String found, String advice) {
     return new Finding(subject, Grade.FAILURE, found, advice);
+  }
+
+  JsonText json() {
+    return new JsonText()
+        .put("subject", subject)
+        .put("grade", grade.name())
+        .put("found", found)
+        .put("advice", advice);
   }
 }

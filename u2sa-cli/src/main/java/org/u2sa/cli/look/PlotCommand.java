@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
@@ -23,11 +23,8 @@ import org.u2sa.report.page.Trace;
 import org.u2sa.report.picture.SeriesChart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa plot}: draws fields over time, in the terminal or as a picture. */
 @Command(
@@ -44,7 +41,7 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 1: no values were heard."
     })
-public final class PlotCommand implements Callable<Integer> {
+public final class PlotCommand extends BaseCommand {
   private static final double MICROS = 1e6;
   private static final double DRAW_EVERY_S = 0.25;
   private static final long LOOK_MS = 50;
@@ -53,7 +50,6 @@ public final class PlotCommand implements Callable<Integer> {
   private static final double WITHOUT_END_S = 10.0;
   private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @Mixin private ListeningTime time;
 
@@ -87,7 +83,7 @@ public final class PlotCommand implements Callable<Integer> {
       throw wrong("--window " + windowS + ": expected more than 0 s");
     }
     List<Wanted> wanted = names.stream().map(this::wanted).collect(Collectors.toList());
-    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    Terminal terminal = terminal();
     try (RemoteLink link = remote.connect()) {
       MessageStream stream = new MessageStream(link);
       wanted.stream().map(Wanted::channel).distinct().forEach(stream::of);
@@ -222,9 +218,5 @@ public final class PlotCommand implements Callable<Integer> {
               .put("values", values));
     }
     return new JsonText().put("series", all).line();
-  }
-
-  private ParameterException wrong(String what) {
-    return new ParameterException(command.commandLine(), what);
   }
 }

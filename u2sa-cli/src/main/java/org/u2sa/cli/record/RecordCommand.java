@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.interfaces.mqtt.MqttTransport;
@@ -15,10 +15,7 @@ import org.u2sa.recorder.Recorder;
 import org.u2sa.service.ServiceContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa record}: records a remote system. */
 @Command(
@@ -28,8 +25,7 @@ import picocli.CommandLine.Spec;
       "",
       "Joins the system by MQTT as a service named Recorder. Messages are written to the file four times a second, so a crash loses at most a quarter of a second. ./u2sa recover repairs a truncated file."
     })
-public final class RecordCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class RecordCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
   @Mixin private RecordOptions options;
 
@@ -52,8 +48,7 @@ public final class RecordCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException, IOException {
     if (forS != null && !(forS > 0.0)) {
-      throw new ParameterException(
-          command.commandLine(), "--for " + forS + ": expected more than 0 s");
+      throw wrong("--for " + forS + ": expected more than 0 s");
     }
     Path folder = out.toAbsolutePath().getParent();
     MqttTransport transport = remote.transport();
@@ -65,13 +60,12 @@ public final class RecordCommand implements Callable<Integer> {
             .build();
     Recorder recorder = new Recorder(context, new RunFacts().facts());
     recorder.start();
-    PrintWriter printer = command.commandLine().getOut();
-    Thread end = new Thread(() -> end(recorder, printer), "u2sa-record-end");
+    Thread end = new Thread(() -> end(recorder, out()), "u2sa-record-end");
     Runtime.getRuntime().addShutdownHook(end);
-    printer.println("Recording system " + transport.systemId() + ". Ctrl-C ends it.");
-    printer.flush();
+    print("Recording system " + transport.systemId() + ". Ctrl-C ends it.");
+    out().flush();
     await(recorder);
-    end(recorder, printer);
+    end(recorder, out());
     return ExitCode.DONE;
   }
 

@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.Setting;
 import org.u2sa.cli.record.RunFacts;
@@ -33,11 +33,8 @@ import org.u2sa.recorder.Recorder;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa run <system.xml>}: runs any system until it ends or is interrupted. */
 @Command(
@@ -48,12 +45,10 @@ import picocli.CommandLine.Spec;
       "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
           + "file and writes its log file. Ctrl-C, or a stop command, ends all of them."
     })
-public final class RunCommand implements Callable<Integer> {
+public final class RunCommand extends BaseCommand {
   private static final Clock CLOCK = new SystemClock();
   private static final String MANAGER = "CommunicationManager";
   private static final List<String> LOOPBACK = List.of("127.0.0.1", "::1", "localhost");
-
-  @Spec private CommandSpec command;
 
   @Parameters(paramLabel = "SYSTEM", description = "System file (XML).")
   private Path file;
@@ -136,13 +131,13 @@ public final class RunCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     SystemFile whole = SystemFile.read(file);
     SystemFile system = whole;
-    PrintWriter out = command.commandLine().getOut();
-    LaunchOptions options = new LaunchOptions().logDirectory(logs).seed(seed).console(out::println);
+    LaunchOptions options =
+        new LaunchOptions().logDirectory(logs).seed(seed).console(out()::println);
     settings = new ArrayList<>(settings);
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
-      evadeTakenPort(system, out);
+      evadeTakenPort(system, out());
     }
     set(options, system);
     recording.check();
@@ -152,8 +147,7 @@ public final class RunCommand implements Callable<Integer> {
       options.throughBroker();
     }
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
-      throw new ParameterException(
-          command.commandLine(), "--separate, --only and --host: expected one of them at most");
+      throw wrong("--separate, --only and --host: expected one of them at most");
     }
     if (host != null) {
       boolean carriesManager = system.communicationHost().equals(host);
@@ -169,7 +163,7 @@ public final class RunCommand implements Callable<Integer> {
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart).besideManager(besideManager);
     }
-    return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
+    return separate ? runSeparately(system.apart(), options, out()) : run(system, options, out());
   }
 
   /**
@@ -245,8 +239,7 @@ public final class RunCommand implements Callable<Integer> {
     Set<String> names = new HashSet<>();
     for (String name : only) {
       if (!names.add(name)) {
-        throw new ParameterException(
-            command.commandLine(), "--only: \"" + name + "\" is named twice");
+        throw wrong("--only: \"" + name + "\" is named twice");
       }
     }
   }
@@ -264,7 +257,7 @@ public final class RunCommand implements Callable<Integer> {
           manager + "COMMUNICATION MANAGER IP=" + address.hostInAddress(),
           manager + "COMMUNICATION MANAGER PORT=" + address.port());
     } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--broker " + e.getMessage());
+      throw wrong("--broker " + e.getMessage());
     }
   }
 
@@ -275,7 +268,7 @@ public final class RunCommand implements Callable<Integer> {
         options.override(setting.service(), setting.variable(), setting.value());
       }
     } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
+      throw wrong("--set: " + e.getMessage());
     }
   }
 

@@ -8,8 +8,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.concurrent.Callable;
 import java.util.function.ToLongFunction;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
@@ -31,9 +31,7 @@ import org.u2sa.service.directory.ServiceDirectory;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa services}: lists services, their health and their data. */
 @Command(
@@ -43,11 +41,10 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 1: no service answered, or none has the data asked for."
     })
-public final class ServicesCommand implements Callable<Integer> {
+public final class ServicesCommand extends BaseCommand {
   private static final double WATCH_EVERY_S = 1.0;
   private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @ArgGroup private View view = new View();
 
@@ -75,27 +72,27 @@ public final class ServicesCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
       DirectoryObservation observation = DirectoryObservation.made(link);
       if (view.publishing != null) {
         List<String> chain = DataType.chain(view.publishing, observation.directory());
         return print(
-            out, observation.directory().publishersOf(chain), "publishes " + view.publishing);
+            out(), observation.directory().publishersOf(chain), "publishes " + view.publishing);
       }
       if (view.subscribing != null) {
         List<String> chain = DataType.chain(view.subscribing, observation.directory());
         return print(
-            out, observation.directory().subscribersOf(chain), "subscribes to " + view.subscribing);
+            out(),
+            observation.directory().subscribersOf(chain),
+            "subscribes to " + view.subscribing);
       }
       if (view.json) {
-        out.print(ServicesJson.text(link.systemId(), observation));
-        out.println();
+        printBlock(ServicesJson.text(link.systemId(), observation));
       } else if (view.watch) {
         watch(link, observation);
       } else {
-        out.println("System " + link.systemId() + " at " + remote.brokerAddress());
-        ServiceTable.lines(observation.rows()).forEach(out::println);
+        print("System " + link.systemId() + " at " + remote.brokerAddress());
+        ServiceTable.lines(observation.rows()).forEach(out()::println);
       }
       return observation.names().isEmpty() ? ExitCode.FAILED : ExitCode.DONE;
     }
@@ -120,7 +117,7 @@ public final class ServicesCommand implements Callable<Integer> {
 
   private void watch(RemoteLink link, DirectoryObservation observation)
       throws InterruptedException {
-    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    Terminal terminal = terminal();
     try (Clock.Waiter waiter = link.clock().newWaiter("watch")) {
       while (!Thread.currentThread().isInterrupted()) {
         observation.directory().ask(); // updates the uptimes
