@@ -20,9 +20,7 @@ import picocli.CommandLine.Parameters;
       "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"
     })
 final class CompletionCommand extends BaseCommand {
-  /** Supported shells. */
   enum Shell {
-    /** GNU bash. */
     BASH,
     /** zsh, which uses bash's completion. */
     ZSH

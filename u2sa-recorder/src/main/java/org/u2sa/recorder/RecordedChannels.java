@@ -34,7 +34,6 @@ final class RecordedChannels {
   private final Map<String, McapSchema> schemas = new HashMap<>();
   private int file;
 
-  /** A channel of the recording. */
   static final class Track {
     private final McapChannel channel;
     private final McapSchema schema;
@@ -84,7 +83,6 @@ final class RecordedChannels {
     return tracks.get(topic);
   }
 
-  /** Adds a channel. */
   Track add(
       String topic,
       String messageEncoding,

@@ -53,7 +53,6 @@ final class RecordingFiles {
   private long presentNanos;
   private long failedNanos;
 
-  /** Creates a new file. */
   @FunctionalInterface
   interface Disk {
     FileChannel create(Path file) throws IOException;

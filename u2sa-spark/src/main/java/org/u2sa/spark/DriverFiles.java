@@ -80,7 +80,6 @@ final class DriverFiles implements AutoCloseable {
     return folder.resolve("u2sa.zip");
   }
 
-  /** The command line of the driver. */
   List<String> command(SparkHome home, SparkMaster master, String localAddress) throws IOException {
     List<String> ours = new ArrayList<>();
     for (Class<?> type : List.of(SparkDriver.class, RunBackend.class)) {

@@ -187,7 +187,6 @@ public final class ConfigCommand extends BaseCommand.Group {
     return ExitCode.DONE;
   }
 
-  /** Formats configurations as a table. */
   private static final class ConfigurationTable {
     private static final double WHOLE_BELOW = 1.0e15;
 
@@ -219,7 +218,6 @@ public final class ConfigCommand extends BaseCommand.Group {
       return lines;
     }
 
-    /** The value with its unit. */
     static String value(ConfigurationVariable variable) {
       return variable.unit().isEmpty()
           ? variable.value()

@@ -34,7 +34,6 @@ final class AutonomyEvidence {
    * @param because evidence for it
    */
   record Finding(String dimension, Optional<Level> stated, Level shown, String because) {
-    /** Whether the stated level exceeds the derived one. */
     boolean isUnproven() {
       return stated.filter(level -> level.number() > shown.number()).isPresent();
     }
@@ -42,7 +41,6 @@ final class AutonomyEvidence {
 
   private record Evidence(Level level, String text) {}
 
-  /** The three dimensions. */
   List<Finding> findings() {
     Optional<AutonomyLevels> stated = vehicle.stated();
     return List.of(

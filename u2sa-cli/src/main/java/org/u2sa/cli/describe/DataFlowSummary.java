@@ -16,7 +16,6 @@ final class DataFlowSummary {
     this.vehicle = vehicle;
   }
 
-  /** One sentence per step. */
   List<String> sentences() {
     Set<String> around = new LinkedHashSet<>(publishers(Channels.SENSED_OBJECTS.name()));
     around.addAll(publishers(Channels.SCANS.name()));

@@ -56,7 +56,6 @@ record VehicleComposition(
       List<String> publishes,
       List<String> subscribes,
       String note) {
-    /** The role in words. */
     String roleWords() {
       return role.toLowerCase(Locale.ROOT).replace('_', ' ');
     }
@@ -95,17 +94,14 @@ record VehicleComposition(
     }
   }
 
-  /** Services that publish on a channel. */
   List<String> publishersOf(String channel) {
     return names(services.stream().filter(service -> service.publishes().contains(channel)));
   }
 
-  /** Services that subscribe to a channel. */
   List<String> subscribersOf(String channel) {
     return names(services.stream().filter(service -> service.subscribes().contains(channel)));
   }
 
-  /** Services of a role. */
   List<String> ofRole(String role) {
     return names(services.stream().filter(service -> service.role().equals(role)));
   }

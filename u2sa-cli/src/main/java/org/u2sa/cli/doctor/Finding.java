@@ -13,7 +13,6 @@ import org.u2sa.interfaces.JsonText;
 record Finding(String subject, Grade grade, String found, String advice) {
   /** Assessment, best first. */
   enum Grade {
-    /** As it should be. */
     OK,
     /** Missing, but only needed for some uses. */
     OPTIONAL,

@@ -87,7 +87,6 @@ final class MeasuredSources {
     return table;
   }
 
-  /** Same as a JSON object. */
   String json(long nowMicros) {
     List<JsonText> channels = new ArrayList<>();
     rows.forEach(

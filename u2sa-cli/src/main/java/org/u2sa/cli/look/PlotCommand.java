@@ -72,7 +72,6 @@ public final class PlotCommand extends BaseCommand {
   @Option(names = "--json", description = "Print the values as JSON at the end.")
   private boolean json;
 
-  /** A plotted field. */
   private record Wanted(String name, Channel<?> channel, FieldPath path) {}
 
   private final Map<String, Series> series = new LinkedHashMap<>();

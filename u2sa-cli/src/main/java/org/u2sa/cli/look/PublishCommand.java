@@ -87,7 +87,6 @@ public final class PublishCommand extends BaseCommand {
   @Option(names = "--json", description = "Print JSON.")
   private boolean json;
 
-  /** Outcome of publishing a message. */
   private enum Outcome {
     CAME_THROUGH,
     NOT_HEARD,

@@ -71,7 +71,6 @@ abstract class OrderCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa mission goto}. */
   @Command(
       name = "goto",
       description = {
@@ -89,7 +88,6 @@ abstract class OrderCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa mission skip}. */
   @Command(
       name = "skip",
       description = {"Skip a current goal: the mission continues as if it were done."})
@@ -107,7 +105,6 @@ abstract class OrderCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa mission insert}. */
   @Command(
       name = "insert",
       description = {
@@ -121,7 +118,6 @@ abstract class OrderCommand extends BaseCommand {
 
     @ArgGroup private Place place = new Place();
 
-    /** Mutually exclusive options. */
     private static final class Place {
       @Option(
           names = "--after",
@@ -140,7 +136,6 @@ abstract class OrderCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa mission update}. */
   @Command(
       name = "update",
       description = {
@@ -156,7 +151,6 @@ abstract class OrderCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa mission pause}. */
   @Command(
       name = "pause",
       description = {
@@ -171,7 +165,6 @@ abstract class OrderCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa mission resume}. */
   @Command(
       name = "resume",
       description = {

@@ -20,7 +20,6 @@ import picocli.CommandLine.Spec;
 
 /** Recording options of a command; used as {@code @Mixin RecordOptions recording}. */
 public final class RecordOptions {
-  /** File name without number and suffix. */
   private static final String STEM = "recording";
 
   private static final Pattern SPLIT = Pattern.compile("(\\d+(?:\\.\\d+)?)(MB|GB|s|min)");
@@ -80,7 +79,6 @@ public final class RecordOptions {
     values.put("FORM", form.name().toUpperCase(Locale.ROOT));
   }
 
-  /** Whether any of these options was given. */
   boolean isAnyGiven() {
     return !values.isEmpty();
   }

@@ -31,7 +31,6 @@ final class RerunReport {
     return outcomes.stream().allMatch(Rerun.Outcome::isIdentical);
   }
 
-  /** Text for people. */
   List<String> lines() {
     TextTable table =
         new TextTable("SERVICE", "CHANNEL", "RECORDED", "NOW", "SAME", "FIRST DIFFERENCE");
@@ -136,7 +135,6 @@ final class RerunReport {
         wallS == 0.0 ? 0.0 : simS / wallS);
   }
 
-  /** JSON for programs. */
   List<String> json() {
     List<JsonText> services = new ArrayList<>();
     for (Rerun.Outcome outcome : outcomes) {

@@ -117,7 +117,6 @@ public final class ExportCommand extends BaseCommand {
     tables.write(target("-csv")).forEach((table, rows) -> say(table, Map.of("rows", rows)));
   }
 
-  /** Prints a file written and its size. */
   private void say(Path written, Map<String, Long> counts) {
     if (json) {
       JsonText line = new JsonText().put("file", written.toString());

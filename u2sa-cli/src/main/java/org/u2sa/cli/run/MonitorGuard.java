@@ -33,11 +33,9 @@ final class MonitorGuard implements AutoCloseable {
   private static final int MAX_RESTARTS = 3; // RESTART LIMIT and window of a monitor
   private static final long RESTART_WINDOW_MICROS = 60_000_000;
 
-  /** Service processes, by entry. */
   interface Processes {
     boolean isAlive(String entry);
 
-    /** Restarts the entry's process. */
     void startProcess(String entry);
   }
 
@@ -96,7 +94,6 @@ final class MonitorGuard implements AutoCloseable {
     }
   }
 
-  /** Checks for silent monitors. */
   synchronized void look(long now) {
     if (silentMicros(Launcher.NAME, now) > DEAF_AFTER_MICROS) {
       excusedMicros = now;
@@ -136,7 +133,6 @@ final class MonitorGuard implements AutoCloseable {
     return names.lastWord(serviceName).map(word -> now - word.atMicros()).orElse(0L);
   }
 
-  /** Records that an entry's process has failed. */
   synchronized void ended(String entry, int exitCode) {
     long now = clock.micros();
     boolean isMonitor = names.monitors().contains(entry);

@@ -27,7 +27,6 @@ final class ParentWatch {
     this.halt = halt;
   }
 
-  /** Starts watching. */
   void start() {
     daemon("u2sa-parent", this::watch).start();
   }

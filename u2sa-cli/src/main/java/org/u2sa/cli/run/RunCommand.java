@@ -225,7 +225,6 @@ public final class RunCommand extends BaseCommand {
     return facts;
   }
 
-  /** Watches the parent process, if one supervises this process. */
   private Optional<ParentWatch> parentWatch() {
     if (!supervised) {
       return Optional.empty();

@@ -136,12 +136,10 @@ final class ServiceNames implements Receiver, AutoCloseable {
         : Optional.ofNullable(known);
   }
 
-  /** Returns the service name of the entry, if known. */
   Optional<String> nameOf(String entryName) {
     return Optional.ofNullable(serviceNames.get(entryName));
   }
 
-  /** Returns the entries that are health monitors. */
   List<String> monitors() {
     return entries.stream()
         .filter(KnownNames::isMonitor)

@@ -105,7 +105,6 @@ final class ServiceProcesses implements AutoCloseable {
     notifyAll();
   }
 
-  /** Whether the service's process is alive. */
   synchronized boolean isAlive(String entry) {
     Process process = processes.get(entry);
     return process != null && process.isAlive();

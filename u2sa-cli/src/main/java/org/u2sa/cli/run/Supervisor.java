@@ -99,7 +99,6 @@ final class Supervisor implements ServiceHost, AutoCloseable {
             });
   }
 
-  /** The guard's view of the processes. */
   private final class GuardedProcesses implements MonitorGuard.Processes {
     private final Consumer<String> console;
 

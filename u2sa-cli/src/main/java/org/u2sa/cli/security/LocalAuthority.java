@@ -115,7 +115,6 @@ final class LocalAuthority {
     }
   }
 
-  /** Runs the JDK's keytool as a process. */
   static final class Keytool {
     /**
      * Password of all key stores. It need not be secret, because the files are private to their

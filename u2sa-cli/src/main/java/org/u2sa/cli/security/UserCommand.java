@@ -141,7 +141,6 @@ final class UserCommand extends BaseCommand.Group {
 
     private Passwords() {}
 
-    /** The first line of a file. */
     static char[] read(Path file) {
       requireClosed("--password-file", file);
       try {
@@ -165,7 +164,6 @@ final class UserCommand extends BaseCommand.Group {
       }
     }
 
-    /** A random password. */
     static char[] make(Path newFile) {
       if (Files.exists(newFile)) {
         throw new BadInputException(

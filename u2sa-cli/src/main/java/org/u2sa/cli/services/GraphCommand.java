@@ -32,7 +32,6 @@ public final class GraphCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
   @ArgGroup private Form form = new Form();
 
-  /** Mutually exclusive options. */
   private static final class Form {
     @Option(
         names = "--format",

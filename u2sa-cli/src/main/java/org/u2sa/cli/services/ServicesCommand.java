@@ -48,7 +48,6 @@ public final class ServicesCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
   @ArgGroup private View view = new View();
 
-  /** Mutually exclusive options. */
   private static final class View {
     @Option(
         names = "--publishing",
@@ -138,7 +137,6 @@ public final class ServicesCommand extends BaseCommand {
     return line.length() < columns ? line : line.substring(0, columns - 1);
   }
 
-  /** Resolves the data type named by the operator. */
   private static final class DataType {
     private DataType() {}
 
@@ -174,7 +172,6 @@ public final class ServicesCommand extends BaseCommand {
     }
   }
 
-  /** Formats the services of a system as a table, one per line. */
   private static final class ServiceTable {
     private static final double SECONDS_PER_MINUTE = 60.0;
     private static final double MICROS_PER_SECOND = 1e6;

@@ -77,7 +77,6 @@ public final class NewCommand extends BaseCommand {
           "Your organisation's templates, which take precedence over U2SA's own. Default: the environment's U2SA_TEMPLATES.")
   private String templates;
 
-  /** Build tool of a new project. */
   static final class Tool {
     @Option(names = "--maven", description = "Build the new project with Maven, the default.")
     private boolean maven;

@@ -64,7 +64,6 @@ final class Rendering {
     return placeholders.fill(text, file.origin()).getBytes(StandardCharsets.UTF_8);
   }
 
-  /** File contents by path in the project. */
   SortedMap<String, byte[]> files() {
     return files;
   }

@@ -92,7 +92,6 @@ final class ExecutionReader implements AutoCloseable {
     return Optional.ofNullable(next);
   }
 
-  /** Consumes the next entry. */
   void skip() {
     next = null;
   }

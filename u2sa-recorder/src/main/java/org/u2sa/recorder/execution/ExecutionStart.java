@@ -212,7 +212,6 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return all;
   }
 
-  /** Integer value of a text. */
   long number(String name) throws McapException {
     try {
       return Long.parseLong(text(name));

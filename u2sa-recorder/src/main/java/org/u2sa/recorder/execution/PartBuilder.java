@@ -55,7 +55,6 @@ final class PartBuilder {
     messages.add(new ExecutionPart.Passed(channel, message));
   }
 
-  /** Adds a clock reading. */
   void addReading(long micros) {
     if (isLarge) {
       handOn();

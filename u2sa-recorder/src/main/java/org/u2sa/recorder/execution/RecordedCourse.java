@@ -84,7 +84,6 @@ final class RecordedCourse {
     return passed;
   }
 
-  /** Whether the recording is exhausted. */
   boolean isOver() {
     return over;
   }

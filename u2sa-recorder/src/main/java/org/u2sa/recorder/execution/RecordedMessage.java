@@ -14,7 +14,6 @@ final class RecordedMessage {
   private final Track track;
   private final byte[] data;
 
-  /** Topic of recorded messages. */
   record Track(Topic topic, Channel<?> channel) {}
 
   /**

@@ -14,7 +14,6 @@ import org.u2sa.recorder.mcap.record.RecordBuffer;
 
 /** Compression of chunks. Pure Java, so that output is byte-identical on every platform. */
 public enum ChunkCompression {
-  /** No compression. */
   NONE("") {
     @Override
     void compress(byte[] bytes, int length, RecordBuffer out) {

@@ -22,12 +22,10 @@ final class CsvColumns {
 
   private final Set<String> heads = new LinkedHashSet<>();
 
-  /** Adds the fields of a message. */
   void learn(U2SAData message) {
     heads.addAll(cells(message).keySet());
   }
 
-  /** Header line. */
   String head() {
     List<String> row = new ArrayList<>();
     row.add(TIME);

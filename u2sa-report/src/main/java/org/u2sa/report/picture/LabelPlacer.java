@@ -30,12 +30,10 @@ final class LabelPlacer {
     this.frame = frame;
   }
 
-  /** Keeps labels off {@code box}. */
   void avoid(Rectangle2D.Double box) {
     taken.add(box);
   }
 
-  /** Makes labels avoid a line if possible. */
   void avoidLine(List<Point2D> corners) {
     for (int i = 0; i + 1 < corners.size(); i++) {
       Point2D a = corners.get(i);

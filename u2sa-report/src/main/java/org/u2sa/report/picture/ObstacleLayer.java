@@ -68,7 +68,6 @@ final class ObstacleLayer {
     }
   }
 
-  /** A name to be drawn beside a point of the chart. */
   record Name(String text, Point2D at, Color colour) {}
 
   /**

@@ -31,7 +31,6 @@ final class HopLatency {
     }
   }
 
-  /** Whether channels were left out. */
   boolean isShortened() {
     return isShortened;
   }

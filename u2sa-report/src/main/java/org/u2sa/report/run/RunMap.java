@@ -99,7 +99,6 @@ final class RunMap {
             .put("done", waypoint.completed() && !waypoint.abandoned()));
   }
 
-  /** Whether goals or objects were left out. */
   boolean isShortened() {
     return isShortened;
   }

@@ -37,7 +37,6 @@ public record ObstacleResult(
         object.uid(), Surroundings.moves(object), least, timeS, least <= reachM);
   }
 
-  /** Violation text for touching it. */
   String violation() {
     return String.format(Locale.ROOT, "entered %s at %.1f s, %.1f m from it", name, timeS, leastM);
   }

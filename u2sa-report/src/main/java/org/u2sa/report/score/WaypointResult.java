@@ -38,7 +38,6 @@ public record WaypointResult(
     return approach.result();
   }
 
-  /** Accumulates the result over the track's segments. */
   private static final class Approach {
     private final RunPlan.Waypoint waypoint;
     private final PlotPlane plane;
