@@ -78,12 +78,13 @@ final class RecordedChannels {
     return add(topic, "cbor", name, "jsonschema", text, Map.of("channel", channel.name()));
   }
 
-  /** Channel of a topic; null if not added yet. */
-  Track named(String topic) {
-    return tracks.get(topic);
+  /** Channel of a topic, whose messages and schema have the same encoding. */
+  Track of(String topic, String encoding, String schemaName, byte[] schema) {
+    Track known = tracks.get(topic);
+    return known == null ? add(topic, encoding, schemaName, encoding, schema, Map.of()) : known;
   }
 
-  Track add(
+  private Track add(
       String topic,
       String messageEncoding,
       String schemaName,

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.configuration.VariableWatch;
 import org.u2sa.gcs.remote.MessageStream;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.LongFunction;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -25,7 +26,6 @@ import picocli.CommandLine.Parameters;
  */
 public abstract sealed class MeasureCommand extends BaseCommand {
   private static final double EVERY_S = 1.0;
-  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
   /** Measures message rates. */
   @Command(
@@ -170,7 +170,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
         return;
       }
       if (terminal.redraws() && !time.isBounded()) {
-        out.print(TO_TOP_AND_CLEAR);
+        terminal.clear();
       }
       sources.table(now).lines().forEach(out::println);
       out.flush();

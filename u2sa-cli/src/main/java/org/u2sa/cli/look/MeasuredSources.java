@@ -1,6 +1,7 @@
 package org.u2sa.cli.look;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -21,16 +22,11 @@ final class MeasuredSources {
 
   private final List<String> columns;
   private final LongFunction<Meter> meterFrom;
-  private final Map<Key, Row> rows = new TreeMap<>();
+  private final Map<Key, Row> rows =
+      new TreeMap<>(
+          Comparator.comparing(Key::channel).thenComparing(Key::source).thenComparing(Key::type));
 
-  private record Key(String channel, String source, String type) implements Comparable<Key> {
-    @Override
-    public int compareTo(Key other) {
-      int byChannel = channel.compareTo(other.channel);
-      int bySource = byChannel == 0 ? source.compareTo(other.source) : byChannel;
-      return bySource == 0 ? type.compareTo(other.type) : bySource;
-    }
-  }
+  private record Key(String channel, String source, String type) {}
 
   private static final class Row {
     private final Meter meter;

@@ -10,6 +10,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.gcs.remote.MessageStream;
@@ -48,7 +49,6 @@ public final class PlotCommand extends BaseCommand {
   private static final int LABEL_COLUMNS = 14;
   private static final int ROWS = 12;
   private static final double WITHOUT_END_S = 10.0;
-  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
   @Mixin private RemoteSystem remote;
   @Mixin private ListeningTime time;
@@ -184,7 +184,7 @@ public final class PlotCommand extends BaseCommand {
   }
 
   private void redraw(Terminal terminal, double nowS) {
-    terminal.out().print(TO_TOP_AND_CLEAR);
+    terminal.clear();
     draw(terminal, nowS);
   }
 

@@ -11,6 +11,7 @@ import java.util.UUID;
 import java.util.function.BooleanSupplier;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.record.SpanOptions;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.MessageStream;

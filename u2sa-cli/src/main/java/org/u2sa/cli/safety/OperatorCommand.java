@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -15,7 +16,6 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** {@code u2sa operator}: sends operator heartbeats and shows the vehicle's safety state. */
 @Command(
@@ -32,25 +32,18 @@ public final class OperatorCommand extends BaseCommand {
 
   @Mixin private RemoteSystem remote;
 
-  @Option(
-      names = "--for",
-      paramLabel = "S",
-      description = "Stop after this many seconds. Default: at Ctrl-C.")
-  private Double forS;
+  @Mixin private ListeningTime time;
 
   private final Map<String, String> shown = new LinkedHashMap<>(); // guarded by itself
 
   @Override
   public Integer call() throws InterruptedException {
-    if (forS != null && !(forS > 0.0)) {
-      throw wrong("--for " + forS + ": expected more than 0 s");
-    }
     try (RemoteLink link = remote.connect();
         Clock.Waiter waiter = link.clock().newWaiter("operator")) {
       link.listen(Channels.ARMING_STATE, this::show);
       link.listen(Channels.FAILSAFE, this::show);
       link.listen(Channels.CONDITIONS, this::show);
-      long end = forS == null ? Clock.NEVER : link.clock().micros() + Clock.micros(forS);
+      long end = time.end(link.clock().micros());
       long due = link.clock().micros();
       while (due < end) {
         link.publish(

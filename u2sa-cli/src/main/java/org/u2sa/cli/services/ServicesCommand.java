@@ -43,7 +43,6 @@ import picocli.CommandLine.Option;
     })
 public final class ServicesCommand extends BaseCommand {
   private static final double WATCH_EVERY_S = 1.0;
-  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
   @Mixin private RemoteSystem remote;
   @ArgGroup private View view = new View();
@@ -123,18 +122,14 @@ public final class ServicesCommand extends BaseCommand {
         waiter.await(link.clock().micros() + Clock.micros(WATCH_EVERY_S));
         observation.directory().refresh();
         if (terminal.redraws()) {
-          terminal.out().print(TO_TOP_AND_CLEAR);
+          terminal.clear();
         }
         terminal.out().println("System " + link.systemId() + " at " + remote.brokerAddress());
         for (String line : ServiceTable.lines(observation.rows())) {
-          terminal.out().println(terminal.redraws() ? cut(line, terminal.columns()) : line);
+          terminal.out().println(terminal.redraws() ? terminal.fitted(line) : line);
         }
       }
     }
-  }
-
-  private static String cut(String line, int columns) {
-    return line.length() < columns ? line : line.substring(0, columns - 1);
   }
 
   private static final class DataType {

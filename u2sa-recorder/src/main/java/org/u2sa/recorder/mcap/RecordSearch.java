@@ -52,7 +52,7 @@ final class RecordSearch {
 
   private void requireMagicAt(long at, SeekableByteChannel channel) throws IOException {
     try {
-      RecordWalk.requireMagic(channel, at);
+      RecordStream.requireMagic(channel, at);
     } catch (McapException e) {
       trouble.accept(e.getMessage());
     }
@@ -60,7 +60,7 @@ final class RecordSearch {
 
   private static boolean isMagicAt(long at, SeekableByteChannel channel) throws IOException {
     try {
-      RecordWalk.requireMagic(channel, at);
+      RecordStream.requireMagic(channel, at);
       return true;
     } catch (McapException e) {
       return false;

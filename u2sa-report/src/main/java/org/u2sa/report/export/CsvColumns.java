@@ -76,8 +76,14 @@ final class CsvColumns {
   private static String line(List<String> cells) {
     StringBuilder line = new StringBuilder();
     for (String cell : cells) {
-      line.append(line.length() == 0 ? "" : ",").append(CsvCell.of(cell));
+      line.append(line.length() == 0 ? "" : ",").append(cell(cell));
     }
     return line.append("\r\n").toString();
+  }
+
+  /** Text as a cell (RFC 4180): in quotes if it needs them. */
+  static String cell(String text) {
+    boolean needsQuotes = text.chars().anyMatch(c -> c == ',' || c == '"' || c < ' ');
+    return needsQuotes ? '"' + text.replace("\"", "\"\"") + '"' : text;
   }
 }

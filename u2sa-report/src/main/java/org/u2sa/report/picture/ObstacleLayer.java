@@ -175,11 +175,8 @@ final class ObstacleLayer {
   }
 
   private Point2D place(ObjectDescription object, Point point) {
-    Geodetic home =
-        plan.home()
-            .map(
-                start -> new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()))
-            .orElse(new Geodetic(0.0, 0.0, 0.0)); // needed by local frames only, which have one
+    // without a home there are no objects in local frames
+    Geodetic home = plan.home().map(RunPlan.Start::place).orElse(new Geodetic(0.0, 0.0, 0.0));
     Geodetic place = Surroundings.onEarth(object, point, home);
     return chart.at(place.longitudeDeg(), place.latitudeDeg());
   }

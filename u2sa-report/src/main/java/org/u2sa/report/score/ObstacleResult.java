@@ -23,11 +23,9 @@ public record ObstacleResult(
     double least = Double.POSITIVE_INFINITY;
     double timeS = 0.0;
     for (TrackSample sample : track) {
-      Geodetic place =
-          new Geodetic(sample.longitudeDeg(), sample.latitudeDeg(), sample.altitudeM());
       double away =
           Surroundings.after(object, sample.timeS())
-              .distanceTo(Surroundings.in(object, place, home));
+              .distanceTo(Surroundings.in(object, sample.place(), home));
       if (away < least) {
         least = away;
         timeS = sample.timeS();
