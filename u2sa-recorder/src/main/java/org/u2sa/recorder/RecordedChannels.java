@@ -106,13 +106,7 @@ final class RecordedChannels {
     return track;
   }
 
-  /**
-   * Writes a message, preceded by its channel's definition if this file lacks it.
-   *
-   * @param logNanos recording time [ns]
-   * @param publishNanos measurement time according to the message [ns]
-   * @return its place in the file
-   */
+  /** Writes a message, after its channel's definition if this file lacks it; returns its place. */
   ExecutionPart.Place write(
       McapWriter writer, Track track, long logNanos, long publishNanos, byte[] data)
       throws IOException {

@@ -74,10 +74,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final CountDownLatch toClose = new CountDownLatch(1);
   private final Thread atExit = new Thread(this::endWithProgram, "u2sa-recorder-exit");
 
-  /**
-   * @param clock the run's clock
-   * @param trouble notified of what cannot be recorded; called from any thread
-   */
+  /** Calls {@code trouble} from any thread with what cannot be recorded. */
   Recording(
       String systemId,
       Clock clock,

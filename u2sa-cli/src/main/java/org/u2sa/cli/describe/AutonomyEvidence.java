@@ -27,11 +27,7 @@ final class AutonomyEvidence {
   }
 
   /**
-   * One dimension.
-   *
-   * @param stated level in the system file; empty if not stated
-   * @param shown level derived from services and channels
-   * @param because evidence for it
+   * One dimension: the level stated in the file, if any, and the level shown, with its evidence.
    */
   record Finding(String dimension, Optional<Level> stated, Level shown, String because) {
     boolean isUnproven() {

@@ -40,11 +40,7 @@ final class CompositionOfRunning {
     directory = new ServiceDirectory(link.clock(), link::publish);
   }
 
-  /**
-   * Listens for a fixed time.
-   *
-   * @param stated autonomy stated in the vehicle's file
-   */
+  /** Listens for a fixed time; {@code stated} is the autonomy stated in the vehicle's file. */
   static VehicleComposition of(RemoteLink link, String origin, Optional<AutonomyLevels> stated)
       throws InterruptedException {
     CompositionOfRunning running = new CompositionOfRunning(link);

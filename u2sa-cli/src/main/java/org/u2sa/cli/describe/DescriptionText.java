@@ -25,9 +25,6 @@ final class DescriptionText {
   private final boolean variables;
   private final List<String> lines = new ArrayList<>();
 
-  /**
-   * @param variables whether to include the variables set in configuration files
-   */
   DescriptionText(VehicleComposition vehicle, Terminal terminal, boolean variables) {
     this.vehicle = vehicle;
     this.terminal = terminal;

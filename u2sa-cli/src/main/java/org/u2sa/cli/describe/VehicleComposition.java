@@ -35,17 +35,7 @@ record VehicleComposition(
     actuators = List.copyOf(actuators);
   }
 
-  /**
-   * A service of it.
-   *
-   * @param role name of its {@link org.u2sa.service.ServiceRole}; empty if unknown
-   * @param configuration its configuration file; empty if none or unknown
-   * @param variables variables set in the file, by name, with unit
-   * @param stated configured properties of a sensor's data, by variable, with unit; only from files
-   * @param publishes channels on which it publishes
-   * @param subscribes subscribed channels
-   * @param note additional remark; empty if none
-   */
+  /** A service. Unknown texts are empty; {@code stated} is about a sensor's data, with units. */
   record ComposedService(
       String name,
       String role,
@@ -61,16 +51,7 @@ record VehicleComposition(
     }
   }
 
-  /**
-   * Data of one sensor or of the estimator.
-   *
-   * @param channel channel of the data
-   * @param sensor its name
-   * @param type message type
-   * @param rateHz message rate; 0 if heard only once
-   * @param fields fields that it sets
-   * @param sigmas standard deviations that it provides, with unit
-   */
+  /** Data of one source; rateHz is 0 if it was heard only once, and sigmas have units. */
   record HeardSource(
       String channel,
       String sensor,
@@ -79,11 +60,7 @@ record VehicleComposition(
       List<String> fields,
       Map<String, String> sigmas) {}
 
-  /**
-   * Announcement of an actuator.
-   *
-   * @param facts announced values by field name, with unit
-   */
+  /** Announcement of an actuator; facts are by field name, with units. */
   record AnnouncedActuator(
       String name, Map<String, String> facts, ActuatorAnnouncement announcement) {
     static AnnouncedActuator of(ActuatorAnnouncement announcement) {

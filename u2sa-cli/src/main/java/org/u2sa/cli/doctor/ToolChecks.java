@@ -19,9 +19,7 @@ final class ToolChecks {
     this(programs, environment, Path.of("/usr/games"));
   }
 
-  /**
-   * @param gamesFolder searched after the PATH, as scripts/flightgear/start does
-   */
+  /** Searches the games folder after the PATH, as scripts/flightgear/start does. */
   ToolChecks(Programs programs, Map<String, String> environment, Path gamesFolder) {
     this.programs = programs;
     this.environment = environment;

@@ -1,6 +1,5 @@
 package org.u2sa.cli.look;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -198,7 +197,7 @@ public final class EchoCommand extends BaseCommand {
       while (printed < most() && !time.isOver(began, link.clock().micros())) {
         Optional<VariableWatch.Value> next = watch.next(LOOK_MS);
         if (next.isPresent()) {
-          print(out(), service, name, next.get());
+          print(service, name, next.get());
           printed++;
         }
       }
@@ -206,9 +205,9 @@ public final class EchoCommand extends BaseCommand {
     }
   }
 
-  private void print(PrintWriter out, String service, String name, VariableWatch.Value value) {
+  private void print(String service, String name, VariableWatch.Value value) {
     if (json) {
-      out.println(
+      print(
           new JsonText()
               .put("service", service)
               .put("variable", name)
@@ -221,7 +220,7 @@ public final class EchoCommand extends BaseCommand {
     }
     String unit = value.unit().isEmpty() ? "" : " " + value.unit();
     String by = value.author().isEmpty() ? "" : "  set by " + value.author();
-    out.println(
+    print(
         MessageText.time(value.micros())
             + "  "
             + service

@@ -41,21 +41,13 @@ final class MeasuredSources {
     }
   }
 
-  /**
-   * @param columns columns of the meters
-   * @param meterFrom creates a source's meter, given its start time [µs of real time]
-   */
+  /** Creates each source's meter with its start time [µs of real time]. */
   MeasuredSources(List<String> columns, LongFunction<Meter> meterFrom) {
     this.columns = columns;
     this.meterFrom = meterFrom;
   }
 
-  /**
-   * Adds a message.
-   *
-   * @param micros arrival time [µs of real time]
-   * @param beganMicros start of measuring [µs of real time]
-   */
+  /** Adds a message that arrived at {@code micros}; measuring began at {@code beganMicros}. */
   void take(Channel<?> channel, U2SAData message, long micros, long beganMicros) {
     Key key = new Key(channel.name(), channel.sourceOf(message), MessageJson.typeName(message));
     Row row = rows.computeIfAbsent(key, each -> new Row(meterFrom.apply(beganMicros)));

@@ -24,10 +24,7 @@ final class TextPlot {
   private final char[][] cells;
   private final int[][] owner; // index of the series that drew there last
 
-  /**
-   * @param columns columns of the plot area, without labels
-   * @param colours whether the terminal supports colours
-   */
+  /** Creates a plot with this many columns beside its labels. */
   TextPlot(int columns, int rows, boolean colours) {
     this.columns = columns;
     this.rows = rows;

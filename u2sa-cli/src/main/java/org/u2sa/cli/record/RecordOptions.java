@@ -83,11 +83,7 @@ public final class RecordOptions {
     return !values.isEmpty();
   }
 
-  /**
-   * Variables for the recorder.
-   *
-   * @param file path of the recording, relative to the log folder
-   */
+  /** Variables of a recorder into this file, relative to the log folder. */
   XmlConfiguration configuration(String file) {
     if (values.containsKey("KEEP")
         && !values.containsKey("SPLIT MEGABYTES")
@@ -100,11 +96,7 @@ public final class RecordOptions {
     return XmlConfiguration.inMemory("Recorder", all);
   }
 
-  /**
-   * Sets up the recording of a run.
-   *
-   * @param file path of the recording, relative to the log folder
-   */
+  /** Records a run into this file, relative to the log folder. */
   void addTo(LaunchOptions launch, String file, RunFacts facts) {
     launch.beside(configuration(file), context -> new Recorder(context, facts.facts()));
   }

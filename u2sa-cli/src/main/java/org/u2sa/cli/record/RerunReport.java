@@ -18,9 +18,6 @@ final class RerunReport {
   private final double wallS;
   private final boolean withDeviations;
 
-  /**
-   * @param wallS total wall-clock time [s]
-   */
   RerunReport(List<Rerun.Outcome> outcomes, double wallS, boolean withDeviations) {
     this.outcomes = List.copyOf(outcomes);
     this.wallS = wallS;

@@ -53,9 +53,6 @@ final class MonitorGuard implements AutoCloseable {
   private long failures; // own thread only
   private volatile boolean closed;
 
-  /**
-   * @param console receives status lines
-   */
   MonitorGuard(ServiceNames names, Clock clock, Processes processes, Consumer<String> console) {
     this.names = names;
     this.clock = clock;

@@ -18,10 +18,7 @@ final class ParentWatch {
   private final IntConsumer halt;
   private volatile Runnable end = () -> {};
 
-  /**
-   * @param parent stream that reaches its end when the parent exits
-   * @param halt exits the process immediately with the given exit code
-   */
+  /** When {@code parent} ends, {@code halt} exits the process at once with an exit code. */
   ParentWatch(InputStream parent, IntConsumer halt) {
     this.parent = parent;
     this.halt = halt;

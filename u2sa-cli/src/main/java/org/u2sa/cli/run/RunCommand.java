@@ -1,6 +1,5 @@
 package org.u2sa.cli.run;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -137,7 +136,7 @@ public final class RunCommand extends BaseCommand {
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
-      evadeTakenPort(system, out());
+      evadeTakenPort(system);
     }
     set(options, system);
     recording.check();
@@ -163,14 +162,14 @@ public final class RunCommand extends BaseCommand {
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart).besideManager(besideManager);
     }
-    return separate ? runSeparately(system.apart(), options, out()) : run(system, options, out());
+    return separate ? runSeparately(system.apart(), options) : run(system, options);
   }
 
   /**
    * Moves the broker to another port if the configured one is taken, provided that only this
    * machine can reach it: clients on other machines expect the configured port.
    */
-  private void evadeTakenPort(SystemFile system, PrintWriter out) {
+  private void evadeTakenPort(SystemFile system) {
     XmlConfiguration configuration =
         system
             .communication()
@@ -195,7 +194,7 @@ public final class RunCommand extends BaseCommand {
     if (free.isPresent()) {
       refuseSecondRun(system);
       settings.add(MANAGER + ":" + ManagerVariables.PORT + "=" + free.getAsInt());
-      out.println(
+      print(
           String.format(
               "Port %s is taken by another program; the broker of this system listens on port %s.",
               port, free.getAsInt()));
@@ -272,16 +271,15 @@ public final class RunCommand extends BaseCommand {
   }
 
   @SuppressWarnings("try") // resources that are there to be closed, not called
-  private Integer run(SystemFile file, LaunchOptions options, PrintWriter out)
-      throws InterruptedException {
+  private Integer run(SystemFile file, LaunchOptions options) throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
-    try (Console.Detached output = PlainLines.detach(out, CLOCK);
+    try (Console.Detached output = PlainLines.detach(out(), CLOCK);
         RunningSystem system = RunningSystem.start(file, options);
-        TroubleLines troubles = troublesOf(system, ownServices(system), out);
-        LocalSystems.Announcement announced = announced(file, system, out);
+        TroubleLines troubles = troublesOf(system, ownServices(system));
+        LocalSystems.Announcement announced = announced(file, system);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
-      out.println(
+      print(
           String.format(
               "System %s runs: %s. Ctrl-C ends it.",
               file.systemId(), file.services().isEmpty() ? MANAGER : names(system.services())));
@@ -292,36 +290,36 @@ public final class RunCommand extends BaseCommand {
       for (U2SAService ended : system.services()) {
         ended
             .endReason()
-            .ifPresent(why -> out.println("Service " + ended.getServiceName() + " ended: " + why));
+            .ifPresent(why -> print("Service " + ended.getServiceName() + " ended: " + why));
       }
       for (U2SAService failed : system.failed()) {
-        out.println("Service " + failed.getServiceName() + " failed; see its log file.");
+        print("Service " + failed.getServiceName() + " failed; see its log file.");
       }
       return system.failed().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 
   @SuppressWarnings("try") // resources that are there to be closed, not called
-  private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
+  private Integer runSeparately(SystemFile file, LaunchOptions options)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
-    try (Console.Detached output = PlainLines.detach(out, CLOCK);
+    try (Console.Detached output = PlainLines.detach(out(), CLOCK);
         RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
-        TroubleLines troubles = troublesOf(manager, any -> true, out);
-        LocalSystems.Announcement announced = announced(file, manager, out);
+        TroubleLines troubles = troublesOf(manager, any -> true);
+        LocalSystems.Announcement announced = announced(file, manager);
         ServiceProcesses processes =
-            new ServiceProcesses(startBeside(file, manager), entries, out::println);
+            new ServiceProcesses(startBeside(file, manager), entries, out()::println);
         Supervisor supervisor =
-            new Supervisor(file, new KnownNames(options), manager, processes, out::println);
+            new Supervisor(file, new KnownNames(options), manager, processes, out()::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
       processes.start();
-      out.println(
+      print(
           String.format(
               "System %s runs in processes: %s. Ctrl-C ends it.",
               file.systemId(), processes.names()));
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
-        out.println("The system ends: a service refuses what it was started with (see above).");
+        print("The system ends: a service refuses what it was started with (see above).");
         return ExitCode.BAD_INPUT;
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
@@ -333,10 +331,9 @@ public final class RunCommand extends BaseCommand {
     return new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings, runsManager);
   }
 
-  private static TroubleLines troublesOf(
-      RunningSystem system, Predicate<String> services, PrintWriter out) {
+  private TroubleLines troublesOf(RunningSystem system, Predicate<String> services) {
     return new TroubleLines(
-        system.communicationManager().transport(), services, CLOCK, out::println);
+        system.communicationManager().transport(), services, CLOCK, out()::println);
   }
 
   /**
@@ -350,10 +347,9 @@ public final class RunCommand extends BaseCommand {
     return own::contains;
   }
 
-  private static LocalSystems.Announcement announced(
-      SystemFile file, RunningSystem system, PrintWriter out) {
+  private LocalSystems.Announcement announced(SystemFile file, RunningSystem system) {
     return LocalSystems.ofAccount()
-        .announce(file.systemId(), system.communicationManager().address(), out::println);
+        .announce(file.systemId(), system.communicationManager().address(), out()::println);
   }
 
   private static String names(List<U2SAService> services) {

@@ -45,11 +45,8 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private final String systemId;
 
   /**
-   * Last report about a service.
-   *
-   * @param instance that sent it
-   * @param atMicros time of receipt [µs of this clock]
-   * @param isLast whether it announced its stop
+   * Last report of a service: its instance, time of receipt [µs], and whether it announced its
+   * stop.
    */
   record Word(String instance, long atMicros, boolean isLast) {}
 

@@ -124,13 +124,7 @@ final class LocalAuthority {
 
     private Keytool() {}
 
-    /**
-     * Runs keytool on a PKCS #12 store.
-     *
-     * @param words command and options, separated by spaces
-     * @param more options that may contain spaces
-     * @return its output
-     */
+    /** Runs keytool on a PKCS #12 store; words are separated by spaces. Returns its output. */
     static String run(String words, List<String> more, Path store)
         throws IOException, InterruptedException {
       List<String> command = new ArrayList<>();

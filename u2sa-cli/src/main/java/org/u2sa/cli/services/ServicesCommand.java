@@ -1,6 +1,5 @@
 package org.u2sa.cli.services;
 
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -74,15 +73,12 @@ public final class ServicesCommand extends BaseCommand {
       DirectoryObservation observation = DirectoryObservation.made(link);
       if (view.publishing != null) {
         List<String> chain = DataType.chain(view.publishing, observation.directory());
-        return print(
-            out(), observation.directory().publishersOf(chain), "publishes " + view.publishing);
+        return print(observation.directory().publishersOf(chain), "publishes " + view.publishing);
       }
       if (view.subscribing != null) {
         List<String> chain = DataType.chain(view.subscribing, observation.directory());
         return print(
-            out(),
-            observation.directory().subscribersOf(chain),
-            "subscribes to " + view.subscribing);
+            observation.directory().subscribersOf(chain), "subscribes to " + view.subscribing);
       }
       if (view.json) {
         printBlock(ServicesJson.text(link.systemId(), observation));
@@ -96,9 +92,9 @@ public final class ServicesCommand extends BaseCommand {
     }
   }
 
-  private static int print(PrintWriter out, List<ServiceDirectory.Found> found, String does) {
+  private int print(List<ServiceDirectory.Found> found, String does) {
     if (found.isEmpty()) {
-      out.println("Nobody " + does + ".");
+      print("Nobody " + does + ".");
       return ExitCode.FAILED;
     }
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
@@ -109,7 +105,7 @@ public final class ServicesCommand extends BaseCommand {
           each.offer().typeName(),
           each.certain() ? "" : "among others of this type");
     }
-    table.lines().forEach(out::println);
+    table.lines().forEach(out()::println);
     return ExitCode.DONE;
   }
 

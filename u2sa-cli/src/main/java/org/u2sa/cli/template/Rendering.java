@@ -73,11 +73,7 @@ final class Rendering {
     return shared;
   }
 
-  /**
-   * Values of placeholders such as {@code {{Name}}} in templates.
-   *
-   * @param values values by the word between the braces
-   */
+  /** Values of placeholders such as {@code {{Name}}}, by the word between the braces. */
   record Placeholders(Map<String, String> values) {
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\{(\\w+)}}");
 

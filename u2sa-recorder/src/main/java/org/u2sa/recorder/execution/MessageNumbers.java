@@ -10,12 +10,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class MessageNumbers {
   private static final int MOST = 256; // grids have many more
 
-  /**
-   * A number and its location.
-   *
-   * @param field path of the field, such as {@code goals[2].x}
-   * @param unit its unit; empty if it has none
-   */
+  /** A number with the path of its field, such as {@code goals[2].x}; the unit may be empty. */
   record At(String field, String unit, double value) {}
 
   private final List<At> all = new ArrayList<>();

@@ -38,9 +38,6 @@ final class RecordSearch {
     }
   }
 
-  /**
-   * @param trouble notified of faults in the file
-   */
   RecordSearch(SeekableByteChannel channel, Consumer<String> trouble) throws IOException {
     this.trouble = trouble;
     file = new FileWindow(channel);

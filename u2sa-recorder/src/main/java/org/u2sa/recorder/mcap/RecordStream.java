@@ -17,13 +17,7 @@ final class RecordStream {
   private final long size;
   private long position;
 
-  /**
-   * A record.
-   *
-   * @param offset file offset [B]
-   * @param opcode its opcode
-   * @param content content without opcode and length
-   */
+  /** A record: file offset [B], opcode, and content without opcode and length. */
   record Entry(long offset, int opcode, byte[] content) {
     RecordFields fields() {
       return new RecordFields(content);

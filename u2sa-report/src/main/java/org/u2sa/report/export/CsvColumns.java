@@ -33,11 +33,7 @@ final class CsvColumns {
     return line(row);
   }
 
-  /**
-   * Row of a message.
-   *
-   * @param timeS time of recording [s from the start of the recording]
-   */
+  /** Row of a message recorded at a time [s since the start of the recording]. */
   String row(double timeS, U2SAData message) {
     Map<String, String> cells = cells(message);
     List<String> row = new ArrayList<>();

@@ -13,11 +13,7 @@ final class KmlDocument {
 
   private KmlDocument() {}
 
-  /**
-   * Writes all before the first place.
-   *
-   * @param styles elements; KML's colours are alpha, blue, green, red
-   */
+  /** Writes all before the first place; KML's colours are alpha, blue, green, red. */
   static void begin(Writer out, String title, String styles) throws IOException {
     out.write(
         """
@@ -29,11 +25,7 @@ final class KmlDocument {
             .formatted(EscapedXml.of(title), styles.indent(2)));
   }
 
-  /**
-   * Writes a point.
-   *
-   * @param altitudeM above mean sea level [m]; empty: on the ground
-   */
+  /** Writes a point; altitude above mean sea level [m], empty: on the ground. */
   static void point(
       Writer out,
       String name,

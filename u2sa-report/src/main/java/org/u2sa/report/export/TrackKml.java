@@ -52,10 +52,8 @@ public final class TrackKml {
   }
 
   /**
-   * Writes a line, cut at the antimeridian.
-   *
-   * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if
-   *     none
+   * Writes a line, cut at the antimeridian; {@code joined} is the element that joins it to the
+   * ground.
    */
   private static void line(
       Writer out, String name, String style, boolean flies, String joined, List<GeoRun.Fix> fixes)

@@ -23,9 +23,7 @@ final class LabelPlacer {
   private final List<Rectangle2D.Double> taken = new ArrayList<>();
   private final List<Point2D.Double> lines = new ArrayList<>();
 
-  /**
-   * @param frame area that must contain all labels
-   */
+  /** Places labels within the frame. */
   LabelPlacer(Rectangle2D frame) {
     this.frame = frame;
   }

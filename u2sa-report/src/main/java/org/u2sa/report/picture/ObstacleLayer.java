@@ -46,9 +46,7 @@ final class ObstacleLayer {
   private final List<ObstacleResult> results;
   private final Chart chart;
 
-  /**
-   * @param results one per object of the plan; objects without a result are omitted
-   */
+  /** Takes one result per object of the plan; objects without a result are omitted. */
   ObstacleLayer(RunPlan plan, List<ObstacleResult> results, Chart chart) {
     this.plan = plan;
     this.results = results;

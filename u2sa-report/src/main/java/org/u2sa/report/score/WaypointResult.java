@@ -23,9 +23,7 @@ public record WaypointResult(
     boolean captured) {
 
   /**
-   * Closest approach of a run to a waypoint while it was the target.
-   *
-   * @param leg index of the waypoint, as in {@link TrackSample#leg()}
+   * Closest approach of a run to a waypoint while it was the target, see {@link TrackSample#leg()}.
    */
   static WaypointResult of(RunPlan.Waypoint waypoint, int leg, List<TrackSample> track) {
     Approach approach = new Approach(waypoint);
