@@ -18,7 +18,7 @@ import org.u2sa.core.launch.AutonomyLevels.Level;
 
 /** Formats a vehicle's composition as text. */
 final class DescriptionText {
-  private static final double LEAST_STRENGTH = 1e-6; // [N, N m]: rounding
+  private static final double MIN_STRENGTH = 1e-6; // [N, N m]: rounding
 
   private final VehicleComposition vehicle;
   private final Terminal terminal;
@@ -206,7 +206,7 @@ final class DescriptionText {
     List<String> words = new ArrayList<>();
     for (DegreeOfFreedom axis : DegreeOfFreedom.values()) {
       double most = Authority.of(effectors, Set.of(axis)).most().get(axis);
-      if (most > LEAST_STRENGTH) {
+      if (most > MIN_STRENGTH) {
         String unit = axis.ordinal() < DegreeOfFreedom.ROLL.ordinal() ? "N" : "N m";
         words.add(String.format(Locale.ROOT, "%s %.1f %s", axis, most, unit));
       }
