@@ -42,7 +42,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   public static final class Rate extends MeasureCommand {
     /** A command. */
     public Rate() {
-      super(RateMeter.COLUMNS, began -> new RateMeter());
+      super(Meter.Rate.COLUMNS, began -> new Meter.Rate());
     }
   }
 
@@ -62,7 +62,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   public static final class Delay extends MeasureCommand {
     /** A command. */
     public Delay() {
-      super(DelayMeter.COLUMNS, began -> new DelayMeter());
+      super(Meter.Delay.COLUMNS, began -> new Meter.Delay());
     }
   }
 
@@ -81,7 +81,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   public static final class Bandwidth extends MeasureCommand {
     /** A command. */
     public Bandwidth() {
-      super(BandwidthMeter.COLUMNS, BandwidthMeter::new);
+      super(Meter.Bandwidth.COLUMNS, Meter.Bandwidth::new);
     }
   }
 
