@@ -1,13 +1,11 @@
 package org.u2sa.cli;
 
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import picocli.AutoComplete;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /**
  * {@code u2sa completion}: prints the shell script that completes commands, options and their
@@ -21,23 +19,19 @@ import picocli.CommandLine.Spec;
       "  source <(./u2sa completion bash)     in bash, for ./u2sa and u2sa; in ~/.bashrc for always",
       "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"
     })
-final class CompletionCommand implements Callable<Integer> {
-  /** Supported shells. */
+final class CompletionCommand extends BaseCommand {
   enum Shell {
-    /** GNU bash. */
     BASH,
     /** zsh, which uses bash's completion. */
     ZSH
   }
-
-  @Spec private CommandSpec command;
 
   @Parameters(paramLabel = "SHELL", description = "One of ${COMPLETION-CANDIDATES}.")
   private Shell shell;
 
   @Override
   public Integer call() {
-    CommandLine root = command.commandLine().getParent();
+    CommandLine root = commandLine().getParent();
     String script = AutoComplete.bash(root.getCommandName(), root);
     if (shell == Shell.ZSH) {
       root.getOut().println("autoload -U +X bashcompinit && bashcompinit");

@@ -44,7 +44,6 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
     return answer(e, command.getErr());
   }
 
-  /** Reports {@code thrown} on {@code err} and returns the exit code. */
   int answer(Throwable thrown, PrintWriter err) {
     boolean badInput =
         thrown instanceof BadInputException

@@ -52,11 +52,7 @@ public final class Main {
         CommandTree.discover(err), new PlainLines(out), new PlainLines(err), Help.Ansi.OFF, args);
   }
 
-  /**
-   * Runs one command.
-   *
-   * @return exit code, see {@link ExitCode}
-   */
+  /** Runs one command, and returns its {@link ExitCode}. */
   static int run(
       List<CommandProvider> providers,
       PlainLines out,

@@ -75,12 +75,10 @@ final class RootCommand implements Runnable {
     spec.commandLine().usage(spec.commandLine().getOut());
   }
 
-  /** Whether to print stack traces. */
   boolean debug() {
     return debug;
   }
 
-  /** Provides the versions of U2SA, Java and picocli. */
   static final class Version implements IVersionProvider {
     @Override
     public String[] getVersion() {

@@ -39,6 +39,12 @@ public final class JsonText {
     return this;
   }
 
+  /** Adds a field with the value {@code null}. */
+  public JsonText putNull(String name) {
+    fields.put(name, null);
+    return this;
+  }
+
   private static void write(JsonGenerator json, Object value) throws IOException {
     if (value instanceof JsonText object) {
       json.writeStartObject();

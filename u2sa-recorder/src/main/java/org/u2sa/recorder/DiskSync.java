@@ -21,9 +21,6 @@ final class DiskSync implements AutoCloseable {
   private volatile boolean closing;
   private String said = ""; // last reported failure; used by the thread only
 
-  /**
-   * @param trouble notified when a sync fails
-   */
   DiskSync(Consumer<String> trouble) {
     this.trouble = trouble;
     thread.setDaemon(true);

@@ -34,7 +34,6 @@ final class RecordedChannels {
   private final Map<String, McapSchema> schemas = new HashMap<>();
   private int file;
 
-  /** A channel of the recording. */
   static final class Track {
     private final McapChannel channel;
     private final McapSchema schema;
@@ -79,13 +78,13 @@ final class RecordedChannels {
     return add(topic, "cbor", name, "jsonschema", text, Map.of("channel", channel.name()));
   }
 
-  /** Channel of a topic; null if not added yet. */
-  Track named(String topic) {
-    return tracks.get(topic);
+  /** Channel of a topic, whose messages and schema have the same encoding. */
+  Track of(String topic, String encoding, String schemaName, byte[] schema) {
+    Track known = tracks.get(topic);
+    return known == null ? add(topic, encoding, schemaName, encoding, schema, Map.of()) : known;
   }
 
-  /** Adds a channel. */
-  Track add(
+  private Track add(
       String topic,
       String messageEncoding,
       String schemaName,
@@ -107,13 +106,7 @@ final class RecordedChannels {
     return track;
   }
 
-  /**
-   * Writes a message, preceded by its channel's definition if this file lacks it.
-   *
-   * @param logNanos recording time [ns]
-   * @param publishNanos measurement time according to the message [ns]
-   * @return its place in the file
-   */
+  /** Writes a message, after its channel's definition if this file lacks it; returns its place. */
   ExecutionPart.Place write(
       McapWriter writer, Track track, long logNanos, long publishNanos, byte[] data)
       throws IOException {

@@ -44,7 +44,6 @@ record RecorderVariables(
             ifAbsent = 8192,
             text = "Messages that may wait to be written; more are dropped and counted.")
         int waitingAtMost) {
-  /** Format of the recorded messages. */
   enum Form {
     /** Native messages (CBOR). */
     U2SA,

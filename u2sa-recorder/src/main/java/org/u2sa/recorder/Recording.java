@@ -74,10 +74,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private final CountDownLatch toClose = new CountDownLatch(1);
   private final Thread atExit = new Thread(this::endWithProgram, "u2sa-recorder-exit");
 
-  /**
-   * @param clock the run's clock
-   * @param trouble notified of what cannot be recorded; called from any thread
-   */
+  /** Calls {@code trouble} from any thread with what cannot be recorded. */
   Recording(
       String systemId,
       Clock clock,
@@ -249,12 +246,11 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
         failedToWrite++;
         return;
       }
-      if (next instanceof Taken) {
-        write(writer, (Taken) next, nanos);
-      } else if (next instanceof TakenPart) {
-        write(writer, ((TakenPart) next).part, nanos);
-      } else {
-        TakenStart begun = (TakenStart) next;
+      if (next instanceof Taken message) {
+        write(writer, message, nanos);
+      } else if (next instanceof TakenPart taken) {
+        write(writer, taken.part, nanos);
+      } else if (next instanceof TakenStart begun) {
         begun.start.write(writer, begun.execution, nanos);
       }
     } catch (IOException e) {
@@ -289,27 +285,14 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
 
   private void write(McapWriter writer, ExecutionPart part, long nanos) throws IOException {
     String topic = ExecutionPart.TOPIC + part.execution();
-    RecordedChannels.Track track = channels.named(topic);
-    if (track == null) {
-      track =
-          channels.add(
-              topic,
-              ExecutionPart.ENCODING,
-              ExecutionPart.ENCODING,
-              ExecutionPart.ENCODING,
-              new byte[0],
-              Map.of());
-    }
+    String encoding = ExecutionPart.ENCODING;
+    RecordedChannels.Track track = channels.of(topic, encoding, encoding, new byte[0]);
     channels.write(writer, track, nanos, nanos, part.bytes(systemId, recent::place));
   }
 
   private void write(McapWriter writer, FoxgloveMessages.View view, long nanos) throws IOException {
-    RecordedChannels.Track track = channels.named(view.topic());
-    if (track == null) {
-      track =
-          channels.add(
-              view.topic(), "protobuf", view.schemaName(), "protobuf", view.schemaData(), Map.of());
-    }
+    RecordedChannels.Track track =
+        channels.of(view.topic(), "protobuf", view.schemaName(), view.schemaData());
     channels.write(writer, track, nanos, nanos, view.data());
   }
 

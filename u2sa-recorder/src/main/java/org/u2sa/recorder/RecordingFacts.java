@@ -17,7 +17,6 @@ import org.u2sa.recorder.mcap.record.McapMetadata;
  * recording starts.
  */
 public final class RecordingFacts {
-  /** Size limit of an attached file. */
   private static final long LARGEST_ATTACHMENT = 16L << 20;
 
   private final Map<String, Map<String, String>> metadata = new LinkedHashMap<>();

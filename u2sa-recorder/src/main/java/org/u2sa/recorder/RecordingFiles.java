@@ -53,15 +53,12 @@ final class RecordingFiles {
   private long presentNanos;
   private long failedNanos;
 
-  /** Creates a new file. */
   @FunctionalInterface
   interface Disk {
     FileChannel create(Path file) throws IOException;
   }
 
-  /**
-   * @param first path of the first file; numbered if it exists or more files follow
-   */
+  /** Numbers the first file if it exists or more files follow. */
   RecordingFiles(
       Path first,
       RecorderVariables settings,
@@ -92,11 +89,7 @@ final class RecordingFiles {
     this.trouble = trouble;
   }
 
-  /**
-   * Writer for messages of the given time; null if there is currently none.
-   *
-   * @param onBegin called when another file was started
-   */
+  /** Writer for messages of a time, or null; calls {@code onBegin} after starting another file. */
   McapWriter at(long nanos, Runnable onBegin) {
     presentNanos = nanos;
     if (writer != null && isFull(nanos)) {
@@ -216,9 +209,7 @@ final class RecordingFiles {
   }
 
   /**
-   * Writes the current chunk, so that it survives if the program is killed.
-   *
-   * @param sync also syncs the file to disk
+   * Writes the current chunk, so that it survives if the program is killed, and syncs it to disk.
    */
   void save(DiskSync sync) {
     if (writer != null) {
@@ -231,11 +222,7 @@ final class RecordingFiles {
     }
   }
 
-  /**
-   * Completes the current file.
-   *
-   * @param counts the recorder's counters so far
-   */
+  /** Completes the current file with the recorder's counters so far. */
   void end(long nanos, Map<String, String> counts) {
     if (writer == null) {
       return;

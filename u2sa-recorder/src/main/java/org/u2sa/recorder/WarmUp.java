@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
-import java.util.Map;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.recorder.foxglove.FoxgloveMessages;
@@ -39,13 +38,7 @@ final class WarmUp {
               view ->
                   channels.write(
                       writer,
-                      channels.add(
-                          view.topic(),
-                          "protobuf",
-                          view.schemaName(),
-                          "protobuf",
-                          view.schemaData(),
-                          Map.of()),
+                      channels.of(view.topic(), "protobuf", view.schemaName(), view.schemaData()),
                       0,
                       0,
                       view.data()));

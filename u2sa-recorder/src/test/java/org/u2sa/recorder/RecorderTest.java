@@ -166,45 +166,6 @@ class RecorderTest {
   }
 
   @Test
-  void record_clockJumpsForwardAndBack_everyMessageIsFoundInOrderOfTime() throws IOException {
-    Map<String, Object> values = Map.of("SPLIT TIME", 600.0);
-    RecordingFiles files =
-        new RecordingFiles(
-            folder.resolve("r.mcap"),
-            XmlConfiguration.inMemory("Recorder", values).settings(RecorderVariables.class).get(),
-            "test",
-            new RecordingFacts(),
-            RecorderTest::fail);
-    RecordedChannels channels = new RecordedChannels();
-    for (long second : new long[] {5_000, 5_001, 8_601, 8_602, 1_402, 1_403, 1_500}) {
-      StateInformation message = state(second);
-      message.freeze();
-      long nanos = second * 1_000_000_000L;
-      channels.write(
-          files.at(nanos, channels::nextFile),
-          channels.of("rover", Channels.STATE, message),
-          nanos,
-          nanos,
-          message.serialize());
-    }
-    files.end(0, Map.of());
-    List<List<Long>> found = new ArrayList<>();
-    for (Path file : files.written()) {
-      List<Long> seconds = new ArrayList<>();
-      try (McapReader reader = McapReader.open(file)) {
-        McapCursor cursor = reader.messages(Long.MIN_VALUE, channel -> true);
-        for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
-          seconds.add(m.get().logTimeNanos() / 1_000_000_000L);
-        }
-      }
-      found.add(seconds);
-    }
-    assertThat(found)
-        .containsExactly(
-            List.of(5_000L, 5_001L), List.of(8_601L, 8_602L), List.of(1_402L, 1_403L, 1_500L));
-  }
-
-  @Test
   void record_programExitsWithoutStoppingIt_fileIsWhole() throws Exception {
     Process program =
         new ProcessBuilder(
@@ -229,8 +190,7 @@ class RecorderTest {
     values.put("FORM", "U2SA");
     values.put("COMPRESSION", "NONE");
     values.put("WAITING AT MOST", 100_000);
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", values).settings(RecorderVariables.class).get();
+    RecorderVariables settings = FilesFixture.settings(values);
     RecordingFiles files =
         new RecordingFiles(
             folder.resolve("r.mcap"),
@@ -267,22 +227,6 @@ class RecorderTest {
     assertThat(messages).isBetween(100, 1_000);
   }
 
-  @Test
-  void record_splitByTime_beginsAFileEachSoManySeconds() {
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", Map.of("SPLIT TIME", 2.0))
-            .settings(RecorderVariables.class)
-            .get();
-    RecordingFiles files =
-        new RecordingFiles(
-            folder.resolve("r.mcap"), settings, "test", new RecordingFacts(), RecorderTest::fail);
-    for (long second = 0; second < 7; second++) {
-      files.at(second * 1_000_000_000L, () -> {});
-    }
-    files.end(0, Map.of());
-    assertThat(files.written()).hasSize(4); // at 0, 2, 4 and 6 s
-  }
-
   private static String numberedFrom(List<Path> left) {
     String last = left.get(2).getFileName().toString();
     int number = Integer.parseInt(last.replaceAll("\\D", ""));
@@ -300,22 +244,10 @@ class RecorderTest {
   }
 
   @Test
-  void record_fileExists_isNotOverwritten() throws IOException {
-    Path earlier = folder.resolve("recording.mcap");
-    Files.writeString(earlier, "earlier");
-    Recorder recorder = new Recorder(context(Map.of()));
-    recorder.kill();
-    assertThat(earlier).hasContent("earlier");
-    assertThat(recorder.files()).containsExactly(folder.resolve("recording-2.mcap"));
-  }
-
-  @Test
   void receive_moreThanMayWait_dropsAndCountsAndSaysSoInTheFile() throws IOException {
     List<String> told = new ArrayList<>();
     RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", Map.of("WAITING AT MOST", 16, "FORM", "U2SA"))
-            .settings(RecorderVariables.class)
-            .get();
+        FilesFixture.settings(Map.of("WAITING AT MOST", 16, "FORM", "U2SA"));
     RecordingFiles files =
         new RecordingFiles(
             folder.resolve("r.mcap"), settings, "test", new RecordingFacts(), told::add);
@@ -348,10 +280,7 @@ class RecorderTest {
           }
           told.add(what);
         };
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", Map.of("FORM", "U2SA"))
-            .settings(RecorderVariables.class)
-            .get();
+    RecorderVariables settings = FilesFixture.settings(Map.of("FORM", "U2SA"));
     RecordingFiles files =
         new RecordingFiles(file, settings, "test", new RecordingFacts(), trouble);
     AtomicLong micros = new AtomicLong();

@@ -10,16 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.recorder.mcap.McapCursor;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapChannel;
@@ -27,27 +22,12 @@ import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /** When the next file of a recording is begun, its name, and what stands in it beside messages. */
-class RecordingFilesBeginTest {
-  private static final long SECOND = 1_000_000_000L;
+class RecordingFilesBeginTest extends FilesFixture {
 
-  @TempDir Path folder;
-
-  private final List<String> troubles = new ArrayList<>();
-  private final RecordingFacts facts = new RecordingFacts();
-  private final SmallDisk disk = new SmallDisk(1L << 30);
   private int begun;
-  private long sequence;
-
-  private RecordingFiles files(String name, Map<String, Object> values, RecordingFiles.Disk on) {
-    Map<String, Object> all = new HashMap<>(values);
-    all.put("COMPRESSION", "NONE");
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", all).settings(RecorderVariables.class).get();
-    return new RecordingFiles(folder.resolve(name), settings, "test", facts, troubles::add, on);
-  }
 
   private RecordingFiles files(Map<String, Object> values) {
-    return files("recording.mcap", values, disk);
+    return files(top.resolve("recording.mcap"), values, disk);
   }
 
   private boolean record(RecordingFiles files, long nanos) throws IOException {
@@ -68,20 +48,9 @@ class RecordingFilesBeginTest {
   }
 
   private List<String> names() throws IOException {
-    try (Stream<Path> all = Files.list(folder)) {
+    try (Stream<Path> all = Files.list(top)) {
       return all.map(file -> file.getFileName().toString()).sorted().collect(Collectors.toList());
     }
-  }
-
-  private static List<Long> sequences(Path file) throws IOException {
-    List<Long> all = new ArrayList<>();
-    try (McapReader reader = McapReader.open(file)) {
-      McapCursor cursor = reader.messages(0, channel -> true);
-      for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
-        all.add(m.get().sequence());
-      }
-    }
-    return all;
   }
 
   @Test
@@ -121,15 +90,15 @@ class RecordingFilesBeginTest {
 
   @Test
   void at_nameIsTaken_addsTheNextFreeNumberAndLeavesTheOthers() throws IOException {
-    Files.writeString(folder.resolve("tide.mcap"), "another's");
-    Files.writeString(folder.resolve("tide-2.mcap"), "another's");
-    RecordingFiles files = files("tide", Map.of(), disk);
+    Files.writeString(top.resolve("tide.mcap"), "another's");
+    Files.writeString(top.resolve("tide-2.mcap"), "another's");
+    RecordingFiles files = files(top.resolve("tide"), Map.of(), disk);
     record(files, 0);
     files.end(0, Map.of());
 
-    assertThat(files.written()).containsExactly(folder.resolve("tide-3.mcap"));
-    assertThat(folder.resolve("tide.mcap")).hasContent("another's");
-    assertThat(folder.resolve("tide-2.mcap")).hasContent("another's");
+    assertThat(files.written()).containsExactly(top.resolve("tide-3.mcap"));
+    assertThat(top.resolve("tide.mcap")).hasContent("another's");
+    assertThat(top.resolve("tide-2.mcap")).hasContent("another's");
   }
 
   @Test
@@ -149,15 +118,15 @@ class RecordingFilesBeginTest {
 
   @Test
   void at_facts_standInEachFile() throws IOException {
-    Path big = folder.resolve("big.txt");
+    Path big = top.resolve("big.txt");
     try (RandomAccessFile file = new RandomAccessFile(big.toFile(), "rw")) {
       file.setLength((16 << 20) + 1);
     }
-    Path system = Files.writeString(folder.resolve("a"), "<system/>");
+    Path system = Files.writeString(top.resolve("a"), "<system/>");
     facts.say("run", "seed", "7").say("run", "by", "ann");
     facts.attach("system.xml", system).attach("OPTIONS.JSON", system).attach("notes", system);
-    facts.attach("big", big).attach("gone", folder.resolve("gone"));
-    facts.attachAtEnd(() -> Map.of("log", system, "lost log", folder.resolve("lost")));
+    facts.attach("big", big).attach("gone", top.resolve("gone"));
+    facts.attachAtEnd(() -> Map.of("log", system, "lost log", top.resolve("lost")));
     RecordingFiles files = files(Map.of("SPLIT TIME", 10.0));
     record(files, 0);
     record(files, 10 * SECOND);
@@ -200,7 +169,7 @@ class RecordingFilesBeginTest {
     int[] tries = new int[1];
     RecordingFiles files =
         files(
-            "recording.mcap",
+            top.resolve("recording.mcap"),
             Map.of(),
             file -> {
               throw new IOException("trouble " + tries[0]++);
@@ -213,7 +182,7 @@ class RecordingFilesBeginTest {
     assertThat(troubles.get(0))
         .isEqualTo(
             "recording into "
-                + folder.resolve("recording.mcap")
+                + top.resolve("recording.mcap")
                 + ": trouble 0; retrying until it works");
   }
 
@@ -221,14 +190,14 @@ class RecordingFilesBeginTest {
   void at_fileMayNotBeWritten_saysWhatHappenedBesideItsName() {
     RecordingFiles files =
         files(
-            "recording.mcap",
+            top.resolve("recording.mcap"),
             Map.of(),
             file -> {
               throw new AccessDeniedException(file.toString());
             });
     files.at(0, () -> {});
     assertThat(troubles).hasSize(1);
-    assertThat(troubles.get(0)).contains(": AccessDeniedException " + folder);
+    assertThat(troubles.get(0)).contains(": AccessDeniedException " + top);
   }
 
   @Test
@@ -256,7 +225,7 @@ class RecordingFilesBeginTest {
   void save_writesWhatWaitsAndHasTheDiskKeepIt() throws Exception {
     RecordingFiles files = files(Map.of());
     record(files, 0);
-    Path file = folder.resolve("recording.mcap");
+    Path file = top.resolve("recording.mcap");
     long before = Files.size(file);
     try (DiskSync sync = new DiskSync(troubles::add)) {
       files.save(sync);
@@ -294,16 +263,14 @@ class RecordingFilesBeginTest {
 
   @Test
   void at_usualDisk_createsAFileThatMustNotExist() throws IOException {
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", Map.of()).settings(RecorderVariables.class).get();
+    RecorderVariables settings = settings(Map.of());
     RecordingFiles files =
-        new RecordingFiles(
-            folder.resolve("recording.mcap"), settings, "test", facts, troubles::add);
+        new RecordingFiles(top.resolve("recording.mcap"), settings, "test", facts, troubles::add);
     record(files, 0);
     files.end(0, Map.of());
-    assertThat(sequences(folder.resolve("recording.mcap"))).containsExactly(0L);
+    assertThat(sequences(top.resolve("recording.mcap"))).containsExactly(0L);
     try (FileChannel any =
-        FileChannel.open(folder.resolve("recording.mcap"), StandardOpenOption.WRITE)) {
+        FileChannel.open(top.resolve("recording.mcap"), StandardOpenOption.WRITE)) {
       assertThat(any.size()).isPositive();
     }
   }

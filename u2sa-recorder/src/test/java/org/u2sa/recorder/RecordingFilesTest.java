@@ -5,49 +5,25 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.recorder.mcap.McapCursor;
-import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** What becomes of the files where a disk is full, or a file is gone. */
-class RecordingFilesTest {
-  private static final long SECOND = 1_000_000_000L;
-  private static final long PLENTY = 1L << 30;
+class RecordingFilesTest extends FilesFixture {
 
-  @TempDir Path top;
-
-  private final List<String> troubles = new ArrayList<>();
-  private final SmallDisk disk = new SmallDisk(PLENTY);
   private boolean isNewFile;
-  private long sequence;
 
   private Path folder() {
     return top.resolve("run").resolve("logs");
   }
 
   private RecordingFiles files(Map<String, Object> values) {
-    Map<String, Object> all = new HashMap<>(values);
-    all.put("COMPRESSION", "NONE");
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", all).settings(RecorderVariables.class).get();
-    return new RecordingFiles(
-        folder().resolve("recording.mcap"),
-        settings,
-        "test",
-        new RecordingFacts(),
-        troubles::add,
-        disk);
+    return files(folder().resolve("recording.mcap"), values, disk);
   }
 
   /** Records a message, if there is a file, and writes it out at once. */
@@ -72,17 +48,6 @@ class RecordingFilesTest {
     try (Stream<Path> all = Files.list(folder())) {
       return all.sorted().toList();
     }
-  }
-
-  private static List<Long> sequences(Path file) throws IOException {
-    List<Long> all = new ArrayList<>();
-    try (McapReader reader = McapReader.open(file)) {
-      McapCursor cursor = reader.messages(0, channel -> true);
-      for (Optional<McapMessage> m = cursor.next(); m.isPresent(); m = cursor.next()) {
-        all.add(m.get().sequence());
-      }
-    }
-    return all;
   }
 
   @Test

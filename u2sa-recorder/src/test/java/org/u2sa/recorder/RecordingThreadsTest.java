@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.recorder.mcap.McapCursor;
@@ -24,26 +23,18 @@ import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** What fails unexpectedly ends no thread of a recording. */
 @Timeout(120)
-class RecordingThreadsTest {
-  @TempDir Path folder;
+class RecordingThreadsTest extends FilesFixture {
+  @TempDir Path top;
 
-  private final List<String> troubles = new CopyOnWriteArrayList<>();
+  private final List<String> told = new CopyOnWriteArrayList<>();
   private final SmallDisk disk = new SmallDisk(1L << 30);
 
   private Recording recording() {
-    RecorderVariables settings =
-        XmlConfiguration.inMemory("Recorder", Map.of("COMPRESSION", "NONE", "EXECUTIONS", false))
-            .settings(RecorderVariables.class)
-            .get();
+    RecorderVariables settings = settings(Map.of("COMPRESSION", "NONE", "EXECUTIONS", false));
     RecordingFiles files =
         new RecordingFiles(
-            folder.resolve("recording.mcap"),
-            settings,
-            "test",
-            new RecordingFacts(),
-            troubles::add,
-            disk);
-    return new Recording("cessna", new SystemClock(), settings, files, troubles::add);
+            top.resolve("recording.mcap"), settings, "test", new RecordingFacts(), told::add, disk);
+    return new Recording("cessna", new SystemClock(), settings, files, told::add);
   }
 
   private static void record(Recording recording, int number) {
@@ -72,7 +63,7 @@ class RecordingThreadsTest {
     record(recording, 2);
     recording.close();
 
-    assertThat(troubles).anyMatch(line -> line.contains("a bug"));
+    assertThat(told).anyMatch(line -> line.contains("a bug"));
     assertThat(recorded(recording)).isEqualTo(2);
     assertThat(recording.notWritten()).isZero();
   }
@@ -86,18 +77,18 @@ class RecordingThreadsTest {
     record(recording, 2);
     recording.close();
 
-    assertThat(troubles).anyMatch(line -> line.contains("a bug"));
+    assertThat(told).anyMatch(line -> line.contains("a bug"));
   }
 
   @Test
   void force_failsUnexpectedly_isReportedAndTheNextOneIsDone() throws Exception {
     disk.failuresToCome = 0;
-    FileChannel file = disk.create(folder.resolve("file"));
+    FileChannel file = disk.create(top.resolve("file"));
     disk.failuresToCome = 1;
-    try (DiskSync sync = new DiskSync(troubles::add)) {
+    try (DiskSync sync = new DiskSync(told::add)) {
       sync.ask(file);
       CountDownLatch reported = new CountDownLatch(1);
-      while (troubles.isEmpty()) {
+      while (told.isEmpty()) {
         reported.await(1, TimeUnit.MILLISECONDS);
       }
       disk.failuresToCome = 1;
@@ -106,6 +97,6 @@ class RecordingThreadsTest {
         reported.await(1, TimeUnit.MILLISECONDS);
       }
     }
-    assertThat(troubles).containsExactly("the recording cannot be synced to the disk: a bug");
+    assertThat(told).containsExactly("the recording cannot be synced to the disk: a bug");
   }
 }

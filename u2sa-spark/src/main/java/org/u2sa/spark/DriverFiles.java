@@ -42,11 +42,7 @@ final class DriverFiles implements AutoCloseable {
     this.folder = folder;
   }
 
-  /**
-   * Writes the files.
-   *
-   * @param requests one line per run
-   */
+  /** Writes the files; requests are one line per run. */
   static DriverFiles prepare(List<String> requests) throws IOException {
     DriverFiles files = new DriverFiles(Files.createTempDirectory("u2sa-spark"));
     Files.write(files.requests(), requests);
@@ -80,7 +76,6 @@ final class DriverFiles implements AutoCloseable {
     return folder.resolve("u2sa.zip");
   }
 
-  /** The command line of the driver. */
   List<String> command(SparkHome home, SparkMaster master, String localAddress) throws IOException {
     List<String> ours = new ArrayList<>();
     for (Class<?> type : List.of(SparkDriver.class, RunBackend.class)) {

@@ -32,9 +32,6 @@ final class ExecutorWorkers implements Function<String, String> {
   private final String[] javaOptions;
   private transient Deque<WorkerProcess> idle; // created lazily on the executor
 
-  /**
-   * @param javaOptions JVM options of each process
-   */
   ExecutorWorkers(List<String> javaOptions) {
     this.javaOptions = javaOptions.toArray(String[]::new);
   }

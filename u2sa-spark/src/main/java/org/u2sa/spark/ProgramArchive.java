@@ -25,9 +25,7 @@ final class ProgramArchive {
 
   private ProgramArchive() {}
 
-  /**
-   * @param home folder containing config and missions; missing ones are skipped
-   */
+  /** Archives the class path, and config and missions of {@code home} as far as they are there. */
   static void write(Path archive, String classPath, Path home) throws IOException {
     try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
       zip.setLevel(Deflater.BEST_SPEED); // mostly jars, which are already compressed

@@ -27,10 +27,7 @@ final class SparkRuns implements RunBackend {
   private Process driver;
   private boolean stopped;
 
-  /**
-   * @param localAddress address of this machine at which executors reach the driver
-   * @param directory the campaign's folder
-   */
+  /** Executors reach the driver at {@code localAddress}; {@code directory} is the campaign's. */
   SparkRuns(SparkHome home, SparkMaster master, String localAddress, Path directory) {
     this.home = home;
     this.master = master;

@@ -16,7 +16,6 @@ final class AnswerFormat {
   @Option(names = "--json", description = "Print JSON.")
   private boolean json;
 
-  /** The command that prints it. */
   CommandLine commandLine() {
     return command.commandLine();
   }

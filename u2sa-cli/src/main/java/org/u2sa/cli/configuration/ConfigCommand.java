@@ -3,6 +3,7 @@ package org.u2sa.cli.configuration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.TextTable;
@@ -17,11 +18,9 @@ import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.ConfigurationVariable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /**
  * {@code u2sa config}: prints its help; list, get, set and undo are subcommands, implemented as
@@ -36,13 +35,7 @@ import picocli.CommandLine.Spec;
       "  ./u2sa config set PathPlanner \"LOITER RADIUS=500\" \"AT END=HOLD\"",
       "  ./u2sa config undo PathPlanner"
     })
-public final class ConfigCommand implements Runnable {
-  @Spec private CommandSpec command;
-
-  @Override
-  public void run() {
-    command.commandLine().usage(command.commandLine().getOut());
-  }
+public final class ConfigCommand extends BaseCommand.Group {
 
   @Command(
       name = "list",
@@ -194,7 +187,6 @@ public final class ConfigCommand implements Runnable {
     return ExitCode.DONE;
   }
 
-  /** Formats configurations as a table. */
   private static final class ConfigurationTable {
     private static final double WHOLE_BELOW = 1.0e15;
 
@@ -226,7 +218,6 @@ public final class ConfigCommand implements Runnable {
       return lines;
     }
 
-    /** The value with its unit. */
     static String value(ConfigurationVariable variable) {
       return variable.unit().isEmpty()
           ? variable.value()

@@ -1,6 +1,6 @@
 package org.u2sa.cli.describe;
 
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -27,131 +27,88 @@ final class AutonomyEvidence {
   }
 
   /**
-   * One dimension.
-   *
-   * @param stated level in the system file; empty if not stated
-   * @param shown level derived from services and channels
-   * @param because evidence for it
+   * One dimension: the level stated in the file, if any, and the level shown, with its evidence.
    */
   record Finding(String dimension, Optional<Level> stated, Level shown, String because) {
-    /** Whether the stated level exceeds the derived one. */
     boolean isUnproven() {
       return stated.filter(level -> level.number() > shown.number()).isPresent();
     }
   }
 
-  /** The three dimensions. */
+  private record Evidence(Level level, String text) {}
+
   List<Finding> findings() {
     Optional<AutonomyLevels> stated = vehicle.stated();
     return List.of(
-        perception(stated.map(AutonomyLevels::perception)),
-        decision(stated.map(AutonomyLevels::decision)),
-        independence(stated.map(AutonomyLevels::independence)));
+        finding("perception", stated.map(AutonomyLevels::perception), perception()),
+        finding("decision", stated.map(AutonomyLevels::decision), decision()),
+        finding("independence", stated.map(AutonomyLevels::independence), independence()));
   }
 
-  private Finding perception(Optional<Level> stated) {
+  private static Finding finding(String dimension, Optional<Level> stated, Evidence evidence) {
+    return new Finding(dimension, stated, evidence.level(), evidence.text());
+  }
+
+  private Evidence perception() {
     List<String> own = vehicle.publishersOf(SENSED_STATE);
     Set<String> seeing = new LinkedHashSet<>(vehicle.publishersOf(Channels.SENSED_OBJECTS.name()));
     seeing.addAll(vehicle.publishersOf(Channels.SCANS.name()));
     List<String> around = List.copyOf(seeing);
-    List<String> modelers = vehicle.publishersOf(OBJECTS);
+    String modelers = and(vehicle.publishersOf(OBJECTS));
     String sensors =
         (own.isEmpty()
-                ? "nothing measures the vehicle"
-                : DataFlowSummary.and(own)
-                    + (own.size() == 1 ? " measures" : " measure")
-                    + " the vehicle")
-            + ", "
-            + (around.isEmpty()
-                ? "nothing its surroundings"
-                : DataFlowSummary.and(around) + " the surroundings");
+                ? "nothing measures the vehicle, "
+                : and(own) + (own.size() == 1 ? " measures" : " measure") + " the vehicle, ")
+            + (around.isEmpty() ? "nothing its surroundings" : and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {
-      return new Finding("perception", stated, Perception.NO_SENSING, sensors);
+      return new Evidence(Perception.NO_SENSING, sensors);
     }
-    if (around.isEmpty() || modelers.isEmpty()) {
-      return new Finding("perception", stated, Perception.DISCRETE, sensors);
-    }
-    return new Finding(
-        "perception",
-        stated,
-        Perception.GROUPED,
-        sensors + "; " + DataFlowSummary.and(modelers) + " groups what is seen into objects");
+    return around.isEmpty() || modelers.isEmpty()
+        ? new Evidence(Perception.DISCRETE, sensors)
+        : new Evidence(
+            Perception.GROUPED, sensors + "; " + modelers + " groups what is seen into objects");
   }
 
-  private Finding decision(Optional<Level> stated) {
+  private Evidence decision() {
     List<String> planners = vehicle.ofRole("PATH_PLANNER");
     List<String> managers = vehicle.ofRole("MISSION_MANAGER");
     if (planners.isEmpty() || managers.isEmpty()) {
-      return new Finding(
-          "decision",
-          stated,
-          Decision.NO_DECISIONS,
-          planners.isEmpty() ? "no Path Planner" : "no Mission Manager");
+      return new Evidence(
+          Decision.NO_DECISIONS, planners.isEmpty() ? "no Path Planner" : "no Mission Manager");
     }
-    String plan =
-        DataFlowSummary.and(managers)
-            + " chooses goals by their results, "
-            + DataFlowSummary.and(planners)
-            + " the way";
-    List<String> readers = new ArrayList<>(vehicle.subscribersOf(OBJECTS));
-    readers.retainAll(planners);
-    if (vehicle.publishersOf(OBJECTS).isEmpty() || readers.isEmpty()) {
-      return new Finding(
-          "decision",
-          stated,
-          Decision.STATIC_RESPONSE,
-          plan + "; no map of objects is used for planning");
-    }
-    return new Finding(
-        "decision",
-        stated,
-        Decision.MEMORY,
-        plan
-            + " with the map that "
-            + DataFlowSummary.and(vehicle.publishersOf(OBJECTS))
-            + " keeps");
+    String plan = and(managers) + " chooses goals by their results, " + and(planners) + " the way";
+    List<String> maps = vehicle.publishersOf(OBJECTS);
+    return maps.isEmpty() || Collections.disjoint(vehicle.subscribersOf(OBJECTS), planners)
+        ? new Evidence(Decision.STATIC_RESPONSE, plan + "; no map of objects is used for planning")
+        : new Evidence(Decision.MEMORY, plan + " with the map that " + and(maps) + " keeps");
   }
 
-  private Finding independence(Optional<Level> stated) {
-    List<String> control = vehicle.ofRole("CONTROL_SYSTEM");
-    List<String> safety = vehicle.ofRole("SAFETY_MANAGER");
-    List<String> health = vehicle.ofRole("HEALTH_MONITOR");
-    boolean tasks =
-        !vehicle.ofRole("MISSION_MANAGER").isEmpty() && !vehicle.ofRole("PATH_PLANNER").isEmpty();
+  private Evidence independence() {
+    String control = and(vehicle.ofRole("CONTROL_SYSTEM"));
+    String safety = and(vehicle.ofRole("SAFETY_MANAGER"));
+    String health = and(vehicle.ofRole("HEALTH_MONITOR"));
     if (control.isEmpty() || vehicle.publishersOf(Channels.STATE.name()).isEmpty()) {
-      return new Finding(
-          "independence", stated, Independence.TELEOPERATION, "nothing controls by a state");
+      return new Evidence(Independence.TELEOPERATION, "nothing controls by a state");
     }
-    if (!tasks) {
-      return new Finding(
-          "independence",
-          stated,
-          Independence.STABILIZED,
-          DataFlowSummary.and(control) + " controls; no mission");
+    if (vehicle.ofRole("MISSION_MANAGER").isEmpty() || vehicle.ofRole("PATH_PLANNER").isEmpty()) {
+      return new Evidence(Independence.STABILIZED, control + " controls; no mission");
     }
     if (health.isEmpty() && vehicle.publishersOf(Channels.POWER.name()).isEmpty()) {
-      return new Finding(
-          "independence",
-          stated,
+      return new Evidence(
           Independence.TASK_AUTONOMY,
-          DataFlowSummary.and(control)
-              + " carries out the mission; nothing watches services or battery");
+          control + " carries out the mission; nothing watches services or battery");
     }
-    if (safety.isEmpty()) {
-      return new Finding(
-          "independence",
-          stated,
-          Independence.HEALTH_REPORTING,
-          "health is reported, but no Safety Manager acts on it");
-    }
-    return new Finding(
-        "independence",
-        stated,
-        Independence.PROBLEM_DETECTION,
-        DataFlowSummary.and(safety)
-            + " has failsafes and refuses to arm a vehicle that is not fit"
-            + (health.isEmpty()
-                ? ""
-                : "; " + DataFlowSummary.and(health) + " restarts failed services"));
+    return safety.isEmpty()
+        ? new Evidence(
+            Independence.HEALTH_REPORTING, "health is reported, but no Safety Manager acts on it")
+        : new Evidence(
+            Independence.PROBLEM_DETECTION,
+            safety
+                + " has failsafes and refuses to arm a vehicle that is not fit"
+                + (health.isEmpty() ? "" : "; " + health + " restarts failed services"));
+  }
+
+  private static String and(List<String> names) {
+    return DataFlowSummary.and(names);
   }
 }

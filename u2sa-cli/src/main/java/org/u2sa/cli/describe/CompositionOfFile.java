@@ -12,11 +12,17 @@ import org.u2sa.cli.describe.VehicleComposition.ComposedService;
 import org.u2sa.core.launch.PlannedService;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.contract.ConfigurationVariable;
 
 /** Determines a vehicle's composition from its system file alone. */
 final class CompositionOfFile {
+  private static final List<Channel<?>> MEASURED =
+      List.of(Channels.SENSED_STATE, Channels.SENSED_OBJECTS, Channels.SCANS);
+  private static final String DRIVER = "Kind of "; // as in Devices' description
+
   private CompositionOfFile() {}
 
   /**
@@ -34,7 +40,7 @@ final class CompositionOfFile {
               planned.entry().className(),
               file.map(Path::toString).orElse(""),
               file.map(CompositionOfFile::variables).orElse(Map.of()),
-              StatedSensor.of(planned),
+              stated(planned),
               names(planned.publishes()),
               names(planned.subscribes()),
               planned.refusal().map(why -> "could not be made here: " + why).orElse("")));
@@ -61,8 +67,38 @@ final class CompositionOfFile {
   }
 
   private static List<String> names(List<Channel<?>> channels) {
-    List<String> names = new ArrayList<>();
-    channels.forEach(channel -> names.add(channel.name()));
-    return names;
+    return channels.stream().map(Channel::name).toList();
+  }
+
+  /**
+   * Properties of a sensor's data by variable, with unit: device, standard deviations, rate,
+   * mounting; empty for other services.
+   */
+  private static Map<String, String> stated(PlannedService service) {
+    Map<String, String> stated = new LinkedHashMap<>();
+    if (MEASURED.stream().anyMatch(service.publishes()::contains)) {
+      for (ConfigurationVariable each : service.variables()) {
+        if (isOfData(each)) {
+          stated.put(each.name(), value(each) + (each.unit().isEmpty() ? "" : " " + each.unit()));
+        }
+      }
+    }
+    return stated;
+  }
+
+  private static String value(ConfigurationVariable variable) {
+    return variable.variableType().equals("double")
+        ? SourceRecord.text(Double.valueOf(variable.value()))
+        : variable.value();
+  }
+
+  private static boolean isOfData(ConfigurationVariable variable) {
+    String name = variable.name();
+    boolean isPlace = name.startsWith("MOUNTED ") && Double.parseDouble(variable.value()) != 0.0;
+    return isPlace
+        || name.endsWith("SIGMA")
+        || name.equals("CONNECTION")
+        || name.endsWith("RATE") && variable.unit().equals("Hz")
+        || variable.description().startsWith(DRIVER);
   }
 }

@@ -40,11 +40,7 @@ final class CompositionOfRunning {
     directory = new ServiceDirectory(link.clock(), link::publish);
   }
 
-  /**
-   * Listens for a fixed time.
-   *
-   * @param stated autonomy stated in the vehicle's file
-   */
+  /** Listens for a fixed time; {@code stated} is the autonomy stated in the vehicle's file. */
   static VehicleComposition of(RemoteLink link, String origin, Optional<AutonomyLevels> stated)
       throws InterruptedException {
     CompositionOfRunning running = new CompositionOfRunning(link);
@@ -114,20 +110,12 @@ final class CompositionOfRunning {
   }
 
   private static List<String> channels(List<DataOffer> offers) {
-    List<String> channels = new ArrayList<>();
-    for (DataOffer offer : offers) {
-      if (!channels.contains(offer.channel())) {
-        channels.add(offer.channel());
-      }
-    }
-    return channels;
+    return offers.stream().map(DataOffer::channel).distinct().toList();
   }
 
   private List<HeardSource> sources() {
     synchronized (sources) {
-      List<HeardSource> heard = new ArrayList<>();
-      sources.values().forEach(source -> heard.add(source.heard()));
-      return heard;
+      return sources.values().stream().map(SourceRecord::heard).toList();
     }
   }
 

@@ -1,23 +1,18 @@
 package org.u2sa.cli.describe;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
-import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.RunFailedException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa describe}: shows a vehicle's composition and autonomy. */
 @Command(
@@ -28,8 +23,7 @@ import picocli.CommandLine.Spec;
       "By its system file without starting it, or with --connect as it runs; with both, the levels that the file states "
           + "beside what runs."
     })
-public final class DescribeCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class DescribeCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
   @Parameters(
@@ -50,8 +44,7 @@ public final class DescribeCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     if (file == null && !connect) {
-      throw new ParameterException(
-          command.commandLine(), "describes nothing: expected a system file, --connect, or both");
+      throw wrong("describes nothing: expected a system file, --connect, or both");
     }
     Optional<SystemFile> system = Optional.ofNullable(file).map(SystemFile::read);
     return connect ? running(system) : planned(system.orElseThrow());
@@ -72,12 +65,8 @@ public final class DescribeCommand implements Callable<Integer> {
           CompositionOfRunning.of(
               link, remote.brokerAddress(), system.flatMap(SystemFile::autonomy));
       if (vehicle.services().isEmpty()) {
-        throw new RunFailedException(
-            link.systemId()
-                + ": no service answered within "
-                + link.timeoutS()
-                + " s"
-                + remote.otherSystems(link).map(others -> ";" + others.substring(1)).orElse(""));
+        throw remote.unanswered(
+            link, link.systemId() + ": no service answered within " + link.timeoutS() + " s");
       }
       print(vehicle);
     }
@@ -85,13 +74,10 @@ public final class DescribeCommand implements Callable<Integer> {
   }
 
   private void print(VehicleComposition vehicle) {
-    PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.print(DescriptionJson.text(vehicle)); // contains its own line breaks
-      out.println();
+      printBlock(DescriptionJson.text(vehicle));
     } else {
-      Terminal terminal = Terminal.detect(out, System.getenv());
-      new DescriptionText(vehicle, terminal, variables).lines().forEach(out::println);
+      new DescriptionText(vehicle, terminal(), variables).lines().forEach(out()::println);
     }
   }
 }

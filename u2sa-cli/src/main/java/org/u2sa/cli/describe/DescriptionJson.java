@@ -1,9 +1,9 @@
 package org.u2sa.cli.describe;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.u2sa.cli.describe.VehicleComposition.ComposedService;
 import org.u2sa.core.launch.AutonomyLevels.Level;
 import org.u2sa.interfaces.JsonText;
@@ -42,16 +42,6 @@ final class DescriptionJson {
   }
 
   private static JsonText service(ComposedService service, VehicleComposition vehicle) {
-    List<JsonText> subscribes = new ArrayList<>();
-    for (String channel : service.subscribes()) {
-      subscribes.add(
-          new JsonText().put("channel", channel).put("from", vehicle.publishersOf(channel)));
-    }
-    List<JsonText> publishes = new ArrayList<>();
-    for (String channel : service.publishes()) {
-      publishes.add(
-          new JsonText().put("channel", channel).put("to", vehicle.subscribersOf(channel)));
-    }
     return new JsonText()
         .put("name", service.name())
         .put("role", known(service.role()))
@@ -59,9 +49,16 @@ final class DescriptionJson {
         .put("configuration", known(service.configuration()))
         .put("variables", known(service.variables()))
         .put("states", known(service.stated()))
-        .put("subscribes", subscribes)
-        .put("publishes", publishes)
+        .put("subscribes", channels(service.subscribes(), "from", vehicle::publishersOf))
+        .put("publishes", channels(service.publishes(), "to", vehicle::subscribersOf))
         .put("note", known(service.note()));
+  }
+
+  private static List<JsonText> channels(
+      List<String> channels, String direction, Function<String, List<String>> ends) {
+    return channels.stream()
+        .map(each -> new JsonText().put("channel", each).put(direction, ends.apply(each)))
+        .toList();
   }
 
   private static List<JsonText> sources(VehicleComposition vehicle) {

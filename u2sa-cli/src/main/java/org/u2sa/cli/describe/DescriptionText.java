@@ -4,24 +4,27 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 import org.u2sa.cli.describe.VehicleComposition.AnnouncedActuator;
 import org.u2sa.cli.describe.VehicleComposition.ComposedService;
 import org.u2sa.cli.describe.VehicleComposition.HeardSource;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.cli.terminal.TextTable;
+import org.u2sa.control.allocation.Authority;
+import org.u2sa.control.allocation.DegreeOfFreedom;
+import org.u2sa.control.allocation.Effector;
 import org.u2sa.core.launch.AutonomyLevels.Level;
 
 /** Formats a vehicle's composition as text. */
 final class DescriptionText {
+  private static final double MIN_STRENGTH = 1e-6; // [N, N m]: rounding
+
   private final VehicleComposition vehicle;
   private final Terminal terminal;
   private final boolean variables;
   private final List<String> lines = new ArrayList<>();
 
-  /**
-   * @param variables whether to include the variables set in configuration files
-   */
   DescriptionText(VehicleComposition vehicle, Terminal terminal, boolean variables) {
     this.vehicle = vehicle;
     this.terminal = terminal;
@@ -177,7 +180,7 @@ final class DescriptionText {
     for (AnnouncedActuator actuator : vehicle.actuators()) {
       lines.add(actuator.name() + ": " + pairs(actuator.facts(), " "));
     }
-    String strength = ActuatorStrength.words(vehicle);
+    String strength = strength();
     if (!strength.isEmpty()) {
       lines.add("Together, for each axis alone, in the weaker direction: " + strength);
     } else if (!vehicle.actuators().isEmpty()) {
@@ -189,5 +192,25 @@ final class DescriptionText {
     List<String> pairs = new ArrayList<>();
     values.forEach((name, value) -> pairs.add(name + equals + value));
     return String.join(", ", pairs);
+  }
+
+  /**
+   * Maximum forces and moments per axis, in the weaker direction, with no demand on the other axes;
+   * empty if no actuator has a numeric effect.
+   */
+  private String strength() {
+    List<Effector> effectors =
+        vehicle.actuators().stream()
+            .flatMap(each -> Effector.of(each.announcement()).stream())
+            .toList();
+    List<String> words = new ArrayList<>();
+    for (DegreeOfFreedom axis : DegreeOfFreedom.values()) {
+      double most = Authority.of(effectors, Set.of(axis)).most().get(axis);
+      if (most > MIN_STRENGTH) {
+        String unit = axis.ordinal() < DegreeOfFreedom.ROLL.ordinal() ? "N" : "N m";
+        words.add(String.format(Locale.ROOT, "%s %.1f %s", axis, most, unit));
+      }
+    }
+    return String.join(", ", words);
   }
 }

@@ -46,7 +46,6 @@ final class SourceRecord {
     return message instanceof RangeScan scan ? scan.sensorName() : "";
   }
 
-  /** Identity among other sources. */
   String key() {
     return channel + "\n" + sensor + "\n" + type;
   }

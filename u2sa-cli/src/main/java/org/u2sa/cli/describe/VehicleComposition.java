@@ -35,17 +35,7 @@ record VehicleComposition(
     actuators = List.copyOf(actuators);
   }
 
-  /**
-   * A service of it.
-   *
-   * @param role name of its {@link org.u2sa.service.ServiceRole}; empty if unknown
-   * @param configuration its configuration file; empty if none or unknown
-   * @param variables variables set in the file, by name, with unit
-   * @param stated configured properties of a sensor's data, by variable, with unit; only from files
-   * @param publishes channels on which it publishes
-   * @param subscribes subscribed channels
-   * @param note additional remark; empty if none
-   */
+  /** A service. Unknown texts are empty; {@code stated} is about a sensor's data, with units. */
   record ComposedService(
       String name,
       String role,
@@ -56,22 +46,12 @@ record VehicleComposition(
       List<String> publishes,
       List<String> subscribes,
       String note) {
-    /** The role in words. */
     String roleWords() {
       return role.toLowerCase(Locale.ROOT).replace('_', ' ');
     }
   }
 
-  /**
-   * Data of one sensor or of the estimator.
-   *
-   * @param channel channel of the data
-   * @param sensor its name
-   * @param type message type
-   * @param rateHz message rate; 0 if heard only once
-   * @param fields fields that it sets
-   * @param sigmas standard deviations that it provides, with unit
-   */
+  /** Data of one source; rateHz is 0 if it was heard only once, and sigmas have units. */
   record HeardSource(
       String channel,
       String sensor,
@@ -80,11 +60,7 @@ record VehicleComposition(
       List<String> fields,
       Map<String, String> sigmas) {}
 
-  /**
-   * Announcement of an actuator.
-   *
-   * @param facts announced values by field name, with unit
-   */
+  /** Announcement of an actuator; facts are by field name, with units. */
   record AnnouncedActuator(
       String name, Map<String, String> facts, ActuatorAnnouncement announcement) {
     static AnnouncedActuator of(ActuatorAnnouncement announcement) {
@@ -95,17 +71,14 @@ record VehicleComposition(
     }
   }
 
-  /** Services that publish on a channel. */
   List<String> publishersOf(String channel) {
     return names(services.stream().filter(service -> service.publishes().contains(channel)));
   }
 
-  /** Services that subscribe to a channel. */
   List<String> subscribersOf(String channel) {
     return names(services.stream().filter(service -> service.subscribes().contains(channel)));
   }
 
-  /** Services of a role. */
   List<String> ofRole(String role) {
     return names(services.stream().filter(service -> service.role().equals(role)));
   }

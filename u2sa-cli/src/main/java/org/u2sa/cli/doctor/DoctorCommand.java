@@ -1,14 +1,13 @@
 package org.u2sa.cli.doctor;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.cli.remote.RemoteSystem;
@@ -18,9 +17,7 @@ import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.time.SystemClock;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa doctor}: checks this machine for what U2SA needs. */
 @Command(
@@ -35,11 +32,10 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 0: nothing is wrong (what is optional may be missing); 1: there is a warning or a failure."
     })
-public final class DoctorCommand implements Callable<Integer> {
+public final class DoctorCommand extends BaseCommand {
   private static final int CONNECT_MS = 2_000;
   private static final int DEFAULT_PORT = 1883;
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
 
   @Option(names = "--json", description = "Print JSON.")
@@ -48,11 +44,10 @@ public final class DoctorCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException {
     List<Finding> findings = findings(System.getenv());
-    PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.println(json(findings));
+      print(json(findings));
     } else {
-      print(findings, out);
+      print(findings);
     }
     boolean bad =
         findings.stream().anyMatch(each -> each.grade().compareTo(Finding.Grade.WARNING) >= 0);
@@ -61,24 +56,26 @@ public final class DoctorCommand implements Callable<Integer> {
 
   private List<Finding> findings(Map<String, String> environment) throws InterruptedException {
     MachineChecks machine = new MachineChecks(Path.of("/dev"));
-    List<Finding> all = new ArrayList<>();
-    all.add(Finding.ok("U2SA", ProgramVersion.text()));
-    all.add(machine.java());
-    all.add(machine.memory());
-    all.add(machine.disk(Path.of("")));
-    all.add(machine.clock(new SystemClock()));
     Finding broker = broker();
     boolean local = remote.brokerAddress().equals("localhost:" + DEFAULT_PORT);
-    all.add(machine.port(DEFAULT_PORT, local && broker.grade() == Finding.Grade.OK));
-    all.add(broker);
-    all.add(machine.serialPorts());
+    List<Finding> all =
+        new ArrayList<>(
+            List.of(
+                Finding.ok("U2SA", ProgramVersion.text()),
+                machine.java(),
+                machine.memory(),
+                machine.disk(Path.of("")),
+                machine.clock(new SystemClock()),
+                machine.port(DEFAULT_PORT, local && broker.grade() == Finding.Grade.OK),
+                broker,
+                machine.serialPorts()));
     all.addAll(new ToolChecks(new Programs(environment), environment).all());
     return all;
   }
 
   /** Whether a server accepts connections there; its permissions are checked elsewhere. */
   private Finding broker() {
-    boolean named = command.commandLine().getParseResult().hasMatchedOption("--broker");
+    boolean named = commandLine().getParseResult().hasMatchedOption("--broker");
     String where = remote.brokerAddress();
     try (Socket socket = new Socket()) {
       BrokerAddress address = BrokerAddress.parse(where);
@@ -101,14 +98,14 @@ public final class DoctorCommand implements Callable<Integer> {
     }
   }
 
-  private static void print(List<Finding> findings, PrintWriter out) {
-    Terminal terminal = Terminal.detect(out, System.getenv());
+  private void print(List<Finding> findings) {
+    Terminal terminal = terminal();
     int width = findings.stream().mapToInt(each -> each.subject().length()).max().orElse(0);
     for (Finding finding : findings) {
       String padded = finding.subject() + " ".repeat(width - finding.subject().length());
-      out.println(mark(finding, terminal) + "  " + padded + "  " + finding.found());
+      print(mark(finding, terminal) + "  " + padded + "  " + finding.found());
       if (!finding.advice().isEmpty()) {
-        out.println(" ".repeat(10 + width) + "→ " + finding.advice());
+        print(" ".repeat(10 + width) + "→ " + finding.advice());
       }
     }
   }
@@ -123,15 +120,6 @@ public final class DoctorCommand implements Callable<Integer> {
   }
 
   private static String json(List<Finding> findings) {
-    List<JsonText> all = new ArrayList<>();
-    for (Finding finding : findings) {
-      all.add(
-          new JsonText()
-              .put("subject", finding.subject())
-              .put("grade", finding.grade().name())
-              .put("found", finding.found())
-              .put("advice", finding.advice()));
-    }
-    return new JsonText().put("findings", all).toString();
+    return new JsonText().put("findings", findings.stream().map(Finding::json).toList()).toString();
   }
 }

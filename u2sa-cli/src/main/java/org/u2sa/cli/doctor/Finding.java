@@ -1,5 +1,7 @@
 package org.u2sa.cli.doctor;
 
+import org.u2sa.interfaces.JsonText;
+
 /**
  * Result of one check.
  *
@@ -11,7 +13,6 @@ package org.u2sa.cli.doctor;
 record Finding(String subject, Grade grade, String found, String advice) {
   /** Assessment, best first. */
   enum Grade {
-    /** As it should be. */
     OK,
     /** Missing, but only needed for some uses. */
     OPTIONAL,
@@ -35,5 +36,13 @@ record Finding(String subject, Grade grade, String found, String advice) {
 
   static Finding failure(String subject, String found, String advice) {
     return new Finding(subject, Grade.FAILURE, found, advice);
+  }
+
+  JsonText json() {
+    return new JsonText()
+        .put("subject", subject)
+        .put("grade", grade.name())
+        .put("found", found)
+        .put("advice", advice);
   }
 }

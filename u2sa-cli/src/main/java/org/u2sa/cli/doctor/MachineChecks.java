@@ -27,9 +27,6 @@ final class MachineChecks {
 
   private final Path devices;
 
-  /**
-   * @param devices device folder, /dev
-   */
   MachineChecks(Path devices) {
     this.devices = devices;
   }

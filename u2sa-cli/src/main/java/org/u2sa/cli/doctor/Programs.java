@@ -19,7 +19,6 @@ final class Programs {
 
   private final List<Path> folders;
 
-  /** Searches the folders in PATH. */
   Programs(Map<String, String> environment) {
     folders =
         Stream.of(environment.getOrDefault("PATH", "").split(File.pathSeparator))
@@ -28,7 +27,6 @@ final class Programs {
             .collect(Collectors.toList());
   }
 
-  /** First program of that name. */
   Optional<Path> find(String name) {
     return folders.stream()
         .map(folder -> folder.resolve(name))

@@ -2,7 +2,6 @@ package org.u2sa.cli.doctor;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -20,9 +19,7 @@ final class ToolChecks {
     this(programs, environment, Path.of("/usr/games"));
   }
 
-  /**
-   * @param gamesFolder searched after the PATH, as scripts/flightgear/start does
-   */
+  /** Searches the games folder after the PATH, as scripts/flightgear/start does. */
   ToolChecks(Programs programs, Map<String, String> environment, Path gamesFolder) {
     this.programs = programs;
     this.environment = environment;
@@ -30,36 +27,30 @@ final class ToolChecks {
   }
 
   List<Finding> all() throws InterruptedException {
-    List<Finding> all = new ArrayList<>();
-    all.add(
+    return List.of(
         tool(
             "Mosquitto",
             "mosquitto",
             "needed only as a broker instead of the embedded one: apt install mosquitto",
-            "-h"));
-    all.add(
+            "-h"),
         tool(
             "mosquitto_sub",
             "mosquitto_sub",
             "handy to listen without U2SA: apt install mosquitto-clients",
-            "--version"));
-    all.add(
+            "--version"),
         tool(
             "FlightGear",
             "fgfs",
             "needed only by ./u2sa fly: scripts/flightgear/install, docs/flightgear.md",
-            "--version"));
-    all.add(screen());
-    all.add(
+            "--version"),
+        screen(),
         tool(
             "Python",
             "python3",
             "needed by ./u2sa apk and the Python client: apt install python3",
-            "--version"));
-    all.add(
-        tool("adb", "adb", "needed to install the app on a phone: apt install adb", "--version"));
-    all.add(androidSdk());
-    return all;
+            "--version"),
+        tool("adb", "adb", "needed to install the app on a phone: apt install adb", "--version"),
+        androidSdk());
   }
 
   private Finding tool(String subject, String program, String advice, String argument)

@@ -1,11 +1,11 @@
 package org.u2sa.cli.look;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.configuration.VariableWatch;
 import org.u2sa.gcs.remote.MessageStream;
@@ -19,11 +19,8 @@ import org.u2sa.report.message.FieldCondition;
 import org.u2sa.report.message.FieldPath;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa echo}: prints the messages of a channel, or the values of a variable. */
 @Command(
@@ -42,10 +39,9 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 1: nothing was heard within --timeout (with --once or --count) or --for."
     })
-public final class EchoCommand implements Callable<Integer> {
+public final class EchoCommand extends BaseCommand {
   private static final long LOOK_MS = 100;
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @Mixin private ListeningTime time;
 
@@ -129,7 +125,6 @@ public final class EchoCommand implements Callable<Integer> {
   }
 
   private int print(RemoteLink link, Channel<?> channel) throws InterruptedException {
-    PrintWriter out = command.commandLine().getOut();
     MessageText text = new MessageText(fields);
     MessageStream stream = new MessageStream(link).of(channel);
     long began = link.clock().micros();
@@ -144,19 +139,16 @@ public final class EchoCommand implements Callable<Integer> {
       due = heard.get().micros() + apart;
       printed++;
       if (json) {
-        out.println(text.json(heard.get()));
+        print(text.json(heard.get()));
       } else {
-        text.lines(heard.get()).forEach(out::println);
+        text.lines(heard.get()).forEach(out()::println);
       }
-      if (out.checkError()) {
+      if (out().checkError()) {
         return ExitCode.DONE; // the reader has exited, e.g. head
       }
     }
     if (stream.dropped() > 0) {
-      command
-          .commandLine()
-          .getErr()
-          .println("u2sa: " + stream.dropped() + " messages came faster than they were printed");
+      tell(stream.dropped() + " messages came faster than they were printed");
     }
     if (printed == 0) {
       double seconds = (link.clock().micros() - began) / 1e6;
@@ -198,7 +190,6 @@ public final class EchoCommand implements Callable<Integer> {
     if (!fields.isEmpty() || !conditions.isEmpty()) {
       throw wrong("--field and --where: expected a channel, not the variable \"" + what + "\"");
     }
-    PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect();
         VariableWatch watch = VariableWatch.of(link, service, name)) {
       long began = link.clock().micros();
@@ -206,7 +197,7 @@ public final class EchoCommand implements Callable<Integer> {
       while (printed < most() && !time.isOver(began, link.clock().micros())) {
         Optional<VariableWatch.Value> next = watch.next(LOOK_MS);
         if (next.isPresent()) {
-          print(out, service, name, next.get());
+          print(service, name, next.get());
           printed++;
         }
       }
@@ -214,9 +205,9 @@ public final class EchoCommand implements Callable<Integer> {
     }
   }
 
-  private void print(PrintWriter out, String service, String name, VariableWatch.Value value) {
+  private void print(String service, String name, VariableWatch.Value value) {
     if (json) {
-      out.println(
+      print(
           new JsonText()
               .put("service", service)
               .put("variable", name)
@@ -229,7 +220,7 @@ public final class EchoCommand implements Callable<Integer> {
     }
     String unit = value.unit().isEmpty() ? "" : " " + value.unit();
     String by = value.author().isEmpty() ? "" : "  set by " + value.author();
-    out.println(
+    print(
         MessageText.time(value.micros())
             + "  "
             + service
@@ -239,9 +230,5 @@ public final class EchoCommand implements Callable<Integer> {
             + value.text()
             + unit
             + by);
-  }
-
-  private ParameterException wrong(String text) {
-    return new ParameterException(command.commandLine(), text);
   }
 }

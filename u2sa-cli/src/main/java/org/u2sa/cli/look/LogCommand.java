@@ -1,7 +1,6 @@
 package org.u2sa.cli.look;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -10,8 +9,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.interfaces.BadInputException;
@@ -23,10 +22,8 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.recorder.mcap.McapReader;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa log}: merges the logs of all services of a run into one stream. */
 @Command(
@@ -42,10 +39,8 @@ import picocli.CommandLine.Spec;
       "Logs are files of the host where a service runs; over the broker, ./u2sa echo conditions and ./u2sa echo health tell how "
           + "services are. Exit code 1: there is no such line."
     })
-public final class LogCommand implements Callable<Integer> {
+public final class LogCommand extends BaseCommand {
   private static final double FOLLOW_EVERY_S = 0.2;
-
-  @Spec private CommandSpec command;
 
   @Parameters(
       arity = "0..1",
@@ -162,10 +157,9 @@ public final class LogCommand implements Callable<Integer> {
 
   private void follow(LogFolder folder) throws IOException, InterruptedException {
     print(last(wanted(folder.more())));
-    PrintWriter out = command.commandLine().getOut();
     Clock clock = new SystemClock();
     try (Clock.Waiter waiter = clock.newWaiter("log")) {
-      while (!out.checkError()) {
+      while (!out().checkError()) {
         waiter.await(clock.micros() + Clock.micros(FOLLOW_EVERY_S));
         print(wanted(folder.more()));
       }
@@ -173,11 +167,10 @@ public final class LogCommand implements Callable<Integer> {
   }
 
   private void print(List<LogLine> lines) {
-    PrintWriter out = command.commandLine().getOut();
-    Terminal terminal = Terminal.detect(out, System.getenv());
+    Terminal terminal = terminal();
     for (LogLine line : lines) {
       if (json) {
-        out.println(
+        print(
             new JsonText()
                 .put("time", line.time())
                 .put("level", line.level().name())
@@ -191,10 +184,10 @@ public final class LogCommand implements Callable<Integer> {
           line.level() == LogLevelEnum.ERROR ? terminal.bad("ERROR") : level(line, terminal);
       for (String part :
           (line.time() + " " + mark + " " + line.service() + ": " + line.text()).split("\n")) {
-        out.println(part);
+        print(part);
       }
     }
-    out.flush();
+    out().flush();
   }
 
   private static String level(LogLine line, Terminal terminal) {

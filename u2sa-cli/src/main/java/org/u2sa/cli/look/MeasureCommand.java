@@ -3,9 +3,10 @@ package org.u2sa.cli.look;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.function.LongFunction;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -16,18 +17,15 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.U2SAData;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /**
  * {@code u2sa hz}, {@code delay} and {@code bw}: measures the messages of channels, one row per
  * source.
  */
-public abstract sealed class MeasureCommand implements Callable<Integer> {
+public abstract sealed class MeasureCommand extends BaseCommand {
   private static final double EVERY_S = 1.0;
-  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
   /** Measures message rates. */
   @Command(
@@ -44,7 +42,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
   public static final class Rate extends MeasureCommand {
     /** A command. */
     public Rate() {
-      super(RateMeter.COLUMNS, began -> new RateMeter());
+      super(Meter.Rate.COLUMNS, began -> new Meter.Rate());
     }
   }
 
@@ -64,7 +62,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
   public static final class Delay extends MeasureCommand {
     /** A command. */
     public Delay() {
-      super(DelayMeter.COLUMNS, began -> new DelayMeter());
+      super(Meter.Delay.COLUMNS, began -> new Meter.Delay());
     }
   }
 
@@ -83,13 +81,12 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
   public static final class Bandwidth extends MeasureCommand {
     /** A command. */
     public Bandwidth() {
-      super(BandwidthMeter.COLUMNS, BandwidthMeter::new);
+      super(Meter.Bandwidth.COLUMNS, Meter.Bandwidth::new);
     }
   }
 
   private final MeasuredSources sources; // guarded by itself
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @Mixin private ListeningTime time;
 
@@ -139,7 +136,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
   }
 
   private void show(RemoteLink link, long began) throws InterruptedException {
-    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    Terminal terminal = terminal();
     long due = began;
     try (Clock.Waiter waiter = link.clock().newWaiter("measure")) {
       while (!time.isOver(began, link.clock().micros()) && !terminal.out().checkError()) {
@@ -173,7 +170,7 @@ public abstract sealed class MeasureCommand implements Callable<Integer> {
         return;
       }
       if (terminal.redraws() && !time.isBounded()) {
-        out.print(TO_TOP_AND_CLEAR);
+        terminal.clear();
       }
       sources.table(now).lines().forEach(out::println);
       out.flush();

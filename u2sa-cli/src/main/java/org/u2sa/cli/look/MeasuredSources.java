@@ -1,6 +1,7 @@
 package org.u2sa.cli.look;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -21,16 +22,11 @@ final class MeasuredSources {
 
   private final List<String> columns;
   private final LongFunction<Meter> meterFrom;
-  private final Map<Key, Row> rows = new TreeMap<>();
+  private final Map<Key, Row> rows =
+      new TreeMap<>(
+          Comparator.comparing(Key::channel).thenComparing(Key::source).thenComparing(Key::type));
 
-  private record Key(String channel, String source, String type) implements Comparable<Key> {
-    @Override
-    public int compareTo(Key other) {
-      int byChannel = channel.compareTo(other.channel);
-      int bySource = byChannel == 0 ? source.compareTo(other.source) : byChannel;
-      return bySource == 0 ? type.compareTo(other.type) : bySource;
-    }
-  }
+  private record Key(String channel, String source, String type) {}
 
   private static final class Row {
     private final Meter meter;
@@ -45,21 +41,13 @@ final class MeasuredSources {
     }
   }
 
-  /**
-   * @param columns columns of the meters
-   * @param meterFrom creates a source's meter, given its start time [µs of real time]
-   */
+  /** Creates each source's meter with its start time [µs of real time]. */
   MeasuredSources(List<String> columns, LongFunction<Meter> meterFrom) {
     this.columns = columns;
     this.meterFrom = meterFrom;
   }
 
-  /**
-   * Adds a message.
-   *
-   * @param micros arrival time [µs of real time]
-   * @param beganMicros start of measuring [µs of real time]
-   */
+  /** Adds a message that arrived at {@code micros}; measuring began at {@code beganMicros}. */
   void take(Channel<?> channel, U2SAData message, long micros, long beganMicros) {
     Key key = new Key(channel.name(), channel.sourceOf(message), MessageJson.typeName(message));
     Row row = rows.computeIfAbsent(key, each -> new Row(meterFrom.apply(beganMicros)));
@@ -87,7 +75,6 @@ final class MeasuredSources {
     return table;
   }
 
-  /** Same as a JSON object. */
   String json(long nowMicros) {
     List<JsonText> channels = new ArrayList<>();
     rows.forEach(

@@ -7,9 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.gcs.remote.MessageStream;
@@ -23,11 +24,8 @@ import org.u2sa.report.page.Trace;
 import org.u2sa.report.picture.SeriesChart;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa plot}: draws fields over time, in the terminal or as a picture. */
 @Command(
@@ -44,16 +42,14 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 1: no values were heard."
     })
-public final class PlotCommand implements Callable<Integer> {
+public final class PlotCommand extends BaseCommand {
   private static final double MICROS = 1e6;
   private static final double DRAW_EVERY_S = 0.25;
   private static final long LOOK_MS = 50;
   private static final int LABEL_COLUMNS = 14;
   private static final int ROWS = 12;
   private static final double WITHOUT_END_S = 10.0;
-  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @Mixin private ListeningTime time;
 
@@ -76,7 +72,6 @@ public final class PlotCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print the values as JSON at the end.")
   private boolean json;
 
-  /** A plotted field. */
   private record Wanted(String name, Channel<?> channel, FieldPath path) {}
 
   private final Map<String, Series> series = new LinkedHashMap<>();
@@ -87,7 +82,7 @@ public final class PlotCommand implements Callable<Integer> {
       throw wrong("--window " + windowS + ": expected more than 0 s");
     }
     List<Wanted> wanted = names.stream().map(this::wanted).collect(Collectors.toList());
-    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    Terminal terminal = terminal();
     try (RemoteLink link = remote.connect()) {
       MessageStream stream = new MessageStream(link);
       wanted.stream().map(Wanted::channel).distinct().forEach(stream::of);
@@ -189,7 +184,7 @@ public final class PlotCommand implements Callable<Integer> {
   }
 
   private void redraw(Terminal terminal, double nowS) {
-    terminal.out().print(TO_TOP_AND_CLEAR);
+    terminal.clear();
     draw(terminal, nowS);
   }
 
@@ -222,9 +217,5 @@ public final class PlotCommand implements Callable<Integer> {
               .put("values", values));
     }
     return new JsonText().put("series", all).line();
-  }
-
-  private ParameterException wrong(String what) {
-    return new ParameterException(command.commandLine(), what);
   }
 }

@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -29,11 +29,8 @@ import org.u2sa.report.message.MessageFromJson;
 import org.u2sa.report.message.MessageJson;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa publish}: publishes a user-defined message on a channel. */
 @Command(
@@ -50,8 +47,7 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 0: it was delivered; 1: it was not, or this could not be checked; 2: the message is invalid, and nothing was published."
     })
-public final class PublishCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class PublishCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
   @Parameters(
@@ -91,7 +87,6 @@ public final class PublishCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print JSON.")
   private boolean json;
 
-  /** Outcome of publishing a message. */
   private enum Outcome {
     CAME_THROUGH,
     NOT_HEARD,
@@ -235,25 +230,19 @@ public final class PublishCommand implements Callable<Integer> {
 
   private void print(RemoteLink link, Channel<?> channel, U2SAData message, Outcome outcome) {
     if (json) {
-      command
-          .commandLine()
-          .getOut()
-          .println(
-              new JsonText()
-                  .put("system", link.systemId())
-                  .put("channel", channel.name())
-                  .put("type", MessageJson.typeName(message))
-                  .put("published", count)
-                  .put("outcome", outcome.name())
-                  .put("fields", MessageJson.fields(message))
-                  .line());
+      print(
+          new JsonText()
+              .put("system", link.systemId())
+              .put("channel", channel.name())
+              .put("type", MessageJson.typeName(message))
+              .put("published", count)
+              .put("outcome", outcome.name())
+              .put("fields", MessageJson.fields(message))
+              .line());
       return;
     }
     if (outcome == Outcome.CAME_THROUGH) {
-      command
-          .commandLine()
-          .getOut()
-          .println((count == 1 ? "" : count + " × ") + "published on " + channel + ": " + message);
+      print((count == 1 ? "" : count + " × ") + "published on " + channel + ": " + message);
       return;
     }
     boolean standard = Channels.named(channel.name()).isPresent();
@@ -269,9 +258,5 @@ public final class PublishCommand implements Callable<Integer> {
             : "published on \""
                 + channel
                 + "\"; whether it was delivered is unknown: the user may not hear that channel");
-  }
-
-  private ParameterException wrong(String what) {
-    return new ParameterException(command.commandLine(), what);
   }
 }

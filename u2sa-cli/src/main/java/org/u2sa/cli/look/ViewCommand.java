@@ -1,7 +1,6 @@
 package org.u2sa.cli.look;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
@@ -9,9 +8,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
-import java.util.concurrent.Callable;
 import java.util.function.BooleanSupplier;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.record.SpanOptions;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.MessageStream;
@@ -25,11 +25,8 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.recorder.playback.RecordedMessages;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa view}: shows a running system or a recording in Foxglove and Lichtblick. */
 @Command(
@@ -44,11 +41,10 @@ import picocli.CommandLine.Spec;
       "Then open a Foxglove WebSocket connection to ws://localhost:8765. Viewers get each message as JSON, and the views that a recording "
           + "has (docs/recording.md). They are read-only: nothing they send reaches a service. A viewer that reads too slowly loses messages, which are counted; it delays nobody."
     })
-public final class ViewCommand implements Callable<Integer> {
+public final class ViewCommand extends BaseCommand {
   private static final long LOOK_MS = 100;
   private static final long NANOS = 1_000L;
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @Mixin private ListeningTime time;
 
@@ -158,9 +154,8 @@ public final class ViewCommand implements Callable<Integer> {
     }
     ViewServer server =
         new ViewServer(address, name, UUID.randomUUID().toString(), tellsTime, origins, this::tell);
-    PrintWriter out = command.commandLine().getOut();
     String host = address.getAddress().isLoopbackAddress() ? "localhost" : bind;
-    out.println(
+    print(
         "Serving "
             + name
             + " at ws://"
@@ -168,15 +163,7 @@ public final class ViewCommand implements Callable<Integer> {
             + ":"
             + server.address().getPort()
             + " (Foxglove WebSocket). Ctrl-C ends it.");
-    out.flush();
+    out().flush();
     return server;
-  }
-
-  private void tell(String remark) {
-    command.commandLine().getErr().println("u2sa: " + remark);
-  }
-
-  private ParameterException wrong(String what) {
-    return new ParameterException(command.commandLine(), what);
   }
 }

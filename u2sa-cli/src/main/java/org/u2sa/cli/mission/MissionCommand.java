@@ -1,8 +1,7 @@
 package org.u2sa.cli.mission;
 
+import org.u2sa.cli.command.BaseCommand;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa mission}: prints its help. */
 @Command(
@@ -20,16 +19,9 @@ import picocli.CommandLine.Spec;
       ShowMissionCommand.class,
       OrderCommand.GoTo.class,
       OrderCommand.Skip.class,
-      InsertCommand.class,
+      OrderCommand.Insert.class,
       OrderCommand.Update.class,
       OrderCommand.Pause.class,
       OrderCommand.Resume.class
     })
-public final class MissionCommand implements Runnable {
-  @Spec private CommandSpec command;
-
-  @Override
-  public void run() {
-    command.commandLine().usage(command.commandLine().getOut());
-  }
-}
+public final class MissionCommand extends BaseCommand.Group {}

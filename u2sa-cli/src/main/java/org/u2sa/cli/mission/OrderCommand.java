@@ -1,19 +1,31 @@
 package org.u2sa.cli.mission;
 
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
+import java.util.Optional;
+import java.util.UUID;
+import org.u2sa.cli.command.BaseCommand;
+import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
+import org.u2sa.gcs.remote.Operator;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** A subcommand of {@code u2sa mission} that gives the Mission Manager one order. */
-abstract class OrderCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+abstract class OrderCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
   /** Order without request ID and operator. */
@@ -21,10 +33,44 @@ abstract class OrderCommand implements Callable<Integer> {
 
   @Override
   public final Integer call() throws InterruptedException {
-    return OrderToMissionManager.give(remote, order(), command.commandLine().getOut());
+    String id = UUID.randomUUID().toString();
+    MissionOrder order = order().requestId(id).operator(Operator.name());
+    try (RemoteLink link = remote.connect()) {
+      Optional<MissionOrderResult> result =
+          link.first(
+              Channels.MISSION,
+              order,
+              MissionOrderResult.class,
+              each -> each.requestId().equals(id));
+      if (result.isEmpty()) {
+        throw remote.unanswered(link, ShowMissionCommand.nobody(link));
+      }
+      if (!result.get().accepted()) {
+        throw new RunFailedException(order.action() + " was not done: " + result.get().outcome());
+      }
+      print(link.systemId() + ": " + result.get().outcome());
+      return ExitCode.DONE;
+    }
   }
 
-  /** {@code u2sa mission goto}. */
+  /**
+   * Creates an order with goals.
+   *
+   * @param file a mission file with goals only; parsed by the Mission Manager, which knows the goal
+   *     classes
+   * @throws BadInputException if it is not a mission file
+   */
+  private static MissionOrder withGoals(MissionAction action, Path file) {
+    XmlReader.read(file, "mission");
+    try {
+      return new MissionOrder().action(action).goals(Files.readString(file)).file(file.toString());
+    } catch (CharacterCodingException e) {
+      throw new BadInputException(file + ": is not in UTF-8, in which orders are sent", e);
+    } catch (IOException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
+    }
+  }
+
   @Command(
       name = "goto",
       description = {
@@ -42,7 +88,6 @@ abstract class OrderCommand implements Callable<Integer> {
     }
   }
 
-  /** {@code u2sa mission skip}. */
   @Command(
       name = "skip",
       description = {"Skip a current goal: the mission continues as if it were done."})
@@ -60,7 +105,37 @@ abstract class OrderCommand implements Callable<Integer> {
     }
   }
 
-  /** {@code u2sa mission update}. */
+  @Command(
+      name = "insert",
+      description = {
+        "Insert the goals of a mission file.",
+        "",
+        "What followed that goal follows them. Names must be new; a next may name goals of the mission."
+      })
+  static final class Insert extends OrderCommand {
+    @Parameters(paramLabel = "FILE", description = "A mission file with goals only.")
+    private Path file;
+
+    @ArgGroup private Place place = new Place();
+
+    private static final class Place {
+      @Option(
+          names = "--after",
+          paramLabel = "GOAL",
+          description = "The goal that they follow. Default: the current one.")
+      private String after;
+
+      @Option(names = "--now", description = "Pursue them at once; the current goal follows them.")
+      private boolean now;
+    }
+
+    @Override
+    MissionOrder order() {
+      MissionOrder order = withGoals(MissionAction.INSERT, file).now(place.now);
+      return place.after == null ? order : order.uid(place.after);
+    }
+  }
+
   @Command(
       name = "update",
       description = {
@@ -72,11 +147,10 @@ abstract class OrderCommand implements Callable<Integer> {
 
     @Override
     MissionOrder order() {
-      return OrderToMissionManager.withGoals(MissionAction.UPDATE, file);
+      return withGoals(MissionAction.UPDATE, file);
     }
   }
 
-  /** {@code u2sa mission pause}. */
   @Command(
       name = "pause",
       description = {
@@ -91,7 +165,6 @@ abstract class OrderCommand implements Callable<Integer> {
     }
   }
 
-  /** {@code u2sa mission resume}. */
   @Command(
       name = "resume",
       description = {

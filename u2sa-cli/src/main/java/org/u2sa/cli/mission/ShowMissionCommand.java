@@ -1,13 +1,11 @@
 package org.u2sa.cli.mission;
 
-import java.io.PrintWriter;
 import java.util.Optional;
 import java.util.UUID;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
-import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.gcs.mission.MissionJson;
 import org.u2sa.gcs.mission.MissionView;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -17,19 +15,16 @@ import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa mission show}. */
 @Command(
     name = "show",
     description = {"Show the goals of the mission: result, time, distance and successors of each."})
-final class ShowMissionCommand implements Callable<Integer> {
+final class ShowMissionCommand extends BaseCommand {
   /** Time to wait for a state; several publishing periods [s]. */
   private static final double STATE_WITHIN_S = 0.6;
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
 
   @Option(names = "--json", description = "Print JSON.")
@@ -56,19 +51,23 @@ final class ShowMissionCommand implements Callable<Integer> {
             MissionReport.class,
             each -> each.requestId().equals(id));
     if (report.isEmpty()) {
-      throw OrderToMissionManager.nobody(remote, link);
+      throw remote.unanswered(link, nobody(link));
     }
     return report.get();
   }
 
+  /** Message for a missing answer. */
+  static String nobody(RemoteLink link) {
+    return String.format(
+        "%s: no Mission Manager answered within %s s; ./u2sa services shows whether one runs",
+        link.systemId(), link.timeoutS());
+  }
+
   private void print(String systemId, MissionView mission) {
-    PrintWriter out = command.commandLine().getOut();
     if (json) {
-      out.print(MissionJson.text(systemId, mission)); // contains its own line breaks
-      out.println();
+      printBlock(MissionJson.text(systemId, mission));
     } else {
-      Terminal terminal = Terminal.detect(out, System.getenv());
-      MissionTable.lines(systemId, mission, terminal).forEach(out::println);
+      MissionTable.lines(systemId, mission, terminal()).forEach(out()::println);
     }
   }
 }

@@ -77,7 +77,6 @@ final class PlaybackKeys implements AutoCloseable {
     }
   }
 
-  /** Prints the available keys. */
   void explain() {
     if (keyboard != null) {
       terminal
@@ -86,7 +85,6 @@ final class PlaybackKeys implements AutoCloseable {
     }
   }
 
-  /** Shows the position. */
   void show(Playback.Position position, RecordedSpan span, McapStatistics statistics) {
     if (keyboard == null) {
       return;

@@ -1,12 +1,12 @@
 package org.u2sa.cli.record;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.time.Clock;
@@ -15,10 +15,7 @@ import org.u2sa.recorder.Recorder;
 import org.u2sa.service.ServiceContext;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa record}: records a remote system. */
 @Command(
@@ -28,8 +25,7 @@ import picocli.CommandLine.Spec;
       "",
       "Joins the system by MQTT as a service named Recorder. Messages are written to the file four times a second, so a crash loses at most a quarter of a second. ./u2sa recover repairs a truncated file."
     })
-public final class RecordCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class RecordCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
   @Mixin private RecordOptions options;
 
@@ -41,20 +37,12 @@ public final class RecordCommand implements Callable<Integer> {
           "Output file; a number is appended to the name if it exists. Default: ${DEFAULT-VALUE}.")
   private Path out;
 
-  @Option(
-      names = "--for",
-      paramLabel = "S",
-      description = "Stop after this many seconds. Default: at Ctrl-C.")
-  private Double forS;
+  @Mixin private ListeningTime time;
 
   private final AtomicBoolean ended = new AtomicBoolean();
 
   @Override
   public Integer call() throws InterruptedException, IOException {
-    if (forS != null && !(forS > 0.0)) {
-      throw new ParameterException(
-          command.commandLine(), "--for " + forS + ": expected more than 0 s");
-    }
     Path folder = out.toAbsolutePath().getParent();
     MqttTransport transport = remote.transport();
     Files.createDirectories(folder);
@@ -65,24 +53,23 @@ public final class RecordCommand implements Callable<Integer> {
             .build();
     Recorder recorder = new Recorder(context, new RunFacts().facts());
     recorder.start();
-    PrintWriter printer = command.commandLine().getOut();
-    Thread end = new Thread(() -> end(recorder, printer), "u2sa-record-end");
+    Thread end = new Thread(() -> end(recorder), "u2sa-record-end");
     Runtime.getRuntime().addShutdownHook(end);
-    printer.println("Recording system " + transport.systemId() + ". Ctrl-C ends it.");
-    printer.flush();
+    print("Recording system " + transport.systemId() + ". Ctrl-C ends it.");
+    out().flush();
     await(recorder);
-    end(recorder, printer);
+    end(recorder);
     return ExitCode.DONE;
   }
 
   private void await(Recorder recorder) throws InterruptedException {
-    if (forS == null) {
+    if (!time.isBounded()) {
       recorder.join();
       return;
     }
     Clock clock = new SystemClock();
     try (Clock.Waiter waiter = clock.newWaiter("record")) {
-      long until = clock.micros() + Clock.micros(forS);
+      long until = time.end(clock.micros());
       while (recorder.isRunning() && clock.micros() < until) {
         waiter.await(Math.min(until, clock.micros() + Clock.MICROS_PER_SECOND));
       }
@@ -93,18 +80,18 @@ public final class RecordCommand implements Callable<Integer> {
    * Called when the time is over and when the program is interrupted; only the first call has an
    * effect.
    */
-  private void end(Recorder recorder, PrintWriter printer) {
+  private void end(Recorder recorder) {
     recorder.finish();
     if (ended.getAndSet(true)) {
       return;
     }
-    printer.println(
+    print(
         recorder.messages()
             + " messages recorded into "
             + recorder.files()
             + (recorder.dropped() == 0
                 ? ""
                 : ", besides " + recorder.dropped() + " that came too fast"));
-    printer.flush();
+    out().flush();
   }
 }

@@ -20,7 +20,6 @@ import picocli.CommandLine.Spec;
 
 /** Recording options of a command; used as {@code @Mixin RecordOptions recording}. */
 public final class RecordOptions {
-  /** File name without number and suffix. */
   private static final String STEM = "recording";
 
   private static final Pattern SPLIT = Pattern.compile("(\\d+(?:\\.\\d+)?)(MB|GB|s|min)");
@@ -80,16 +79,11 @@ public final class RecordOptions {
     values.put("FORM", form.name().toUpperCase(Locale.ROOT));
   }
 
-  /** Whether any of these options was given. */
   boolean isAnyGiven() {
     return !values.isEmpty();
   }
 
-  /**
-   * Variables for the recorder.
-   *
-   * @param file path of the recording, relative to the log folder
-   */
+  /** Variables of a recorder into this file, relative to the log folder. */
   XmlConfiguration configuration(String file) {
     if (values.containsKey("KEEP")
         && !values.containsKey("SPLIT MEGABYTES")
@@ -102,11 +96,7 @@ public final class RecordOptions {
     return XmlConfiguration.inMemory("Recorder", all);
   }
 
-  /**
-   * Sets up the recording of a run.
-   *
-   * @param file path of the recording, relative to the log folder
-   */
+  /** Records a run into this file, relative to the log folder. */
   void addTo(LaunchOptions launch, String file, RunFacts facts) {
     launch.beside(configuration(file), context -> new Recorder(context, facts.facts()));
   }

@@ -1,20 +1,16 @@
 package org.u2sa.cli.record;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.recorder.mcap.McapRecovery;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa recover FILE}: recovers a truncated recording. */
 @Command(
@@ -26,10 +22,8 @@ import picocli.CommandLine.Spec;
       "",
       "Copies every readable message, attachment and metadata record, including those of a truncated chunk. A chunk with a wrong checksum is left out. The damaged file is not changed."
     })
-public final class RecoverCommand implements Callable<Integer> {
+public final class RecoverCommand extends BaseCommand {
   private static final String SUFFIX = ".mcap";
-
-  @Spec private CommandSpec command;
 
   @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
   private Path file;
@@ -46,18 +40,15 @@ public final class RecoverCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     if (!Files.isRegularFile(file)) {
-      throw new ParameterException(
-          command.commandLine(), file + ": no such file; expected a recording (MCAP)");
+      throw wrong(file + ": no such file; expected a recording (MCAP)");
     }
     Path whole = out == null ? recovered() : out;
     if (Files.exists(whole)) {
-      throw new ParameterException(
-          command.commandLine(), whole + " exists already; --out names another file");
+      throw wrong(whole + " exists already; --out names another file");
     }
     McapRecovery.Result result = McapRecovery.recover(file, whole, "u2sa " + ProgramVersion.text());
-    PrintWriter printer = command.commandLine().getOut();
     if (json) {
-      printer.println(
+      print(
           new JsonText()
               .put("file", whole.toString())
               .put("messages", result.messages())
@@ -66,15 +57,15 @@ public final class RecoverCommand implements Callable<Integer> {
               .line());
       return ExitCode.DONE;
     }
-    printer.println(
+    print(
         result
             .trouble()
             .map(trouble -> file + ": " + trouble)
             .orElse(file + " is complete and undamaged"));
     if (result.damagedChunks() > 0) {
-      printer.println(result.damagedChunks() + " damaged chunks left out");
+      print(result.damagedChunks() + " damaged chunks left out");
     }
-    printer.println(result.messages() + " messages recovered into " + whole);
+    print(result.messages() + " messages recovered into " + whole);
     return ExitCode.DONE;
   }
 

@@ -1,14 +1,12 @@
 package org.u2sa.cli.record;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.function.Predicate;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
-import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Topic;
@@ -21,11 +19,8 @@ import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.recorder.playback.RecordedSpan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa replay FILE}: republishes a recording's messages, or re-executes its services. */
 @Command(
@@ -44,8 +39,7 @@ import picocli.CommandLine.Spec;
       "With --rerun no broker is needed: each service is recreated and given its recorded input at the recorded times, and its output is compared with the recording, byte by byte. Exit code 1: something differs. Rerun only recordings that you "
           + "trust: the service classes that they name are executed."
     })
-public final class ReplayCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class ReplayCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
   @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
@@ -78,8 +72,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, InterruptedException {
     if (!(rate > 0.0 && rate <= 1e6)) {
-      throw new ParameterException(
-          command.commandLine(), "--rate " + rate + ": expected more than 0, at most 1000000");
+      throw wrong("--rate " + rate + ": expected more than 0, at most 1000000");
     }
     if (rerun.isWanted()) {
       refuseParts();
@@ -91,10 +84,9 @@ public final class ReplayCommand implements Callable<Integer> {
       MqttTransport transport = remote.transport(recording.systemId().orElseThrow());
       Playback playback =
           new Playback(recording.reader(), channels, span, rate, loop, new SystemClock());
-      PrintWriter out = command.commandLine().getOut();
       try (Connection connection = transport.connect("u2sa-replay", new PublisherOnly(this::tell));
-          PlaybackKeys keys = PlaybackKeys.of(Terminal.detect(out, System.getenv()), playback)) {
-        out.println("Replaying " + file + " as system " + transport.systemId() + ".");
+          PlaybackKeys keys = PlaybackKeys.of(terminal(), playback)) {
+        print("Replaying " + file + " as system " + transport.systemId() + ".");
         keys.explain();
         playback.play(
             new Playback.Sink() {
@@ -111,7 +103,7 @@ public final class ReplayCommand implements Callable<Integer> {
             () -> false);
       }
       recording.undecodable().ifPresent(this::tell);
-      out.println(
+      print(
           published
               + " messages published"
               + (refused == 0 ? "" : ", " + refused + " not taken by the broker"));
@@ -122,16 +114,10 @@ public final class ReplayCommand implements Callable<Integer> {
   /** Services are executed again from their start, on all that they were given. */
   private void refuseParts() {
     for (String option : List.of("--from", "--to", "--channel", "--rate", "--loop")) {
-      if (command.commandLine().getParseResult().hasMatchedOption(option)) {
-        throw new ParameterException(
-            command.commandLine(),
-            option + ": expected without --rerun, which executes the whole recording");
+      if (commandLine().getParseResult().hasMatchedOption(option)) {
+        throw wrong(option + ": expected without --rerun, which executes the whole recording");
       }
     }
-  }
-
-  private void tell(String trouble) {
-    command.commandLine().getErr().println("u2sa: " + trouble);
   }
 
   private void publish(Connection connection, RecordedMessages recording, McapMessage recorded) {

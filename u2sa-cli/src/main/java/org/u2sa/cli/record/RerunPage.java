@@ -57,12 +57,7 @@ final class RerunPage {
 
   private RerunPage() {}
 
-  /**
-   * Writes the page.
-   *
-   * @param changes changes from the recording, as given by the user
-   * @throws org.u2sa.gcs.command.RunFailedException if it cannot be written
-   */
+  /** Writes the page; {@code changes} are those the user asked for. */
   static void write(Path page, Path recording, List<Rerun.Outcome> outcomes, List<String> changes) {
     RerunPage all = new RerunPage();
     all.recorded.fact("file", recording.toString());

@@ -18,9 +18,6 @@ final class RerunReport {
   private final double wallS;
   private final boolean withDeviations;
 
-  /**
-   * @param wallS total wall-clock time [s]
-   */
   RerunReport(List<Rerun.Outcome> outcomes, double wallS, boolean withDeviations) {
     this.outcomes = List.copyOf(outcomes);
     this.wallS = wallS;
@@ -31,7 +28,6 @@ final class RerunReport {
     return outcomes.stream().allMatch(Rerun.Outcome::isIdentical);
   }
 
-  /** Text for people. */
   List<String> lines() {
     TextTable table =
         new TextTable("SERVICE", "CHANNEL", "RECORDED", "NOW", "SAME", "FIRST DIFFERENCE");
@@ -136,7 +132,6 @@ final class RerunReport {
         wallS == 0.0 ? 0.0 : simS / wallS);
   }
 
-  /** JSON for programs. */
   List<String> json() {
     List<JsonText> services = new ArrayList<>();
     for (Rerun.Outcome outcome : outcomes) {

@@ -126,7 +126,6 @@ final class ServiceChanges {
     return file == null ? start : start.withConfiguration(file);
   }
 
-  /** Creates the changed service. */
   U2SAService make(ExecutionStart start, ServiceContext context) {
     for (Setting setting : settings) {
       if (setting.service().equals(start.service())) {

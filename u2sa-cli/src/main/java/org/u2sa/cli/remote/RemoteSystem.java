@@ -269,6 +269,12 @@ public final class RemoteSystem {
             + NearestNames.didYouMean(systemId, heard));
   }
 
+  /** Failure for a missing answer, with the {@linkplain #otherSystems other systems}. */
+  public RunFailedException unanswered(RemoteLink link, String what) throws InterruptedException {
+    return new RunFailedException(
+        what + otherSystems(link).map(others -> ";" + others.substring(1)).orElse(""));
+  }
+
   /**
    * Tells on standard error that this account has no token of the broker, and where it was looked
    * for: the broker ignores such commands without an answer. For commands that had no effect.

@@ -6,17 +6,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.report.page.RunPage;
 import org.u2sa.report.run.RunContent;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa compare}: compares several recorded runs on one page. */
 @Command(
@@ -28,8 +25,7 @@ import picocli.CommandLine.Spec;
       "",
       "Times count from each run's first message. A track.csv beside a recording is its ground truth."
     })
-public final class CompareCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class CompareCommand extends BaseCommand {
 
   @Parameters(arity = "2..*", paramLabel = "FILE", description = "The recordings (MCAP).")
   private List<Path> files;
@@ -49,18 +45,18 @@ public final class CompareCommand implements Callable<Integer> {
     List<RunContent> runs = new ArrayList<>();
     for (Path file : files) {
       if (!Files.isRegularFile(file)) {
-        throw new ParameterException(command.commandLine(), file + ": no such file");
+        throw wrong(file + ": no such file");
       }
       runs.add(RunContent.read(file, Optional.empty()));
     }
     if (json) {
       List<JsonText> all = new ArrayList<>();
       runs.forEach(run -> all.add(run.json()));
-      command.commandLine().getOut().println(new JsonText().put("runs", all).line());
+      print(new JsonText().put("runs", all).line());
       return ExitCode.DONE;
     }
     RunPage.write(out, files.size() + " runs", runs.stream().map(RunContent::json).toList());
-    command.commandLine().getOut().println(out + " (" + Files.size(out) / 1000 + " kB)");
+    print(out + " (" + Files.size(out) / 1000 + " kB)");
     return ExitCode.DONE;
   }
 }

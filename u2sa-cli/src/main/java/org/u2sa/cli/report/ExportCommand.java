@@ -1,14 +1,13 @@
 package org.u2sa.cli.report;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.cli.record.SpanOptions;
@@ -24,11 +23,8 @@ import org.u2sa.report.export.KmlText;
 import org.u2sa.report.export.ViewerRecording;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa export}: exports a recording as tables, or as tracks for maps. */
 @Command(
@@ -45,8 +41,7 @@ import picocli.CommandLine.Spec;
       "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state.",
       "mcap: a recording whose messages are JSON, for Foxglove, Lichtblick and PlotJuggler; with its views, unless --channel names channels."
     })
-public final class ExportCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class ExportCommand extends BaseCommand {
   @Mixin private SpanOptions part;
 
   @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
@@ -96,8 +91,7 @@ public final class ExportCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     if (!(everyS >= 0.0)) {
-      throw new ParameterException(
-          command.commandLine(), "--every " + everyS + ": expected 0 s or more");
+      throw wrong("--every " + everyS + ": expected 0 s or more");
     }
     try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
       RecordedSpan span = part.of(recording.reader());
@@ -108,9 +102,7 @@ public final class ExportCommand implements Callable<Integer> {
       } else {
         map(recording, span);
       }
-      recording
-          .undecodable()
-          .ifPresent(what -> command.commandLine().getErr().println("u2sa: " + what));
+      recording.undecodable().ifPresent(what -> tell(what));
     }
     return ExitCode.DONE;
   }
@@ -125,15 +117,13 @@ public final class ExportCommand implements Callable<Integer> {
     tables.write(target("-csv")).forEach((table, rows) -> say(table, Map.of("rows", rows)));
   }
 
-  /** Prints a file written and its size. */
   private void say(Path written, Map<String, Long> counts) {
-    PrintWriter printer = command.commandLine().getOut();
     if (json) {
       JsonText line = new JsonText().put("file", written.toString());
       counts.forEach(line::put);
-      printer.println(line.line());
+      print(line.line());
     } else {
-      printer.println(
+      print(
           counts.entrySet().stream()
               .map(count -> count.getValue() + " " + count.getKey())
               .collect(Collectors.joining(", ", written + " (", ")")));

@@ -5,17 +5,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.report.page.RunPage;
 import org.u2sa.report.run.RunContent;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa report}: reports a recorded run on one page. */
 @Command(
@@ -30,8 +27,7 @@ import picocli.CommandLine.Spec;
           + "track.csv is beside the recording or named by --truth; distance from the line, altitude, speed, actuators; age of "
           + "messages; condition of services; events, which move the cursor in all charts. Drag in a chart to zoom."
     })
-public final class ReportCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class ReportCommand extends BaseCommand {
 
   @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
   private Path file;
@@ -55,15 +51,12 @@ public final class ReportCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     for (Path each : truth == null ? List.of(file) : List.of(file, truth)) {
       if (!Files.isRegularFile(each)) {
-        throw new ParameterException(command.commandLine(), each + ": no such file");
+        throw wrong(each + ": no such file");
       }
     }
     RunContent run = RunContent.read(file, Optional.ofNullable(truth));
     if (json) {
-      command
-          .commandLine()
-          .getOut()
-          .println(new JsonText().put("runs", List.of(run.json())).line());
+      print(new JsonText().put("runs", List.of(run.json())).line());
       return ExitCode.DONE;
     }
     Path page =
@@ -72,7 +65,7 @@ public final class ReportCommand implements Callable<Integer> {
                 file.getFileName().toString().replaceFirst("\\.mcap$", "") + ".html")
             : out;
     RunPage.write(page, file.toString(), List.of(run.json()));
-    command.commandLine().getOut().println(page + " (" + Files.size(page) / 1000 + " kB)");
+    print(page + " (" + Files.size(page) / 1000 + " kB)");
     return ExitCode.DONE;
   }
 }

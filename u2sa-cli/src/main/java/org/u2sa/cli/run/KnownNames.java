@@ -19,9 +19,6 @@ final class KnownNames {
 
   private final LaunchOptions options;
 
-  /**
-   * @param options overrides of the run
-   */
   KnownNames(LaunchOptions options) {
     this.options = options;
   }

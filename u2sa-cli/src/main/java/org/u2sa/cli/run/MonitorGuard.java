@@ -33,11 +33,9 @@ final class MonitorGuard implements AutoCloseable {
   private static final int MAX_RESTARTS = 3; // RESTART LIMIT and window of a monitor
   private static final long RESTART_WINDOW_MICROS = 60_000_000;
 
-  /** Service processes, by entry. */
   interface Processes {
     boolean isAlive(String entry);
 
-    /** Restarts the entry's process. */
     void startProcess(String entry);
   }
 
@@ -55,9 +53,6 @@ final class MonitorGuard implements AutoCloseable {
   private long failures; // own thread only
   private volatile boolean closed;
 
-  /**
-   * @param console receives status lines
-   */
   MonitorGuard(ServiceNames names, Clock clock, Processes processes, Consumer<String> console) {
     this.names = names;
     this.clock = clock;
@@ -96,7 +91,6 @@ final class MonitorGuard implements AutoCloseable {
     }
   }
 
-  /** Checks for silent monitors. */
   synchronized void look(long now) {
     if (silentMicros(Launcher.NAME, now) > DEAF_AFTER_MICROS) {
       excusedMicros = now;
@@ -136,7 +130,6 @@ final class MonitorGuard implements AutoCloseable {
     return names.lastWord(serviceName).map(word -> now - word.atMicros()).orElse(0L);
   }
 
-  /** Records that an entry's process has failed. */
   synchronized void ended(String entry, int exitCode) {
     long now = clock.micros();
     boolean isMonitor = names.monitors().contains(entry);

@@ -18,16 +18,12 @@ final class ParentWatch {
   private final IntConsumer halt;
   private volatile Runnable end = () -> {};
 
-  /**
-   * @param parent stream that reaches its end when the parent exits
-   * @param halt exits the process immediately with the given exit code
-   */
+  /** When {@code parent} ends, {@code halt} exits the process at once with an exit code. */
   ParentWatch(InputStream parent, IntConsumer halt) {
     this.parent = parent;
     this.halt = halt;
   }
 
-  /** Starts watching. */
   void start() {
     daemon("u2sa-parent", this::watch).start();
   }

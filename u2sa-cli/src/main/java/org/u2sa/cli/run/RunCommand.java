@@ -1,6 +1,5 @@
 package org.u2sa.cli.run;
 
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -9,9 +8,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.Setting;
 import org.u2sa.cli.record.RunFacts;
@@ -33,11 +32,8 @@ import org.u2sa.recorder.Recorder;
 import org.u2sa.service.U2SAService;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa run <system.xml>}: runs any system until it ends or is interrupted. */
 @Command(
@@ -48,12 +44,10 @@ import picocli.CommandLine.Spec;
       "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
           + "file and writes its log file. Ctrl-C, or a stop command, ends all of them."
     })
-public final class RunCommand implements Callable<Integer> {
+public final class RunCommand extends BaseCommand {
   private static final Clock CLOCK = new SystemClock();
   private static final String MANAGER = "CommunicationManager";
   private static final List<String> LOOPBACK = List.of("127.0.0.1", "::1", "localhost");
-
-  @Spec private CommandSpec command;
 
   @Parameters(paramLabel = "SYSTEM", description = "System file (XML).")
   private Path file;
@@ -136,13 +130,13 @@ public final class RunCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     SystemFile whole = SystemFile.read(file);
     SystemFile system = whole;
-    PrintWriter out = command.commandLine().getOut();
-    LaunchOptions options = new LaunchOptions().logDirectory(logs).seed(seed).console(out::println);
+    LaunchOptions options =
+        new LaunchOptions().logDirectory(logs).seed(seed).console(out()::println);
     settings = new ArrayList<>(settings);
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
-      evadeTakenPort(system, out);
+      evadeTakenPort(system);
     }
     set(options, system);
     recording.check();
@@ -152,8 +146,7 @@ public final class RunCommand implements Callable<Integer> {
       options.throughBroker();
     }
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
-      throw new ParameterException(
-          command.commandLine(), "--separate, --only and --host: expected one of them at most");
+      throw wrong("--separate, --only and --host: expected one of them at most");
     }
     if (host != null) {
       boolean carriesManager = system.communicationHost().equals(host);
@@ -169,14 +162,14 @@ public final class RunCommand implements Callable<Integer> {
       system = system.only(only);
       options.oneOfSeveral(supervised).restart(restart).besideManager(besideManager);
     }
-    return separate ? runSeparately(system.apart(), options, out) : run(system, options, out);
+    return separate ? runSeparately(system.apart(), options) : run(system, options);
   }
 
   /**
    * Moves the broker to another port if the configured one is taken, provided that only this
    * machine can reach it: clients on other machines expect the configured port.
    */
-  private void evadeTakenPort(SystemFile system, PrintWriter out) {
+  private void evadeTakenPort(SystemFile system) {
     XmlConfiguration configuration =
         system
             .communication()
@@ -201,7 +194,7 @@ public final class RunCommand implements Callable<Integer> {
     if (free.isPresent()) {
       refuseSecondRun(system);
       settings.add(MANAGER + ":" + ManagerVariables.PORT + "=" + free.getAsInt());
-      out.println(
+      print(
           String.format(
               "Port %s is taken by another program; the broker of this system listens on port %s.",
               port, free.getAsInt()));
@@ -231,7 +224,6 @@ public final class RunCommand implements Callable<Integer> {
     return facts;
   }
 
-  /** Watches the parent process, if one supervises this process. */
   private Optional<ParentWatch> parentWatch() {
     if (!supervised) {
       return Optional.empty();
@@ -245,8 +237,7 @@ public final class RunCommand implements Callable<Integer> {
     Set<String> names = new HashSet<>();
     for (String name : only) {
       if (!names.add(name)) {
-        throw new ParameterException(
-            command.commandLine(), "--only: \"" + name + "\" is named twice");
+        throw wrong("--only: \"" + name + "\" is named twice");
       }
     }
   }
@@ -264,7 +255,7 @@ public final class RunCommand implements Callable<Integer> {
           manager + "COMMUNICATION MANAGER IP=" + address.hostInAddress(),
           manager + "COMMUNICATION MANAGER PORT=" + address.port());
     } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--broker " + e.getMessage());
+      throw wrong("--broker " + e.getMessage());
     }
   }
 
@@ -275,21 +266,20 @@ public final class RunCommand implements Callable<Integer> {
         options.override(setting.service(), setting.variable(), setting.value());
       }
     } catch (IllegalArgumentException e) {
-      throw new ParameterException(command.commandLine(), "--set: " + e.getMessage());
+      throw wrong("--set: " + e.getMessage());
     }
   }
 
   @SuppressWarnings("try") // resources that are there to be closed, not called
-  private Integer run(SystemFile file, LaunchOptions options, PrintWriter out)
-      throws InterruptedException {
+  private Integer run(SystemFile file, LaunchOptions options) throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
-    try (Console.Detached output = PlainLines.detach(out, CLOCK);
+    try (Console.Detached output = PlainLines.detach(out(), CLOCK);
         RunningSystem system = RunningSystem.start(file, options);
-        TroubleLines troubles = troublesOf(system, ownServices(system), out);
-        LocalSystems.Announcement announced = announced(file, system, out);
+        TroubleLines troubles = troublesOf(system, ownServices(system));
+        LocalSystems.Announcement announced = announced(file, system);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
-      out.println(
+      print(
           String.format(
               "System %s runs: %s. Ctrl-C ends it.",
               file.systemId(), file.services().isEmpty() ? MANAGER : names(system.services())));
@@ -300,36 +290,36 @@ public final class RunCommand implements Callable<Integer> {
       for (U2SAService ended : system.services()) {
         ended
             .endReason()
-            .ifPresent(why -> out.println("Service " + ended.getServiceName() + " ended: " + why));
+            .ifPresent(why -> print("Service " + ended.getServiceName() + " ended: " + why));
       }
       for (U2SAService failed : system.failed()) {
-        out.println("Service " + failed.getServiceName() + " failed; see its log file.");
+        print("Service " + failed.getServiceName() + " failed; see its log file.");
       }
       return system.failed().isEmpty() ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 
   @SuppressWarnings("try") // resources that are there to be closed, not called
-  private Integer runSeparately(SystemFile file, LaunchOptions options, PrintWriter out)
+  private Integer runSeparately(SystemFile file, LaunchOptions options)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
-    try (Console.Detached output = PlainLines.detach(out, CLOCK);
+    try (Console.Detached output = PlainLines.detach(out(), CLOCK);
         RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
-        TroubleLines troubles = troublesOf(manager, any -> true, out);
-        LocalSystems.Announcement announced = announced(file, manager, out);
+        TroubleLines troubles = troublesOf(manager, any -> true);
+        LocalSystems.Announcement announced = announced(file, manager);
         ServiceProcesses processes =
-            new ServiceProcesses(startBeside(file, manager), entries, out::println);
+            new ServiceProcesses(startBeside(file, manager), entries, out()::println);
         Supervisor supervisor =
-            new Supervisor(file, new KnownNames(options), manager, processes, out::println);
+            new Supervisor(file, new KnownNames(options), manager, processes, out()::println);
         EndOnInterrupt hook = new EndOnInterrupt(processes::close)) {
       processes.start();
-      out.println(
+      print(
           String.format(
               "System %s runs in processes: %s. Ctrl-C ends it.",
               file.systemId(), processes.names()));
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
-        out.println("The system ends: a service refuses what it was started with (see above).");
+        print("The system ends: a service refuses what it was started with (see above).");
         return ExitCode.BAD_INPUT;
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
@@ -341,10 +331,9 @@ public final class RunCommand implements Callable<Integer> {
     return new ServiceProcesses.ProcessCommand(file.file(), logs, seed, settings, runsManager);
   }
 
-  private static TroubleLines troublesOf(
-      RunningSystem system, Predicate<String> services, PrintWriter out) {
+  private TroubleLines troublesOf(RunningSystem system, Predicate<String> services) {
     return new TroubleLines(
-        system.communicationManager().transport(), services, CLOCK, out::println);
+        system.communicationManager().transport(), services, CLOCK, out()::println);
   }
 
   /**
@@ -358,10 +347,9 @@ public final class RunCommand implements Callable<Integer> {
     return own::contains;
   }
 
-  private static LocalSystems.Announcement announced(
-      SystemFile file, RunningSystem system, PrintWriter out) {
+  private LocalSystems.Announcement announced(SystemFile file, RunningSystem system) {
     return LocalSystems.ofAccount()
-        .announce(file.systemId(), system.communicationManager().address(), out::println);
+        .announce(file.systemId(), system.communicationManager().address(), out()::println);
   }
 
   private static String names(List<U2SAService> services) {

@@ -45,11 +45,8 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private final String systemId;
 
   /**
-   * Last report about a service.
-   *
-   * @param instance that sent it
-   * @param atMicros time of receipt [µs of this clock]
-   * @param isLast whether it announced its stop
+   * Last report of a service: its instance, time of receipt [µs], and whether it announced its
+   * stop.
    */
   record Word(String instance, long atMicros, boolean isLast) {}
 
@@ -136,12 +133,10 @@ final class ServiceNames implements Receiver, AutoCloseable {
         : Optional.ofNullable(known);
   }
 
-  /** Returns the service name of the entry, if known. */
   Optional<String> nameOf(String entryName) {
     return Optional.ofNullable(serviceNames.get(entryName));
   }
 
-  /** Returns the entries that are health monitors. */
   List<String> monitors() {
     return entries.stream()
         .filter(KnownNames::isMonitor)

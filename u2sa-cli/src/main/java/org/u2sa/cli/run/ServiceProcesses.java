@@ -34,10 +34,7 @@ final class ServiceProcesses implements AutoCloseable {
   private int handling; // ends and restarts in progress, so that more may start; guarded by this
   private volatile boolean closing;
 
-  /**
-   * @param entries simple names of the services' classes
-   * @param console receives process events, one per line
-   */
+  /** Runs these services, by simple class name; the console receives their events. */
   ServiceProcesses(ProcessCommand command, List<String> entries, Consumer<String> console) {
     this.command = command;
     this.entries = List.copyOf(entries);
@@ -105,7 +102,6 @@ final class ServiceProcesses implements AutoCloseable {
     notifyAll();
   }
 
-  /** Whether the service's process is alive. */
   synchronized boolean isAlive(String entry) {
     Process process = processes.get(entry);
     return process != null && process.isAlive();
@@ -188,23 +184,10 @@ final class ServiceProcesses implements AutoCloseable {
     }
   }
 
-  /**
-   * Launch parameters of single-service processes: {@code u2sa run --only}, with this program's own
-   * Java.
-   *
-   * @param file the system file
-   * @param logs folder of the log files
-   * @param seed the run's seed
-   * @param settings the {@code --set} options
-   * @param besideManager whether this process runs the Communication Manager
-   */
+  /** Parameters of one service's process: {@code u2sa run --only}, with this program's own Java. */
   record ProcessCommand(
       Path file, Path logs, long seed, List<String> settings, boolean besideManager) {
-    /**
-     * Returns the process builder of one service.
-     *
-     * @param restart whether it has already run in this run
-     */
+    /** Process builder of a service; {@code restart} if it has already run in this run. */
     ProcessBuilder of(String service, boolean restart) {
       List<String> command = new ArrayList<>();
       command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());

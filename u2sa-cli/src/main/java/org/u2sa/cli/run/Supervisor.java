@@ -39,11 +39,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   private final MonitorGuard guard;
   private final Map<String, String> replaced = new ConcurrentHashMap<>(); // instances by entry
 
-  /**
-   * Connects and starts executing orders.
-   *
-   * @param system the Communication Manager of the processes
-   */
+  /** Connects and starts executing orders; {@code system} is the Communication Manager. */
   Supervisor(
       SystemFile file,
       KnownNames known,
@@ -99,7 +95,6 @@ final class Supervisor implements ServiceHost, AutoCloseable {
             });
   }
 
-  /** The guard's view of the processes. */
   private final class GuardedProcesses implements MonitorGuard.Processes {
     private final Consumer<String> console;
 

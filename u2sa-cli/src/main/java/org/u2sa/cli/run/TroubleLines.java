@@ -27,7 +27,6 @@ public final class TroubleLines implements Receiver, AutoCloseable {
   /** From every client's last will: the process's supervisor reports what happened. */
   private static final String LOST = "connection lost";
 
-  /** Last line printed for a service. */
   private record Printed(String text, long micros) {}
 
   private final Predicate<String> services;

@@ -1,10 +1,9 @@
 package org.u2sa.cli.safety;
 
-import java.io.PrintWriter;
 import java.util.Optional;
 import java.util.UUID;
-import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
@@ -14,13 +13,10 @@ import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Spec;
 
 /** Asks the Safety Manager to arm or disarm, and prints its answer. */
-public abstract class ArmingCommand implements Callable<Integer> {
+public abstract class ArmingCommand extends BaseCommand {
   private final boolean arm;
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
 
   private ArmingCommand(boolean arm) {
@@ -60,19 +56,17 @@ public abstract class ArmingCommand implements Callable<Integer> {
 
   @Override
   public final Integer call() throws InterruptedException {
-    PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
       Optional<ArmingState> answer = answer(link);
       if (answer.isEmpty()) {
-        out.println(
-            link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");
-        remote.otherSystems(link).ifPresent(out::println);
+        print(link.systemId() + ": no Safety Manager answered within " + link.timeoutS() + " s");
+        remote.otherSystems(link).ifPresent(out()::println);
         return ExitCode.FAILED;
       }
       boolean armed = answer.get().armed();
-      out.println(link.systemId() + (armed ? ": armed" : ": not armed"));
+      print(link.systemId() + (armed ? ": armed" : ": not armed"));
       if (arm) {
-        answer.get().reasons().forEach(reason -> out.println("  " + reason));
+        answer.get().reasons().forEach(reason -> print("  " + reason));
       }
       return armed == arm ? ExitCode.DONE : ExitCode.FAILED;
     }

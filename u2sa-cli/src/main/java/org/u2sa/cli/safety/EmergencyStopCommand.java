@@ -1,15 +1,14 @@
 package org.u2sa.cli.safety;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
-import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
@@ -21,9 +20,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.EmergencyStop;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa estop}: stops everything that moves, or clears the stop. */
 @Command(
@@ -40,7 +37,7 @@ import picocli.CommandLine.Spec;
       "Exit code 0: every service that heeds stops, actuators and Safety Manager, has said that it is stopped (or, with --clear, "
           + "that nothing stops it). Exit code 1: one has not; the output names it."
     })
-public final class EmergencyStopCommand implements Callable<Integer> {
+public final class EmergencyStopCommand extends BaseCommand {
   /**
    * Covers the Safety Manager's repetition of stops, once a second; without one the broker retains
    * the stop.
@@ -49,7 +46,6 @@ public final class EmergencyStopCommand implements Callable<Integer> {
 
   private static final int MAX_LINES = 30; // services can be invented by the thousand
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
 
   @Option(
@@ -198,9 +194,5 @@ public final class EmergencyStopCommand implements Callable<Integer> {
     List<String> shortened = new ArrayList<>(lines.subList(0, MAX_LINES));
     shortened.add("and " + (lines.size() - MAX_LINES) + " more");
     return shortened;
-  }
-
-  private PrintWriter out() {
-    return command.commandLine().getOut();
   }
 }

@@ -1,10 +1,10 @@
 package org.u2sa.cli.safety;
 
-import java.io.PrintWriter;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.cli.command.ListeningTime;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -16,10 +16,6 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa operator}: sends operator heartbeats and shows the vehicle's safety state. */
 @Command(
@@ -30,33 +26,24 @@ import picocli.CommandLine.Spec;
       "Sends an operator heartbeat every second and shows each change of arming state, failsafe and services. Once a vehicle "
           + "has heard a heartbeat, it treats silence as a lost operator."
     })
-public final class OperatorCommand implements Callable<Integer> {
+public final class OperatorCommand extends BaseCommand {
   private static final double INTERVAL_S = 1.0;
   private static final String ARMING = "arming";
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
 
-  @Option(
-      names = "--for",
-      paramLabel = "S",
-      description = "Stop after this many seconds. Default: at Ctrl-C.")
-  private Double forS;
+  @Mixin private ListeningTime time;
 
   private final Map<String, String> shown = new LinkedHashMap<>(); // guarded by itself
 
   @Override
   public Integer call() throws InterruptedException {
-    if (forS != null && !(forS > 0.0)) {
-      throw new ParameterException(
-          command.commandLine(), "--for " + forS + ": expected more than 0 s");
-    }
     try (RemoteLink link = remote.connect();
         Clock.Waiter waiter = link.clock().newWaiter("operator")) {
       link.listen(Channels.ARMING_STATE, this::show);
       link.listen(Channels.FAILSAFE, this::show);
       link.listen(Channels.CONDITIONS, this::show);
-      long end = forS == null ? Clock.NEVER : link.clock().micros() + Clock.micros(forS);
+      long end = time.end(link.clock().micros());
       long due = link.clock().micros();
       while (due < end) {
         link.publish(
@@ -78,11 +65,10 @@ public final class OperatorCommand implements Callable<Integer> {
   }
 
   private int nobody(RemoteLink link) throws InterruptedException {
-    PrintWriter out = command.commandLine().getOut();
-    out.println(
+    print(
         link.systemId()
             + ": no Safety Manager answers: the vehicle does not watch for an operator");
-    remote.otherSystems(link).ifPresent(out::println);
+    remote.otherSystems(link).ifPresent(out()::println);
     return ExitCode.FAILED;
   }
 
@@ -114,8 +100,7 @@ public final class OperatorCommand implements Callable<Integer> {
   private void show(String subject, String line, String gist) {
     synchronized (shown) {
       if (!gist.equals(shown.put(subject, gist))) {
-        PrintWriter out = command.commandLine().getOut();
-        out.println(subject + ": " + line);
+        print(subject + ": " + line);
       }
     }
   }

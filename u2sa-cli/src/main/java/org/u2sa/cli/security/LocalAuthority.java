@@ -115,7 +115,6 @@ final class LocalAuthority {
     }
   }
 
-  /** Runs the JDK's keytool as a process. */
   static final class Keytool {
     /**
      * Password of all key stores. It need not be secret, because the files are private to their
@@ -125,13 +124,7 @@ final class LocalAuthority {
 
     private Keytool() {}
 
-    /**
-     * Runs keytool on a PKCS #12 store.
-     *
-     * @param words command and options, separated by spaces
-     * @param more options that may contain spaces
-     * @return its output
-     */
+    /** Runs keytool on a PKCS #12 store; words are separated by spaces. Returns its output. */
     static String run(String words, List<String> more, Path store)
         throws IOException, InterruptedException {
       List<String> command = new ArrayList<>();

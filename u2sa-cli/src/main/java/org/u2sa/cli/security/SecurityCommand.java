@@ -1,11 +1,11 @@
 package org.u2sa.cli.security;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.User;
@@ -13,10 +13,8 @@ import org.u2sa.core.security.UserFile;
 import org.u2sa.interfaces.BadInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /**
  * {@code u2sa security}: prints its help; init, certificate and mosquitto are subcommands,
@@ -30,13 +28,7 @@ import picocli.CommandLine.Spec;
       "They write to one folder; SECURITY DIRECTORY in CommunicationManager.xml names it. docs/security.md has the steps."
     },
     subcommands = UserCommand.class)
-public final class SecurityCommand implements Runnable {
-  @Spec private CommandSpec command;
-
-  @Override
-  public void run() {
-    command.commandLine().usage(command.commandLine().getOut());
-  }
+public final class SecurityCommand extends BaseCommand.Group {
 
   @Command(
       name = "init",
@@ -132,9 +124,5 @@ public final class SecurityCommand implements Runnable {
             "%s: %d users. Start it with: mosquitto -c %s%n",
             target, users.size(), target.resolve("mosquitto.conf"));
     return ExitCode.DONE;
-  }
-
-  private PrintWriter out() {
-    return command.commandLine().getOut();
   }
 }

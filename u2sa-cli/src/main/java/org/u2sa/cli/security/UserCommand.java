@@ -2,7 +2,6 @@ package org.u2sa.cli.security;
 
 import java.io.Console;
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.core.security.AccessRole;
 import org.u2sa.core.security.PasswordHash;
@@ -23,20 +23,12 @@ import org.u2sa.core.security.UserFile;
 import org.u2sa.interfaces.BadInputException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa security user}: adds, lists and removes users of the broker. */
 @Command(name = "user", description = "Add, list and remove users of the broker.")
-final class UserCommand implements Runnable {
-  @Spec private CommandSpec command;
-
-  @Override
-  public void run() {
-    command.commandLine().usage(command.commandLine().getOut());
-  }
+final class UserCommand extends BaseCommand.Group {
 
   @Command(
       name = "add",
@@ -115,7 +107,7 @@ final class UserCommand implements Runnable {
   Integer list(@Mixin SecurityFolder folder) {
     Map<String, User> users = UserFile.read(folder.existing().users());
     if (users.isEmpty()) {
-      out().println("No users yet: ./u2sa security user add NAME --role ROLE");
+      print("No users yet: ./u2sa security user add NAME --role ROLE");
     }
     for (User user : users.values()) {
       out()
@@ -142,10 +134,6 @@ final class UserCommand implements Runnable {
     return ExitCode.DONE;
   }
 
-  private PrintWriter out() {
-    return command.commandLine().getOut();
-  }
-
   /** Sources of a user's password: never the command line, which is visible to every process. */
   private static final class Passwords {
     private static final int SHORTEST = 10;
@@ -153,7 +141,6 @@ final class UserCommand implements Runnable {
 
     private Passwords() {}
 
-    /** The first line of a file. */
     static char[] read(Path file) {
       requireClosed("--password-file", file);
       try {
@@ -177,7 +164,6 @@ final class UserCommand implements Runnable {
       }
     }
 
-    /** A random password. */
     static char[] make(Path newFile) {
       if (Files.exists(newFile)) {
         throw new BadInputException(

@@ -3,7 +3,7 @@ package org.u2sa.cli.services;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -14,9 +14,7 @@ import org.u2sa.interfaces.RunFailedException;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa graph}: shows the data flow between the services of a running system. */
 @Command(
@@ -30,12 +28,10 @@ import picocli.CommandLine.Spec;
       "Omitted: the channels that every service uses (discovery, functionality, stop, configuration, "
           + "health)."
     })
-public final class GraphCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class GraphCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
   @ArgGroup private Form form = new Form();
 
-  /** Mutually exclusive options. */
   private static final class Form {
     @Option(
         names = "--format",
@@ -63,7 +59,6 @@ public final class GraphCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
       SettledObservation settled = SettledObservation.made(link);
       DirectoryObservation observation = settled.observation();
@@ -77,7 +72,7 @@ public final class GraphCommand implements Callable<Integer> {
       if (!settled.hasSettled()) {
         tell(link);
       }
-      lines(link.systemId(), graph).forEach(out::println);
+      lines(link.systemId(), graph).forEach(out()::println);
       return ExitCode.DONE;
     }
   }
@@ -92,7 +87,7 @@ public final class GraphCommand implements Callable<Integer> {
   }
 
   private void tell(RemoteLink link) {
-    PrintWriter err = command.commandLine().getErr();
+    PrintWriter err = commandLine().getErr();
     err.printf(
         Locale.ROOT,
         "System \"%s\" did not settle within %.1f s: services and feeds may be missing; "

@@ -3,7 +3,7 @@ package org.u2sa.cli.services;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.Operator;
@@ -16,13 +16,10 @@ import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** Sends an order to a service's launcher, and prints the result. */
-public abstract class LauncherCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public abstract class LauncherCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
   private LauncherCommand() {}
@@ -92,14 +89,12 @@ public abstract class LauncherCommand implements Callable<Integer> {
               ServiceOrderResult.class,
               each -> each.requestId().equals(id));
       if (result.isEmpty()) {
-        throw new RunFailedException(
-            nobody(what, order.serviceName(), link)
-                + remote.otherSystems(link).map(others -> ";" + others.substring(1)).orElse(""));
+        throw remote.unanswered(link, nobody(what, order.serviceName(), link));
       }
       if (!result.get().accepted()) {
         throw new RunFailedException(what + " was not done: " + result.get().reason());
       }
-      command.commandLine().getOut().println(done);
+      print(done);
       return ExitCode.DONE;
     }
   }

@@ -1,6 +1,5 @@
 package org.u2sa.cli.services;
 
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -8,8 +7,8 @@ import java.util.OptionalDouble;
 import java.util.OptionalLong;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.concurrent.Callable;
 import java.util.function.ToLongFunction;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.cli.terminal.Terminal;
@@ -31,9 +30,7 @@ import org.u2sa.service.directory.ServiceDirectory;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa services}: lists services, their health and their data. */
 @Command(
@@ -43,15 +40,12 @@ import picocli.CommandLine.Spec;
       "",
       "Exit code 1: no service answered, or none has the data asked for."
     })
-public final class ServicesCommand implements Callable<Integer> {
+public final class ServicesCommand extends BaseCommand {
   private static final double WATCH_EVERY_S = 1.0;
-  private static final String TO_TOP_AND_CLEAR = "\u001b[H\u001b[J";
 
-  @Spec private CommandSpec command;
   @Mixin private RemoteSystem remote;
   @ArgGroup private View view = new View();
 
-  /** Mutually exclusive options. */
   private static final class View {
     @Option(
         names = "--publishing",
@@ -75,35 +69,32 @@ public final class ServicesCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    PrintWriter out = command.commandLine().getOut();
     try (RemoteLink link = remote.connect()) {
       DirectoryObservation observation = DirectoryObservation.made(link);
       if (view.publishing != null) {
         List<String> chain = DataType.chain(view.publishing, observation.directory());
-        return print(
-            out, observation.directory().publishersOf(chain), "publishes " + view.publishing);
+        return print(observation.directory().publishersOf(chain), "publishes " + view.publishing);
       }
       if (view.subscribing != null) {
         List<String> chain = DataType.chain(view.subscribing, observation.directory());
         return print(
-            out, observation.directory().subscribersOf(chain), "subscribes to " + view.subscribing);
+            observation.directory().subscribersOf(chain), "subscribes to " + view.subscribing);
       }
       if (view.json) {
-        out.print(ServicesJson.text(link.systemId(), observation));
-        out.println();
+        printBlock(ServicesJson.text(link.systemId(), observation));
       } else if (view.watch) {
         watch(link, observation);
       } else {
-        out.println("System " + link.systemId() + " at " + remote.brokerAddress());
-        ServiceTable.lines(observation.rows()).forEach(out::println);
+        print("System " + link.systemId() + " at " + remote.brokerAddress());
+        ServiceTable.lines(observation.rows()).forEach(out()::println);
       }
       return observation.names().isEmpty() ? ExitCode.FAILED : ExitCode.DONE;
     }
   }
 
-  private static int print(PrintWriter out, List<ServiceDirectory.Found> found, String does) {
+  private int print(List<ServiceDirectory.Found> found, String does) {
     if (found.isEmpty()) {
-      out.println("Nobody " + does + ".");
+      print("Nobody " + does + ".");
       return ExitCode.FAILED;
     }
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
@@ -114,34 +105,29 @@ public final class ServicesCommand implements Callable<Integer> {
           each.offer().typeName(),
           each.certain() ? "" : "among others of this type");
     }
-    table.lines().forEach(out::println);
+    table.lines().forEach(out()::println);
     return ExitCode.DONE;
   }
 
   private void watch(RemoteLink link, DirectoryObservation observation)
       throws InterruptedException {
-    Terminal terminal = Terminal.detect(command.commandLine().getOut(), System.getenv());
+    Terminal terminal = terminal();
     try (Clock.Waiter waiter = link.clock().newWaiter("watch")) {
       while (!Thread.currentThread().isInterrupted()) {
         observation.directory().ask(); // updates the uptimes
         waiter.await(link.clock().micros() + Clock.micros(WATCH_EVERY_S));
         observation.directory().refresh();
         if (terminal.redraws()) {
-          terminal.out().print(TO_TOP_AND_CLEAR);
+          terminal.clear();
         }
         terminal.out().println("System " + link.systemId() + " at " + remote.brokerAddress());
         for (String line : ServiceTable.lines(observation.rows())) {
-          terminal.out().println(terminal.redraws() ? cut(line, terminal.columns()) : line);
+          terminal.out().println(terminal.redraws() ? terminal.fitted(line) : line);
         }
       }
     }
   }
 
-  private static String cut(String line, int columns) {
-    return line.length() < columns ? line : line.substring(0, columns - 1);
-  }
-
-  /** Resolves the data type named by the operator. */
   private static final class DataType {
     private DataType() {}
 
@@ -177,7 +163,6 @@ public final class ServicesCommand implements Callable<Integer> {
     }
   }
 
-  /** Formats the services of a system as a table, one per line. */
   private static final class ServiceTable {
     private static final double SECONDS_PER_MINUTE = 60.0;
     private static final double MICROS_PER_SECOND = 1e6;

@@ -1,12 +1,11 @@
 package org.u2sa.cli.services;
 
-import java.io.PrintWriter;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentHashMap;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.RemoteSystem;
 import org.u2sa.gcs.remote.RemoteLink;
@@ -18,9 +17,7 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.StopCommand;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa stop [NAME]}: ends services in an orderly way and prints which have ended. */
 @Command(
@@ -31,8 +28,7 @@ import picocli.CommandLine.Spec;
       "Each leaves its actuators neutral and closes its resources. Exit code 1: a service did not confirm its end in time. "
           + "To stop all motion whatever services do, see u2sa estop."
     })
-public final class StopServicesCommand implements Callable<Integer> {
-  @Spec private CommandSpec command;
+public final class StopServicesCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
   @Parameters(
@@ -51,7 +47,7 @@ public final class StopServicesCommand implements Callable<Integer> {
       Set<String> told = name == null ? new TreeSet<>(there) : Set.of(name);
       int code = report(told, stopped(link, told), link);
       if (told.isEmpty()) {
-        remote.otherSystems(link).ifPresent(command.commandLine().getOut()::println);
+        remote.otherSystems(link).ifPresent(out()::println);
       } else if (code != ExitCode.DONE) {
         remote.explainRefusal();
       }
@@ -86,15 +82,14 @@ public final class StopServicesCommand implements Callable<Integer> {
   }
 
   private int report(Set<String> told, Map<String, ServiceStatus> ends, RemoteLink link) {
-    PrintWriter out = command.commandLine().getOut();
     boolean all = true;
     if (told.isEmpty()) {
-      out.println("No service of system " + link.systemId() + " answered; the stop was sent.");
+      print("No service of system " + link.systemId() + " answered; the stop was sent.");
     }
     for (String service : told) {
       ServiceStatus end = ends.get(service);
       all &= end != null;
-      out.println(
+      print(
           service
               + (end == null
                   ? ": DID NOT CONFIRM its end within " + link.timeoutS() + " s"

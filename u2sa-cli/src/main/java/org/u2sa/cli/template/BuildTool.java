@@ -27,7 +27,6 @@ enum BuildTool {
   /** Command, run in U2SA's folder, that installs U2SA for this tool. */
   final String install;
 
-  /** Command that builds and tests the project. */
   final String build;
 
   /** Folder of the built jars. */
@@ -46,7 +45,6 @@ enum BuildTool {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** Build tool of the project in a folder; empty if none. */
   static Optional<BuildTool> in(Path folder) {
     return Arrays.stream(values())
         .filter(tool -> Files.isRegularFile(folder.resolve(tool.file)))
@@ -60,7 +58,6 @@ enum BuildTool {
         .find();
   }
 
-  /** Group of the project in the folder, which is also its package. */
   Optional<String> group(Path folder) {
     Matcher matcher = group.matcher(text(folder));
     return matcher.find() ? Optional.of(matcher.group(1)) : Optional.empty();

@@ -29,9 +29,6 @@ final class Destination {
 
   private final Path folder;
 
-  /**
-   * @param folder folder of the project
-   */
   Destination(Path folder) {
     this.folder = folder.toAbsolutePath().normalize();
   }

@@ -1,25 +1,21 @@
 package org.u2sa.cli.template;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.concurrent.Callable;
+import org.u2sa.cli.command.BaseCommand;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.command.ProgramVersion;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.schema.MessageTypes;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code u2sa new}: creates a project from a template, or adds a service to one. */
 @Command(
@@ -29,13 +25,11 @@ import picocli.CommandLine.Spec;
       "",
       "The result compiles, has a test and a configuration, and is yours to change. Run in the folder of such a project, or with --into, it adds to that project. Nothing is overwritten."
     })
-public final class NewCommand implements Callable<Integer> {
+public final class NewCommand extends BaseCommand {
   private static final String VEHICLE = "vehicle";
   private static final String HOME = "u2sa.home";
 
   private final Path here;
-
-  @Spec private CommandSpec command;
 
   @Parameters(
       index = "0",
@@ -83,7 +77,6 @@ public final class NewCommand implements Callable<Integer> {
           "Your organisation's templates, which take precedence over U2SA's own. Default: the environment's U2SA_TEMPLATES.")
   private String templates;
 
-  /** Build tool of a new project. */
   static final class Tool {
     @Option(names = "--maven", description = "Build the new project with Maven, the default.")
     private boolean maven;
@@ -107,8 +100,7 @@ public final class NewCommand implements Callable<Integer> {
       if (list) {
         list(available);
       } else if (kind == null || name == null) {
-        throw new ParameterException(
-            command.commandLine(), "expected KIND and NAME, such as: sensor depth-gauge");
+        throw wrong("expected KIND and NAME, such as: sensor depth-gauge");
       } else {
         make(available, available.kind(chosen()), Naming.of(name));
       }
@@ -122,8 +114,7 @@ public final class NewCommand implements Callable<Integer> {
       return kind;
     }
     if (!kind.equals(VEHICLE)) {
-      throw new ParameterException(
-          command.commandLine(), "--kind " + vehicle + ": expected KIND " + VEHICLE);
+      throw wrong("--kind " + vehicle + ": expected KIND " + VEHICLE);
     }
     return VEHICLE + "-" + vehicle;
   }
@@ -131,10 +122,9 @@ public final class NewCommand implements Callable<Integer> {
   private void list(Templates available) {
     Map<String, Templates.TemplateKind> kinds = available.kinds();
     int width = kinds.keySet().stream().mapToInt(String::length).max().orElse(0);
-    PrintWriter out = command.commandLine().getOut();
     for (Templates.TemplateKind each : kinds.values()) {
       String padding = " ".repeat(width - each.name().length());
-      out.println(each.name() + padding + "  " + each.description() + " (" + each.origin() + ")");
+      print(each.name() + padding + "  " + each.description() + " (" + each.origin() + ")");
     }
   }
 
@@ -215,21 +205,20 @@ public final class NewCommand implements Callable<Integer> {
       List<String> files,
       BuildTool build,
       Rendering.Placeholders placeholders) {
-    PrintWriter out = command.commandLine().getOut();
     String where = folder.toString().isEmpty() ? "." : folder.toString();
-    out.println((added ? "Added to " : "Made ") + where + ":");
-    files.forEach(file -> out.println("  " + file));
+    print((added ? "Added to " : "Made ") + where + ":");
+    files.forEach(file -> print("  " + file));
     if (added && !build.usesU2sa(folder)) {
-      out.println("Its build does not use U2SA yet: see \"Packages\" in docs/building.md.");
+      print("Its build does not use U2SA yet: see \"Packages\" in docs/building.md.");
     }
     String home = System.getProperty(HOME, "u2sa");
-    out.println();
-    out.println("Once, for the build to find U2SA:");
-    out.println("  (cd " + home + " && " + build.install + ")");
-    out.println("Build and test it:");
-    out.println("  " + (where.equals(".") ? "" : "cd " + where + " && ") + build.build);
+    out().println();
+    print("Once, for the build to find U2SA:");
+    print("  (cd " + home + " && " + build.install + ")");
+    print("Build and test it:");
+    print("  " + (where.equals(".") ? "" : "cd " + where + " && ") + build.build);
     String advice =
         placeholders.fill(made.advice(), made.origin() + "/" + made.name() + "/" + Templates.ABOUT);
-    advice.replace("~/u2sa", home).lines().forEach(out::println); // one println per line
+    advice.replace("~/u2sa", home).lines().forEach(out()::println); // one println per line
   }
 }

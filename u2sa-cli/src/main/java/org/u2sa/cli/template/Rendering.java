@@ -64,7 +64,6 @@ final class Rendering {
     return placeholders.fill(text, file.origin()).getBytes(StandardCharsets.UTF_8);
   }
 
-  /** File contents by path in the project. */
   SortedMap<String, byte[]> files() {
     return files;
   }
@@ -74,11 +73,7 @@ final class Rendering {
     return shared;
   }
 
-  /**
-   * Values of placeholders such as {@code {{Name}}} in templates.
-   *
-   * @param values values by the word between the braces
-   */
+  /** Values of placeholders such as {@code {{Name}}}, by the word between the braces. */
   record Placeholders(Map<String, String> values) {
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{\\{(\\w+)}}");
 

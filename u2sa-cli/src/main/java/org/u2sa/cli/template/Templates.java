@@ -38,7 +38,6 @@ final class Templates implements AutoCloseable {
   /** A folder of templates, on disk or in a jar. */
   private record Source(String origin, Path root) {}
 
-  /** A file of a template: content, and path for error messages. */
   record File(String origin, byte[] content) {}
 
   private final List<Source> sources = new ArrayList<>();
@@ -87,7 +86,6 @@ final class Templates implements AutoCloseable {
     }
   }
 
-  /** All kinds by name. */
   Map<String, TemplateKind> kinds() {
     Map<String, TemplateKind> kinds = new TreeMap<>();
     for (Source source : sources) {

@@ -29,9 +29,7 @@ final class DetachedOutput extends OutputStream {
   private long written; // writes from the queue, to see progress
   private Thread writer;
 
-  /**
-   * @param givesUpAfterMs how long {@link #drain} waits without progress [ms]
-   */
+  /** {@link #drain} gives up after this long without progress [ms]. */
   DetachedOutput(OutputStream target, long givesUpAfterMs) {
     this.target = target;
     this.givesUpAfterMs = givesUpAfterMs;

@@ -54,6 +54,11 @@ public record Terminal(PrintWriter out, boolean redraws, boolean colours, int co
     return Math.max(MIN_COLUMNS, Integer.parseInt(text));
   }
 
+  /** Moves to the upper left corner and clears the terminal. */
+  public void clear() {
+    out.print("\u001b[H\u001b[J");
+  }
+
   /** {@code text} in bold, if supported. */
   public String bold(String text) {
     return sgr("1", text);

@@ -2,8 +2,6 @@ package org.u2sa.cli.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,20 +10,17 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.ForeignSystem;
 
 /** {@code u2sa config} on a system of another process. */
 @Timeout(120)
-class ConfigCommandTest {
+class ConfigCommandTest extends CommandFixture {
   private static final String PLANNER = "PathPlanner";
 
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
-
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
 
   @BeforeAll
   static void start() {
@@ -51,7 +46,7 @@ class ConfigCommandTest {
     }
     out.getBuffer().setLength(0);
     err.getBuffer().setLength(0);
-    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(new String[0]));
+    return u2sa(all.toArray(new String[0]));
   }
 
   @Test

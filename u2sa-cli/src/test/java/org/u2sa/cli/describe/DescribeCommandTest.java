@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AfterAll;
@@ -14,18 +12,15 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.ForeignSystem;
 
 /** {@code u2sa describe} by files, and of a system of another process. */
 @Timeout(120)
-class DescribeCommandTest {
+class DescribeCommandTest extends CommandFixture {
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
-
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
 
   @BeforeAll
   static void start() {
@@ -40,10 +35,6 @@ class DescribeCommandTest {
   @AfterAll
   static void end() {
     foreign.close();
-  }
-
-  private int run(String... arguments) {
-    return Main.run(new PrintWriter(out), new PrintWriter(err), arguments);
   }
 
   /** A vehicle of core services with a mission. */
@@ -77,7 +68,7 @@ class DescribeCommandTest {
   @Test
   void describe_systemFile_tellsLevelsServicesAndChannels() throws IOException {
     String file = rover();
-    assertThat(run("describe", file)).as(err.toString()).isEqualTo(ExitCode.DONE);
+    assertThat(u2sa("describe", file)).as(err.toString()).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .contains("System rover by " + file)
         .containsPattern("perception +2 discrete +2 discrete +Flashlight measures the vehicle")
@@ -96,7 +87,7 @@ class DescribeCommandTest {
 
   @Test
   void describe_variables_tellsWhatFilesSet() throws IOException {
-    assertThat(run("describe", rover(), "--variables")).isEqualTo(ExitCode.DONE);
+    assertThat(u2sa("describe", rover(), "--variables")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("DEFAULT THRESHOLD = 0.5 m");
   }
 
@@ -107,7 +98,7 @@ class DescribeCommandTest {
             directory.resolve("bold.xml"),
             "<system id=\"bold\"><autonomy perception=\"classification\" decision=\"1\" independence=\"1\"/>"
                 + "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/></system>");
-    assertThat(run("describe", file.toString())).isEqualTo(ExitCode.DONE);
+    assertThat(u2sa("describe", file.toString())).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .containsPattern("perception +4 classification +1 no sensing")
         .contains("More perception is stated than services and channels show: 4 classification")
@@ -116,7 +107,7 @@ class DescribeCommandTest {
 
   @Test
   void describe_running_tellsSourcesWithSigmasAndActuatorsWithNumbers() {
-    assertThat(run("describe", "--connect", "--broker", foreign.broker(), "--timeout", "60"))
+    assertThat(u2sa("describe", "--connect", "--broker", foreign.broker(), "--timeout", "60"))
         .isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .contains("System rover as it runs at " + foreign.broker())
@@ -131,7 +122,8 @@ class DescribeCommandTest {
   @Test
   void describe_json_isReadByPrograms() throws IOException {
     assertThat(
-            run("describe", "--connect", "--broker", foreign.broker(), "--timeout", "60", "--json"))
+            u2sa(
+                "describe", "--connect", "--broker", foreign.broker(), "--timeout", "60", "--json"))
         .isEqualTo(ExitCode.DONE);
     JsonNode root = new ObjectMapper().readTree(out.toString());
 
@@ -145,13 +137,13 @@ class DescribeCommandTest {
 
   @Test
   void describe_nothing_isBadInput() {
-    assertThat(run("describe")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(u2sa("describe")).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("expected a system file, --connect, or both");
   }
 
   @Test
   void describe_wrongFile_isBadInput() {
-    assertThat(run("describe", directory.resolve("none.xml").toString()))
+    assertThat(u2sa("describe", directory.resolve("none.xml").toString()))
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("none.xml");
   }
@@ -163,7 +155,7 @@ class DescribeCommandTest {
             directory.resolve("half.xml"),
             "<system id=\"half\"><service class=\"org.u2sa.mission.MissionManager\"/>"
                 + "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/></system>");
-    assertThat(run("describe", file.toString())).isEqualTo(ExitCode.DONE);
+    assertThat(u2sa("describe", file.toString())).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .contains("could not be made here: ", "StateEstimator, state estimator");
   }

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.Main;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.mission.StandingRover;
@@ -23,12 +24,9 @@ import org.u2sa.cli.remote.ForeignSystem;
 
 /** The eyes of the command line on a system of another process: a rover that stands. */
 @Timeout(180)
-class LookCommandsTest {
+class LookCommandsTest extends CommandFixture {
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
-
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
 
   @BeforeAll
   static void start() {
@@ -46,7 +44,7 @@ class LookCommandsTest {
     if (!all.contains("--timeout")) {
       all.addAll(List.of("--timeout", "60"));
     }
-    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(String[]::new));
+    return u2sa(all.toArray(String[]::new));
   }
 
   @Test
@@ -176,14 +174,7 @@ class LookCommandsTest {
 
   @Test
   void log_ofTheRun_hasItsServices() {
-    int code =
-        Main.run(
-            new PrintWriter(out),
-            new PrintWriter(err),
-            "log",
-            directory.resolve("logs").toString(),
-            "--service",
-            "StandingRover");
+    int code = u2sa("log", directory.resolve("logs").toString(), "--service", "StandingRover");
     assertThat(code).as(err.toString()).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("StandingRover: ");
   }

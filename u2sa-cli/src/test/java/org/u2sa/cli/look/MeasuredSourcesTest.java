@@ -16,9 +16,9 @@ class MeasuredSourcesTest {
 
   static Stream<Arguments> meters() {
     return Stream.of(
-        Arguments.of(RateMeter.COLUMNS, (LongFunction<Meter>) began -> new RateMeter()),
-        Arguments.of(DelayMeter.COLUMNS, (LongFunction<Meter>) began -> new DelayMeter()),
-        Arguments.of(BandwidthMeter.COLUMNS, (LongFunction<Meter>) BandwidthMeter::new));
+        Arguments.of(Meter.Rate.COLUMNS, (LongFunction<Meter>) began -> new Meter.Rate()),
+        Arguments.of(Meter.Delay.COLUMNS, (LongFunction<Meter>) began -> new Meter.Delay()),
+        Arguments.of(Meter.Bandwidth.COLUMNS, (LongFunction<Meter>) Meter.Bandwidth::new));
   }
 
   @ParameterizedTest

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.u2sa.interfaces.JsonText;
-import org.u2sa.messages.StateInformation;
 
 class SpreadTest {
   @Test
@@ -44,42 +42,8 @@ class SpreadTest {
   }
 
   @Test
-  void rate_threeMessagesInASecond_isTwoHertz() {
-    RateMeter meter = new RateMeter();
-    for (long micros : new long[] {1_000_000, 1_400_000, 2_000_000}) {
-      meter.take(micros, new StateInformation());
-    }
-    assertThat(meter.cells(2_000_000))
-        .containsExactly("3", "2.00 Hz", "400.0 ms", "500.0 ms", "600.0 ms", "100.0 ms");
-  }
-
-  @Test
-  void delay_otherClock_isSaid() {
-    DelayMeter meter = new DelayMeter();
-    StateInformation state = new StateInformation();
-    state.timestamp(1_000L);
-    meter.take(1_800_000_000_000_000L, state);
-    assertThat(meter.cells(0)).last().asString().contains("another clock");
-    DelayMeter same = new DelayMeter();
-    same.take(3_500L, state);
-    assertThat(same.cells(0)).containsExactly("1", "2.50 ms", "2.50 ms", "2.50 ms", "2.50 ms", "");
-  }
-
-  @Test
-  void bandwidth_bytesPerSecond_areOfTheWholeTime() {
-    BandwidthMeter meter = new BandwidthMeter(0);
-    StateInformation state = new StateInformation().sensorName("a");
-    meter.take(1, state);
-    meter.take(2, state);
-    JsonText json = new JsonText();
-    meter.addTo(json, 2_000_000);
-    int bytes = state.serialize().length;
-    assertThat(json.line()).contains("\"bytesPerS\":" + (double) bytes + ",");
-  }
-
-  @Test
   void axis_oneValue_isInTheMiddle() {
-    assertThat(Axis.around(5.0, 5.0).share(5.0)).isCloseTo(0.5, within(1e-9));
+    assertThat(TextPlot.Axis.around(5.0, 5.0).share(5.0)).isCloseTo(0.5, within(1e-9));
   }
 
   @Test

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,7 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.ForeignSystem;
 import org.u2sa.testkit.FreePort;
@@ -27,7 +25,7 @@ import org.u2sa.testkit.FreePort;
 /** {@code u2sa mission} on a system of another process: one mission, changed step by step. */
 @Timeout(120)
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
-class MissionCommandTest {
+class MissionCommandTest extends CommandFixture {
   private static final String MISSION =
       """
       <mission>
@@ -41,9 +39,6 @@ class MissionCommandTest {
 
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
-
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
 
   @BeforeAll
   static void start() throws IOException {
@@ -84,7 +79,7 @@ class MissionCommandTest {
     all.addAll(List.of("--broker", foreign.broker(), "--system", system, "--timeout", timeout));
     out.getBuffer().setLength(0);
     err.getBuffer().setLength(0);
-    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(new String[0]));
+    return u2sa(all.toArray(new String[0]));
   }
 
   private static String goals(String name, String goals) throws IOException {
@@ -193,8 +188,7 @@ class MissionCommandTest {
   @Order(9)
   void mission_alone_printsItsHelp() {
     out.getBuffer().setLength(0);
-    assertThat(Main.run(new PrintWriter(out), new PrintWriter(err), "mission"))
-        .isEqualTo(ExitCode.DONE);
+    assertThat(u2sa("mission")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("show", "goto", "skip", "insert", "update", "resume");
   }
 }

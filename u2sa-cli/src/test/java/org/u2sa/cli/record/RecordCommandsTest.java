@@ -21,6 +21,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.Main;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.mission.StandingRover;
@@ -39,15 +40,12 @@ import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** {@code u2sa record}, {@code recover} and {@code replay} beside a system of another process. */
 @Timeout(180)
-class RecordCommandsTest {
+class RecordCommandsTest extends CommandFixture {
   private static final String STATE = "u2sa/rover/state/StateInformation";
 
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
   private static Path recording;
-
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
 
   @BeforeAll
   static void start() {
@@ -74,10 +72,6 @@ class RecordCommandsTest {
   @AfterAll
   static void end() {
     foreign.close();
-  }
-
-  private int run(String... arguments) {
-    return Main.run(new PrintWriter(out), new PrintWriter(err), arguments);
   }
 
   private static List<byte[]> states(Path file) throws IOException {
@@ -108,7 +102,7 @@ class RecordCommandsTest {
     Path broken = directory.resolve("broken.mcap");
     byte[] bytes = Files.readAllBytes(recording);
     Files.write(broken, Arrays.copyOf(bytes, bytes.length / 2));
-    int code = run("recover", broken.toString());
+    int code = u2sa("recover", broken.toString());
     assertThat(code).as(err.toString()).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("breaks off").contains("broken-recovered.mcap");
     List<byte[]> before = states(recording);
@@ -124,7 +118,7 @@ class RecordCommandsTest {
     Path broken = directory.resolve("cut.mcap");
     byte[] bytes = Files.readAllBytes(recording);
     Files.write(broken, Arrays.copyOf(bytes, bytes.length / 2));
-    assertThat(run("recover", broken.toString(), "--json")).isEqualTo(ExitCode.DONE);
+    assertThat(u2sa("recover", broken.toString(), "--json")).isEqualTo(ExitCode.DONE);
     JsonNode said = new ObjectMapper().readTree(out.toString());
     assertThat(said.get("messages").asLong()).isPositive();
     assertThat(said.get("trouble").asText()).contains("breaks off");
@@ -133,7 +127,7 @@ class RecordCommandsTest {
 
   @Test
   void recover_noSuchFile_saysSo() {
-    assertThat(run("recover", directory.resolve("none.mcap").toString()))
+    assertThat(u2sa("recover", directory.resolve("none.mcap").toString()))
         .isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("none.mcap").contains("no such file");
   }
@@ -147,7 +141,7 @@ class RecordCommandsTest {
     try (Connection ear = ghost.connect("Ear", new Ear(heard))) {
       assertThat(ear.subscribe(Channels.STATE)).isTrue();
       int code =
-          run(
+          u2sa(
               "replay",
               recording.toString(),
               "--broker",
@@ -172,7 +166,7 @@ class RecordCommandsTest {
   @Test
   void replay_channelThatWasNotRecorded_isRefusedWithThoseThatWere() {
     int code =
-        run("replay", recording.toString(), "--broker", foreign.broker(), "--channel", "stat");
+        u2sa("replay", recording.toString(), "--broker", foreign.broker(), "--channel", "stat");
     assertThat(code).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("stat").contains("state");
   }

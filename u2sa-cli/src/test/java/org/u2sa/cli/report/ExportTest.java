@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -17,7 +15,7 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -38,20 +36,14 @@ import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapMessage;
 
 /** A vehicle that goes north for 10 s, and first knows only where it is from where it began. */
-class ExportTest {
+class ExportTest extends CommandFixture {
   @TempDir private Path folder;
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
   private final Map<String, McapChannel> channels = new HashMap<>();
   private Path recording;
 
   @BeforeEach
   void write() throws IOException {
-    recording = folder.resolve("run.mcap");
-    try (McapWriter writer =
-        new McapWriter(
-            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
-            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+    try (McapWriter writer = writer("run")) {
       Waypoint goal = new Waypoint().uid("<a>").x(8.0).y(50.001).horizontalThreshold(2.0);
       write(writer, 0, Channels.GOALS, new GoalList().goals(List.of(goal.copy())));
       write(writer, 0, Channels.STATE, state().referenceFrame(ReferenceFrame.LOCAL_ENU).x(1.5));
@@ -68,18 +60,21 @@ class ExportTest {
     }
   }
 
+  private McapWriter writer(String name) throws IOException {
+    recording = folder.resolve(name + ".mcap");
+    channels.clear();
+    return new McapWriter(
+        Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+        McapOptions.usual(ChunkCompression.LZ4, "test"));
+  }
+
   private static StateInformation state() {
     return new StateInformation().sensorName("filter");
   }
 
   /** A vehicle that goes east over the antimeridian, and back. */
   private void writeOverTheAntimeridian() throws IOException {
-    recording = folder.resolve("antimeridian.mcap");
-    channels.clear();
-    try (McapWriter writer =
-        new McapWriter(
-            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
-            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+    try (McapWriter writer = writer("antimeridian")) {
       double[] longitudes = {179.9, 180.0, 180.1, -179.8, 179.9};
       for (int i = 0; i < longitudes.length; i++) {
         write(writer, i, Channels.STATE, state().x(longitudes[i]).y(10.0 + i).z(100.0));
@@ -140,12 +135,7 @@ class ExportTest {
 
   /** Two sensors of one class, which share a topic. */
   private void writeTwoSensors() throws IOException {
-    recording = folder.resolve("sensors.mcap");
-    channels.clear();
-    try (McapWriter writer =
-        new McapWriter(
-            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
-            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+    try (McapWriter writer = writer("sensors")) {
       for (int i = 0; i < 6; i++) {
         for (String sensor : List.of("gps-1", "gps-2")) {
           StateInformation state = new StateInformation().sensorName(sensor).x(8.0).y(50.0);
@@ -157,12 +147,7 @@ class ExportTest {
 
   @Test
   void csv_spacingOfTheRate_leavesNothingOut() throws IOException {
-    recording = folder.resolve("fast.mcap");
-    channels.clear();
-    try (McapWriter writer =
-        new McapWriter(
-            Files.newByteChannel(recording, StandardOpenOption.CREATE, StandardOpenOption.WRITE),
-            McapOptions.usual(ChunkCompression.LZ4, "test"))) {
+    try (McapWriter writer = writer("fast")) {
       for (int i = 0; i < 200; i++) {
         write(writer, i / 50.0, Channels.STATE, state().x(8.0).y(50.0));
       }
@@ -215,7 +200,7 @@ class ExportTest {
     all[0] = "export";
     all[1] = recording.toString();
     System.arraycopy(arguments, 0, all, 2, arguments.length);
-    return Main.run(new PrintWriter(out), new PrintWriter(err), all);
+    return u2sa(all);
   }
 
   private Path exported(String... arguments) {

@@ -5,8 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +17,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
@@ -37,14 +35,12 @@ import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.record.McapSchema;
 
 /** A recording of one planned path, its view, and an execution. */
-class ViewerRecordingTest {
+class ViewerRecordingTest extends CommandFixture {
   private static final byte[] VIEW = {1, 2, 3};
   private static final String TOPIC =
       Topic.of("rover", Channels.PLANS, new PlannedPath()).toString();
 
   @TempDir private Path folder;
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
   private Path recording;
 
   @BeforeEach
@@ -74,7 +70,7 @@ class ViewerRecordingTest {
   private int export(String... more) {
     List<String> all = new ArrayList<>(List.of("export", recording.toString(), "--format", "mcap"));
     all.addAll(List.of(more));
-    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(new String[0]));
+    return u2sa(all.toArray(new String[0]));
   }
 
   private static List<McapMessage> messages(McapReader reader) throws IOException {

@@ -3,8 +3,6 @@ package org.u2sa.cli.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,17 +13,15 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.ForeignSystem;
 import org.u2sa.testkit.FreePort;
 
 /** One system file, run in parts: as on several hosts. */
 @Timeout(180)
-class SeveralHostsTest {
+class SeveralHostsTest extends CommandFixture {
   @TempDir private Path folder;
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
   private final int port = FreePort.find();
   private final String system = "boat-" + UUID.randomUUID(); // mDNS is everybody's
   private Path file;
@@ -63,10 +59,6 @@ class SeveralHostsTest {
     }
   }
 
-  private int run(String... args) {
-    return Main.run(new PrintWriter(out), new PrintWriter(err), args);
-  }
-
   @Test
   void run_hostsStartedInAnyOrder_areOneSystem() throws Exception {
     CompletableFuture<ForeignSystem> early =
@@ -76,7 +68,7 @@ class SeveralHostsTest {
         ForeignSystem bow = early.get(90, TimeUnit.SECONDS)) {
       assertThat(bow.port()).isEqualTo(bridge.port());
       assertThat(manager.port()).isEqualTo(port);
-      assertThat(run("services", "--broker", "auto", "--system", system, "--timeout", "60"))
+      assertThat(u2sa("services", "--broker", "auto", "--system", system, "--timeout", "60"))
           .isEqualTo(ExitCode.DONE);
     }
     assertThat(out.toString())
@@ -87,20 +79,20 @@ class SeveralHostsTest {
 
   @Test
   void run_hostThatTheFileDoesNotName_listsThoseItDoes() {
-    assertThat(run("run", file.toString(), "--host", "stern")).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(u2sa("run", file.toString(), "--host", "stern")).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString())
         .contains("names no host \"stern\"; expected one of [bow, bridge, desk]");
   }
 
   @Test
   void run_hostAndOnly_isBadInput() {
-    assertThat(run("run", file.toString(), "--host", "bow", "--only", "Lidar"))
+    assertThat(u2sa("run", file.toString(), "--host", "bow", "--only", "Lidar"))
         .isEqualTo(ExitCode.BAD_INPUT);
   }
 
   @Test
   void run_hostAndSeparate_isBadInput() {
-    assertThat(run("run", file.toString(), "--host", "bow", "--separate"))
+    assertThat(u2sa("run", file.toString(), "--host", "bow", "--separate"))
         .isEqualTo(ExitCode.BAD_INPUT);
   }
 }

@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,32 +19,26 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.core.security.SecretFile;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.UserFile;
 
-class SecurityCommandTest {
+class SecurityCommandTest extends CommandFixture {
   @TempDir Path folder;
 
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
   private SecurityDirectory directory;
-
-  private int run(String... args) {
-    return Main.run(new PrintWriter(out, true), new PrintWriter(err, true), args);
-  }
 
   /** Runs a command on the folder; words without spaces. */
   private int security(String command) {
-    return run(("security " + command + " --dir " + directory.path()).split(" "));
+    return u2sa(("security " + command + " --dir " + directory.path()).split(" "));
   }
 
   @BeforeEach
   void init() {
     directory = new SecurityDirectory(folder.resolve("security"));
-    assertThat(run("security", "init", directory.path().toString(), "--host", "vehicle.local"))
+    assertThat(u2sa("security", "init", directory.path().toString(), "--host", "vehicle.local"))
         .as(err.toString())
         .isEqualTo(ExitCode.DONE);
   }
@@ -80,7 +72,7 @@ class SecurityCommandTest {
 
   @Test
   void init_folderInUse_overwritesNothing() {
-    assertThat(run("security", "init", directory.path().toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(u2sa("security", "init", directory.path().toString())).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("not overwritten");
   }
 

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,20 +13,17 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.cli.Main;
+import org.u2sa.cli.CommandFixture;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.remote.ForeignSystem;
 
 /** What operators see of a system of another process, and what becomes of their orders. */
 @Timeout(120)
-class ServiceCommandsTest {
+class ServiceCommandsTest extends CommandFixture {
   private static final String ESTIMATOR = "org.u2sa.estimation.PassThroughStateEstimator";
 
   @TempDir private static Path directory;
   private static ForeignSystem foreign;
-
-  private final StringWriter out = new StringWriter();
-  private final StringWriter err = new StringWriter();
 
   @BeforeAll
   static void start() throws Exception {
@@ -47,7 +42,7 @@ class ServiceCommandsTest {
     if (!all.contains("--timeout")) {
       all.addAll(List.of("--timeout", "60")); // ends with the answers
     }
-    return Main.run(new PrintWriter(out), new PrintWriter(err), all.toArray(String[]::new));
+    return u2sa(all.toArray(String[]::new));
   }
 
   private int run(String... args) {

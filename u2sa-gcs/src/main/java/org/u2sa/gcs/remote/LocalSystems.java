@@ -171,17 +171,10 @@ public final class LocalSystems {
   }
 
   /**
-   * Returns the broker addresses of the running systems, each once.
+   * Returns the broker addresses of the running systems, each once, as far as the registry can be
+   * read.
    *
    * @param systemId wanted system; empty for any
-   */
-  public List<BrokerAddress> brokers(Optional<String> systemId) {
-    return brokers(meant(systemId, running()));
-  }
-
-  /**
-   * Returns what can be found of {@link #brokers(Optional)}, for stops.
-   *
    * @param failures receives a line for each part of the registry that cannot be read
    */
   public List<BrokerAddress> brokers(Optional<String> systemId, Consumer<String> failures) {

@@ -23,9 +23,7 @@ final class OriginCheck extends ChannelInboundHandlerAdapter {
 
   private final Set<String> others;
 
-  /**
-   * @param others origins to accept besides the usual ones and those of this host; "*" for all
-   */
+  /** Accepts these origins besides the usual ones and those of this host; "*" for all. */
   OriginCheck(Set<String> others) {
     this.others = others;
   }

@@ -40,7 +40,6 @@ final class ViewChannels {
     return id == (int) id && byId.containsKey((int) id);
   }
 
-  /** Adds a channel with the next ID. */
   synchronized ViewChannel add(
       String topic, String encoding, String schemaName, byte[] schema, boolean latched) {
     ViewChannel channel =

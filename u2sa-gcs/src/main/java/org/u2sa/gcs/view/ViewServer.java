@@ -108,12 +108,10 @@ public final class ViewServer implements AutoCloseable {
     return (InetSocketAddress) listening.localAddress();
   }
 
-  /** Number of connected viewers. */
   int viewers() {
     return viewers.size();
   }
 
-  /** Whether any viewer has a subscription. */
   boolean isWatched() {
     return viewers.stream().anyMatch(ViewerSession::hearsAnything);
   }
@@ -193,7 +191,6 @@ public final class ViewServer implements AutoCloseable {
         .put("sessionId", sessionId);
   }
 
-  /** Pipeline of each connection. */
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
@@ -234,7 +231,6 @@ public final class ViewServer implements AutoCloseable {
     }
   }
 
-  /** One viewer's connection. */
   private final class Conversation extends SimpleChannelInboundHandler<WebSocketFrame> {
     private ViewerSession viewer; // null until the handshake is complete
 

@@ -38,7 +38,6 @@ final class ViewerSession {
     this.socket = socket;
   }
 
-  /** Address of the viewer. */
   String address() {
     return String.valueOf(socket.remoteAddress());
   }

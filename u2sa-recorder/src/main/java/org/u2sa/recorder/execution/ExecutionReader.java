@@ -42,18 +42,10 @@ final class ExecutionReader implements AutoCloseable {
   private long nextPart;
   private Next next; // read ahead; null if not read yet
 
-  /**
-   * An entry with its message.
-   *
-   * @param entry the interaction
-   * @param message its message; null if it has none
-   */
+  /** An entry with its message; null if it has none. */
   record Next(ExecutionEntry entry, RecordedMessage message) {}
 
-  /**
-   * @param files files of the recording, oldest first
-   * @throws IOException if the first cannot be read
-   */
+  /** Reads the files of a recording, oldest first. */
   ExecutionReader(List<Path> files, MessageCodec codec, String execution) throws IOException {
     this.files = new ArrayDeque<>(files);
     this.codec = codec;
@@ -92,7 +84,6 @@ final class ExecutionReader implements AutoCloseable {
     return Optional.ofNullable(next);
   }
 
-  /** Consumes the next entry. */
   void skip() {
     next = null;
   }

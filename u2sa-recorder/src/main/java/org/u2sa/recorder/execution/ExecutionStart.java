@@ -133,10 +133,10 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
         .keySet()
         .removeIf(name -> name.startsWith(OF_STATE) && !name.startsWith(OF_STATE + service + "."));
     for (Map.Entry<String, Object> variable : context.configuration().enumerateFields()) {
-      if (variable.getValue() instanceof String && isFile(context, (String) variable.getValue())) {
-        Path file = context.configuration().resolve((String) variable.getValue());
+      if (variable.getValue() instanceof String value && isFile(context, value)) {
+        Path file = context.configuration().resolve(value);
         moreFiles.put(OF_VARIABLE + variable.getKey(), Files.readAllBytes(file));
-        moreTexts.put(OF_VARIABLE + variable.getKey(), (String) variable.getValue());
+        moreTexts.put(OF_VARIABLE + variable.getKey(), value);
       }
     }
     execution
@@ -212,7 +212,6 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return all;
   }
 
-  /** Integer value of a text. */
   long number(String name) throws McapException {
     try {
       return Long.parseLong(text(name));

@@ -42,12 +42,10 @@ public record FieldDifference(String field, String recorded, String now) {
     if (a.equals(b)) {
       return Optional.empty();
     }
-    if (a instanceof U2SAData && b instanceof U2SAData) {
-      return between(path + ".", (U2SAData) a, (U2SAData) b);
+    if (a instanceof U2SAData one && b instanceof U2SAData other) {
+      return between(path + ".", one, other);
     }
-    if (a instanceof List<?> && b instanceof List<?>) {
-      List<?> ofA = (List<?>) a;
-      List<?> ofB = (List<?>) b;
+    if (a instanceof List<?> ofA && b instanceof List<?> ofB) {
       for (int i = 0; i < Math.min(ofA.size(), ofB.size()); i++) {
         Optional<FieldDifference> found = between(path + "[" + i + "]", ofA.get(i), ofB.get(i));
         if (found.isPresent()) {
@@ -57,8 +55,8 @@ public record FieldDifference(String field, String recorded, String now) {
       return Optional.of(
           new FieldDifference(path, ofA.size() + " elements", ofB.size() + " elements"));
     }
-    if (a instanceof ByteString && b instanceof ByteString) {
-      return Optional.of(betweenBytes(path, (ByteString) a, (ByteString) b));
+    if (a instanceof ByteString one && b instanceof ByteString other) {
+      return Optional.of(betweenBytes(path, one, other));
     }
     return Optional.of(new FieldDifference(path, a.toString(), b.toString()));
   }

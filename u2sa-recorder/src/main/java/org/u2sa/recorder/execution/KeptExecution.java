@@ -100,7 +100,6 @@ public final class KeptExecution implements Execution {
     return new NotingClock();
   }
 
-  /** Thread ID of the service. */
   int threadId() {
     return threadId;
   }

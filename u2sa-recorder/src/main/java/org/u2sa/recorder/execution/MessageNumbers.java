@@ -10,12 +10,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class MessageNumbers {
   private static final int MOST = 256; // grids have many more
 
-  /**
-   * A number and its location.
-   *
-   * @param field path of the field, such as {@code goals[2].x}
-   * @param unit its unit; empty if it has none
-   */
+  /** A number with the path of its field, such as {@code goals[2].x}; the unit may be empty. */
   record At(String field, String unit, double value) {}
 
   private final List<At> all = new ArrayList<>();
@@ -32,24 +27,22 @@ final class MessageNumbers {
     if (all.size() >= MOST) {
       return;
     }
-    if (value instanceof Number) {
-      all.add(new At(path, unit, ((Number) value).doubleValue()));
-    } else if (value instanceof Point) {
-      Point point = (Point) value;
+    if (value instanceof Number number) {
+      all.add(new At(path, unit, number.doubleValue()));
+    } else if (value instanceof Point point) {
       all.add(new At(path + ".x", unit, point.x()));
       all.add(new At(path + ".y", unit, point.y()));
       all.add(new At(path + ".z", unit, point.z()));
-    } else if (value instanceof U2SAData) {
+    } else if (value instanceof U2SAData message) {
       String prefix = path.isEmpty() ? "" : path + ".";
-      for (FieldValue field : ((U2SAData) value).enumerateFields()) {
-        boolean counts = !field.name().equals("timestamp") && field.value().isPresent();
-        if (counts) {
+      for (FieldValue field : message.enumerateFields()) {
+        if (!field.name().equals("timestamp") && field.value().isPresent()) {
           collect(prefix + field.name(), field.unit(), field.value().get());
         }
       }
-    } else if (value instanceof List<?>) {
+    } else if (value instanceof List<?> list) {
       int i = 0;
-      for (Object element : (List<?>) value) {
+      for (Object element : list) {
         collect(path + "[" + i++ + "]", unit, element);
       }
     }

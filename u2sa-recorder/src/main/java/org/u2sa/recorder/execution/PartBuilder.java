@@ -27,10 +27,6 @@ final class PartBuilder {
   private long readings; // with the same time, not yet written
   private boolean isLarge; // pass on once the entry's message was added
 
-  /**
-   * @param clock of the run
-   * @param parts receives the parts
-   */
   PartBuilder(Clock clock, Consumer<ExecutionPart> parts) {
     this.clock = clock;
     this.parts = parts;
@@ -55,7 +51,6 @@ final class PartBuilder {
     messages.add(new ExecutionPart.Passed(channel, message));
   }
 
-  /** Adds a clock reading. */
   void addReading(long micros) {
     if (isLarge) {
       handOn();

@@ -14,9 +14,7 @@ final class RecentlyRead {
   private final Deque<Long> inOrder = new ArrayDeque<>();
   private long bytes;
 
-  /**
-   * @param maxBytes payload limit of all messages, without object overhead [B]
-   */
+  /** Limits the number of messages and their payload, without object overhead [B]. */
   RecentlyRead(int maxMessages, long maxBytes) {
     this.maxMessages = maxMessages;
     this.maxBytes = maxBytes;

@@ -50,9 +50,7 @@ final class RecordedCourse {
         throws IOException;
   }
 
-  /**
-   * @param atEnd called at the end of the recording
-   */
+  /** Calls {@code atEnd} at the end of the recording. */
   RecordedCourse(ExecutionReader recorded, Outputs outputs, Runnable atEnd) {
     this.recorded = recorded;
     this.outputs = outputs;
@@ -84,7 +82,6 @@ final class RecordedCourse {
     return passed;
   }
 
-  /** Whether the recording is exhausted. */
   boolean isOver() {
     return over;
   }

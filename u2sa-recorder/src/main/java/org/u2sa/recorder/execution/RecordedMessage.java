@@ -14,14 +14,9 @@ final class RecordedMessage {
   private final Track track;
   private final byte[] data;
 
-  /** Topic of recorded messages. */
   record Track(Topic topic, Channel<?> channel) {}
 
-  /**
-   * A message handled by a service.
-   *
-   * @param arrivedMicros arrival time if the service asked for it, otherwise 0 [µs]
-   */
+  /** A message handled by a service, and when it arrived [µs]; 0 if the service did not ask. */
   record Handled(Channel<?> channel, U2SAData message, long arrivedMicros) {}
 
   RecordedMessage(MessageCodec codec, Track track, byte[] data) {

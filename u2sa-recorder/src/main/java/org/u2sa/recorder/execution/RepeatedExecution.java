@@ -44,7 +44,6 @@ final class RepeatedExecution implements Execution {
     owner = Thread.currentThread();
   }
 
-  /** Replay position. */
   RecordedCourse course() {
     return course;
   }

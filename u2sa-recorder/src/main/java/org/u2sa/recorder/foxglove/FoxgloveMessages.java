@@ -54,7 +54,6 @@ public final class FoxgloveMessages {
   /** Receives views. */
   @FunctionalInterface
   public interface Sink {
-    /** Receives a view. */
     void write(View view) throws IOException;
   }
 

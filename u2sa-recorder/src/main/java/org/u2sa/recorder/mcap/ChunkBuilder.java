@@ -103,11 +103,7 @@ final class ChunkBuilder {
     return channels;
   }
 
-  /**
-   * Writes chunk and message indexes, and returns their positions.
-   *
-   * @param position file offset of the first byte
-   */
+  /** Writes chunk and message indexes at a file offset, and returns their positions. */
   ChunkIndex write(RecordBuffer out, long position) {
     int length = records.length();
     CRC32 crc = new CRC32();

@@ -14,7 +14,6 @@ import org.u2sa.recorder.mcap.record.RecordBuffer;
 
 /** Compression of chunks. Pure Java, so that output is byte-identical on every platform. */
 public enum ChunkCompression {
-  /** No compression. */
   NONE("") {
     @Override
     void compress(byte[] bytes, int length, RecordBuffer out) {
@@ -85,11 +84,7 @@ public enum ChunkCompression {
         "a chunk is compressed with \"" + inFile + "\"; expected lz4 or no compression");
   }
 
-  /**
-   * Decompresses the records of a chunk.
-   *
-   * @param expectedCrc CRC of the records; 0 if unknown
-   */
+  /** Decompresses the records of a chunk; their CRC is 0 if unknown. */
   byte[] decompress(byte[] compressed, long length, long expectedCrc) throws McapException {
     byte[] bytes = plainly(compressed, length);
     if (bytes == null) {
@@ -108,12 +103,7 @@ public enum ChunkCompression {
     return bytes;
   }
 
-  /**
-   * The part that can be decompressed.
-   *
-   * @param bytes bytes up to the first error, or all
-   * @param trouble the error; null if none
-   */
+  /** The bytes up to the first error, or all; the error is null if none. */
   record Prefix(byte[] bytes, IOException trouble) {}
 
   /** Decompresses as much as possible of a possibly truncated chunk, up to a limit. */

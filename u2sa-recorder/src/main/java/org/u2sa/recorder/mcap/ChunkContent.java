@@ -50,11 +50,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     return records;
   }
 
-  /**
-   * Bytes of its records.
-   *
-   * @param indexed size according to the summary
-   */
+  /** Bytes of its records, whose size must be that in the summary. */
   byte[] decompressed(long indexed) throws McapException {
     if (size != indexed) {
       throw new McapException("it says " + size + " bytes, and the summary " + indexed);

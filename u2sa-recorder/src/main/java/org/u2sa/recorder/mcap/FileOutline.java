@@ -23,12 +23,7 @@ final class FileOutline {
     this.dataCrc = dataCrc;
   }
 
-  /**
-   * Scans a file's records without reading its chunks.
-   *
-   * @param definitions receives the schemas and channels outside chunks
-   * @param trouble notified of faults in the file
-   */
+  /** Scans a file's records without reading its chunks; definitions get those outside chunks. */
   static FileOutline of(FileChannel channel, Definitions definitions, Consumer<String> trouble)
       throws IOException {
     Summary summary = findSummary(channel, trouble);

@@ -32,15 +32,7 @@ final class Lz4Frame {
         + Integer.BYTES;
   }
 
-  /**
-   * Writes a frame.
-   *
-   * @param from content
-   * @param length length of the content [B]
-   * @param to destination with room for {@link #longest}
-   * @param at offset of the frame in it
-   * @return offset after the frame
-   */
+  /** Writes a frame into an array with room for {@link #longest}; returns the offset after it. */
   static int write(byte[] from, int length, byte[] to, int at) {
     ByteBuffer out = ByteBuffer.wrap(to).order(ByteOrder.LITTLE_ENDIAN);
     System.arraycopy(HEADER, 0, to, at, HEADER.length);
@@ -63,13 +55,7 @@ final class Lz4Frame {
     return end + Integer.BYTES;
   }
 
-  /**
-   * Decodes a frame in the format of {@link #write}.
-   *
-   * @param size size of the content [B]
-   * @return null if it has another format, a different content size, or is damaged; a general
-   *     reader can tell which
-   */
+  /** Decodes a frame of {@link #write}; null if it has another format or size, or is damaged. */
   static byte[] read(byte[] frame, long size) {
     boolean isOurs =
         frame.length >= HEADER.length && Arrays.equals(Arrays.copyOf(frame, HEADER.length), HEADER);

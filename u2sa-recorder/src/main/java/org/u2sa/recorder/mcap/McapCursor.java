@@ -52,11 +52,7 @@ public final class McapCursor {
     }
   }
 
-  /**
-   * @param file file name for error messages
-   * @param wanted IDs of the channels
-   * @param maxHeldBytes limit for chunks held simultaneously because their times overlap
-   */
+  /** Limits the bytes of chunks that are held at once because their times overlap. */
   McapCursor(
       String file,
       List<ChunkIndex> all,

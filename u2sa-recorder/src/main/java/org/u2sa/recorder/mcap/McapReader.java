@@ -73,9 +73,9 @@ public final class McapReader implements AutoCloseable {
   }
 
   private void readSummary() throws IOException {
-    RecordWalk.requireMagic(file, 0);
+    RecordStream.requireMagic(file, 0);
     long endMagic = file.size() - Opcode.magic().length;
-    RecordWalk.requireMagic(file, endMagic);
+    RecordStream.requireMagic(file, endMagic);
     if (endMagic < Opcode.magic().length + FOOTER_LENGTH) {
       throw new McapException(
           "the file has " + file.size() + " bytes: too few for the footer of MCAP");

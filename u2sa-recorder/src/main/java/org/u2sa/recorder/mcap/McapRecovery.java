@@ -60,11 +60,7 @@ public final class McapRecovery {
     return recover(broken, whole, library, ReadLimits.heldBytes());
   }
 
-  /**
-   * As above.
-   *
-   * @param maxBytes limit for records and decompressed chunks; larger ones are dropped
-   */
+  /** As above, with a limit for records and decompressed chunks; larger ones are dropped. */
   static Result recover(Path broken, Path whole, String library, long maxBytes) throws IOException {
     try (FileChannel from = FileChannel.open(broken, StandardOpenOption.READ);
         FileChannel to =

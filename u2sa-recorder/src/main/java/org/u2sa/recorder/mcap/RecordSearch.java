@@ -38,9 +38,6 @@ final class RecordSearch {
     }
   }
 
-  /**
-   * @param trouble notified of faults in the file
-   */
   RecordSearch(SeekableByteChannel channel, Consumer<String> trouble) throws IOException {
     this.trouble = trouble;
     file = new FileWindow(channel);
@@ -52,7 +49,7 @@ final class RecordSearch {
 
   private void requireMagicAt(long at, SeekableByteChannel channel) throws IOException {
     try {
-      RecordWalk.requireMagic(channel, at);
+      RecordStream.requireMagic(channel, at);
     } catch (McapException e) {
       trouble.accept(e.getMessage());
     }
@@ -60,7 +57,7 @@ final class RecordSearch {
 
   private static boolean isMagicAt(long at, SeekableByteChannel channel) throws IOException {
     try {
-      RecordWalk.requireMagic(channel, at);
+      RecordStream.requireMagic(channel, at);
       return true;
     } catch (McapException e) {
       return false;

@@ -6,6 +6,7 @@ import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.channels.SeekableByteChannel;
+import java.util.Arrays;
 import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.recorder.mcap.record.Opcode;
 import org.u2sa.recorder.mcap.record.RecordFields;
@@ -16,13 +17,7 @@ final class RecordStream {
   private final long size;
   private long position;
 
-  /**
-   * A record.
-   *
-   * @param offset file offset [B]
-   * @param opcode its opcode
-   * @param content content without opcode and length
-   */
+  /** A record: file offset [B], opcode, and content without opcode and length. */
   record Entry(long offset, int opcode, byte[] content) {
     RecordFields fields() {
       return new RecordFields(content);
@@ -37,6 +32,21 @@ final class RecordStream {
     this.file = file;
     size = file.size();
     position = from;
+  }
+
+  /** Requires the bytes that mark MCAP at an offset. */
+  static void requireMagic(SeekableByteChannel file, long at) throws IOException {
+    ByteBuffer magic = ByteBuffer.allocate(Opcode.magic().length);
+    if (at < 0 || file.size() < at + magic.capacity()) {
+      throw new McapException("the file has " + file.size() + " bytes: too few for MCAP");
+    }
+    file.position(at);
+    while (magic.hasRemaining() && file.read(magic) >= 0) {
+      continue; // a channel may return a part
+    }
+    if (!Arrays.equals(magic.array(), Opcode.magic())) {
+      throw new McapException("at byte " + at + " are not the bytes that mark MCAP's version 0");
+    }
   }
 
   /** File offset of the next record [B]. */

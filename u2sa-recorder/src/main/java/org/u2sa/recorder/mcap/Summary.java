@@ -67,11 +67,7 @@ final class Summary {
         messages.byChannel());
   }
 
-  /**
-   * Writes summary, summary offsets and footer.
-   *
-   * @param start file offset of the first byte
-   */
+  /** Writes summary, summary offsets and footer at a file offset. */
   void write(RecordBuffer out, long start, McapOptions options) {
     List<long[]> groups = new ArrayList<>();
     Group group =

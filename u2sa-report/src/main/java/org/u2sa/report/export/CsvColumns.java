@@ -22,12 +22,10 @@ final class CsvColumns {
 
   private final Set<String> heads = new LinkedHashSet<>();
 
-  /** Adds the fields of a message. */
   void learn(U2SAData message) {
     heads.addAll(cells(message).keySet());
   }
 
-  /** Header line. */
   String head() {
     List<String> row = new ArrayList<>();
     row.add(TIME);
@@ -35,11 +33,7 @@ final class CsvColumns {
     return line(row);
   }
 
-  /**
-   * Row of a message.
-   *
-   * @param timeS time of recording [s from the start of the recording]
-   */
+  /** Row of a message recorded at a time [s since the start of the recording]. */
   String row(double timeS, U2SAData message) {
     Map<String, String> cells = cells(message);
     List<String> row = new ArrayList<>();
@@ -78,8 +72,14 @@ final class CsvColumns {
   private static String line(List<String> cells) {
     StringBuilder line = new StringBuilder();
     for (String cell : cells) {
-      line.append(line.length() == 0 ? "" : ",").append(CsvCell.of(cell));
+      line.append(line.length() == 0 ? "" : ",").append(cell(cell));
     }
     return line.append("\r\n").toString();
+  }
+
+  /** Text as a cell (RFC 4180): in quotes if it needs them. */
+  static String cell(String text) {
+    boolean needsQuotes = text.chars().anyMatch(c -> c == ',' || c == '"' || c < ' ');
+    return needsQuotes ? '"' + text.replace("\"", "\"\"") + '"' : text;
   }
 }

@@ -24,7 +24,6 @@ final class CsvFiles implements AutoCloseable {
   private final Set<Path> begun = new HashSet<>();
   private final Opener opener;
 
-  /** Opens a file. */
   @FunctionalInterface
   interface Opener {
     Writer open(Path file, OpenOption... how) throws IOException;

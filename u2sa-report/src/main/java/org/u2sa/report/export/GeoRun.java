@@ -44,11 +44,7 @@ public final class GeoRun {
     }
   }
 
-  /**
-   * A goal in its last recorded state.
-   *
-   * @param altitudeM altitude above mean sea level [m]; empty for any
-   */
+  /** A goal in its last recorded state; altitude above mean sea level [m], empty for any. */
   record Goal(
       String name,
       double longitudeDeg,

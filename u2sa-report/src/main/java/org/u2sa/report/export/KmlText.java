@@ -5,14 +5,18 @@ import java.io.Writer;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.u2sa.report.EscapedXml;
 
 /** Formats KML 2.2 with Google's timestamped tracks, cut at the antimeridian; goals as points. */
 public final class KmlText {
+  static final String ON_THE_GROUND = "clampToGround";
+  static final String AT_ALTITUDE = "absolute";
+
   private KmlText() {}
 
   public static void write(Writer out, String title, GeoRun run) throws IOException {
-    KmlDocument.begin(
+    begin(
         out,
         title,
         "<Style id=\"track\"><LineStyle><color>ffb27200</color><width>3</width></LineStyle></Style>");
@@ -20,7 +24,7 @@ public final class KmlText {
       write(out, track.getKey(), track.getValue());
     }
     for (GeoRun.Goal goal : run.goals()) {
-      KmlDocument.point(
+      point(
           out,
           goal.name(),
           String.format(
@@ -32,7 +36,7 @@ public final class KmlText {
           goal.latitudeDeg(),
           goal.altitudeM());
     }
-    KmlDocument.end(out);
+    end(out);
   }
 
   private static void write(Writer out, String name, List<GeoRun.Fix> track) throws IOException {
@@ -48,7 +52,7 @@ public final class KmlText {
             .formatted(EscapedXml.of(name)));
     out.write(isCut ? "    <gx:MultiTrack>\n" : "");
     for (List<GeoRun.Fix> part : parts) {
-      write(out, part, isHigh ? KmlDocument.AT_ALTITUDE : KmlDocument.ON_THE_GROUND);
+      write(out, part, isHigh ? AT_ALTITUDE : ON_THE_GROUND);
     }
     out.write(isCut ? "    </gx:MultiTrack>\n" : "");
     out.write("  </Placemark>\n");
@@ -70,5 +74,43 @@ public final class KmlText {
               fix.altitudeM().orElse(0.0)));
     }
     out.write("    </gx:Track>\n");
+  }
+
+  /** Writes all before the first place; KML's colours are alpha, blue, green, red. */
+  static void begin(Writer out, String title, String styles) throws IOException {
+    out.write(
+        """
+        <?xml version="1.0" encoding="UTF-8"?>
+        <kml xmlns="http://www.opengis.net/kml/2.2" xmlns:gx="http://www.google.com/kml/ext/2.2">
+        <Document>
+          <name>%s</name>
+        %s"""
+            .formatted(EscapedXml.of(title), styles.indent(2)));
+  }
+
+  /** Writes a point; altitude above mean sea level [m], empty: on the ground. */
+  static void point(
+      Writer out,
+      String name,
+      String description,
+      double longitudeDeg,
+      double latitudeDeg,
+      OptionalDouble altitudeM)
+      throws IOException {
+    out.write(
+        String.format(
+            Locale.ROOT,
+            "  <Placemark><name>%s</name><description>%s</description><Point>"
+                + "<altitudeMode>%s</altitudeMode><coordinates>%.9f,%.9f,%.3f</coordinates></Point></Placemark>\n",
+            EscapedXml.of(name),
+            description,
+            altitudeM.isPresent() ? AT_ALTITUDE : ON_THE_GROUND,
+            longitudeDeg,
+            latitudeDeg,
+            altitudeM.orElse(0.0)));
+  }
+
+  static void end(Writer out) throws IOException {
+    out.write("</Document>\n</kml>\n");
   }
 }

@@ -14,9 +14,7 @@ final class Spacing {
   private final double everyS;
   private final Map<Object, Double> takenS = new HashMap<>();
 
-  /**
-   * @param everyS minimum time between two accepted items [s]; 0 accepts all
-   */
+  /** Sets the minimum time between two accepted items [s]; 0 accepts all. */
   Spacing(double everyS) {
     this.everyS = everyS;
   }

@@ -39,7 +39,7 @@ public final class TrackCsv {
         s.groundSpeedMps(),
         s.crossTrackM(),
         s.leg(),
-        CsvCell.of(s.phase()));
+        CsvColumns.cell(s.phase()));
   }
 
   private static String ofFlight(TrackSample s) {
@@ -59,6 +59,6 @@ public final class TrackCsv {
         s.crossTrackM(),
         s.leg(),
         flight.onGround() ? 1 : 0,
-        CsvCell.of(s.phase()));
+        CsvColumns.cell(s.phase()));
   }
 }

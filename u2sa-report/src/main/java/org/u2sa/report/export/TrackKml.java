@@ -31,7 +31,7 @@ public final class TrackKml {
   public static void write(
       Writer out, String title, RunPlan plan, RunScore score, List<TrackSample> track)
       throws IOException {
-    KmlDocument.begin(out, title, STYLES);
+    KmlText.begin(out, title, STYLES);
     boolean flies = plan.domain().flies();
     if (!track.isEmpty()) {
       List<GeoRun.Fix> moved = new ArrayList<>();
@@ -48,14 +48,12 @@ public final class TrackKml {
     for (WaypointResult result : score.waypoints()) {
       waypoint(out, result);
     }
-    KmlDocument.end(out);
+    KmlText.end(out);
   }
 
   /**
-   * Writes a line, cut at the antimeridian.
-   *
-   * @param joined KML element that joins the line to the ground, such as {@code extrude}; empty if
-   *     none
+   * Writes a line, cut at the antimeridian; {@code joined} is the element that joins it to the
+   * ground.
    */
   private static void line(
       Writer out, String name, String style, boolean flies, String joined, List<GeoRun.Fix> fixes)
@@ -69,7 +67,7 @@ public final class TrackKml {
         """
             .formatted(name, style));
     out.write(parts.size() > 1 ? "    <MultiGeometry>\n" : "");
-    String mode = flies ? KmlDocument.AT_ALTITUDE : KmlDocument.ON_THE_GROUND;
+    String mode = flies ? KmlText.AT_ALTITUDE : KmlText.ON_THE_GROUND;
     for (List<GeoRun.Fix> part : parts) {
       out.write("    <LineString>\n");
       out.write(joined.isEmpty() ? "" : "      <" + joined + ">1</" + joined + ">\n");
@@ -102,7 +100,7 @@ public final class TrackKml {
 
   private static void waypoint(Writer out, WaypointResult result) throws IOException {
     RunPlan.Waypoint waypoint = result.waypoint();
-    KmlDocument.point(
+    KmlText.point(
         out,
         waypoint.name(),
         (result.captured() ? "captured" : "not captured")

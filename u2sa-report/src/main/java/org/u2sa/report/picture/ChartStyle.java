@@ -76,12 +76,7 @@ final class ChartStyle {
         (float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1.0f, dashes, 0.0f);
   }
 
-  /**
-   * Creates an empty plot in which later datasets cover earlier ones.
-   *
-   * @param left room for the labels of the range axis [px]
-   * @param bottom room for the labels of the domain axis [px]
-   */
+  /** Creates an empty plot, later datasets on top, with room for the labels of its axes [px]. */
   static XYPlot plot(ValueAxis domain, ValueAxis range, double left, double bottom) {
     XYPlot plot = new XYPlot(null, domain, range, null);
     for (ValueAxis axis : List.of(domain, range)) {

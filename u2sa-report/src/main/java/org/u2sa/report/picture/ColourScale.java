@@ -14,7 +14,6 @@ import org.jfree.chart.renderer.PaintScale;
  */
 record ColourScale(double low, double high) implements PaintScale {
 
-  /** Number of colours. */
   static final int STEPS = 24;
 
   private static final int[] VIRIDIS = {
@@ -47,7 +46,6 @@ record ColourScale(double low, double high) implements PaintScale {
     return (int) Math.max(0, Math.min(STEPS - 1, Math.floor(STEPS * (value - from) / (to - from))));
   }
 
-  /** Colour of a step. */
   static Color colour(int step) {
     double at = (double) step / (STEPS - 1) * (VIRIDIS.length - 1);
     int below = Math.min(VIRIDIS.length - 2, (int) at);

@@ -23,19 +23,15 @@ final class LabelPlacer {
   private final List<Rectangle2D.Double> taken = new ArrayList<>();
   private final List<Point2D.Double> lines = new ArrayList<>();
 
-  /**
-   * @param frame area that must contain all labels
-   */
+  /** Places labels within the frame. */
   LabelPlacer(Rectangle2D frame) {
     this.frame = frame;
   }
 
-  /** Keeps labels off {@code box}. */
   void avoid(Rectangle2D.Double box) {
     taken.add(box);
   }
 
-  /** Makes labels avoid a line if possible. */
   void avoidLine(List<Point2D> corners) {
     for (int i = 0; i + 1 < corners.size(); i++) {
       Point2D a = corners.get(i);

@@ -100,11 +100,7 @@ final class MapChart {
     axis.setTickUnit(grid);
   }
 
-  /**
-   * Creates the map of a run.
-   *
-   * @param size size of the map within its axes [px]
-   */
+  /** Creates the map of a run, with a size within its axes [px]. */
   static JFreeChart of(
       RunPlan plan, List<TrackSample> track, RunScore score, Quantity colour, Rectangle2D size) {
     return new MapChart(plan, track, score, colour, size).chart();

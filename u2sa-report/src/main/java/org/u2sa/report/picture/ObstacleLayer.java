@@ -46,9 +46,7 @@ final class ObstacleLayer {
   private final List<ObstacleResult> results;
   private final Chart chart;
 
-  /**
-   * @param results one per object of the plan; objects without a result are omitted
-   */
+  /** Takes one result per object of the plan; objects without a result are omitted. */
   ObstacleLayer(RunPlan plan, List<ObstacleResult> results, Chart chart) {
     this.plan = plan;
     this.results = results;
@@ -68,7 +66,6 @@ final class ObstacleLayer {
     }
   }
 
-  /** A name to be drawn beside a point of the chart. */
   record Name(String text, Point2D at, Color colour) {}
 
   /**
@@ -176,11 +173,8 @@ final class ObstacleLayer {
   }
 
   private Point2D place(ObjectDescription object, Point point) {
-    Geodetic home =
-        plan.home()
-            .map(
-                start -> new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()))
-            .orElse(new Geodetic(0.0, 0.0, 0.0)); // needed by local frames only, which have one
+    // without a home there are no objects in local frames
+    Geodetic home = plan.home().map(RunPlan.Start::place).orElse(new Geodetic(0.0, 0.0, 0.0));
     Geodetic place = Surroundings.onEarth(object, point, home);
     return chart.at(place.longitudeDeg(), place.latitudeDeg());
   }

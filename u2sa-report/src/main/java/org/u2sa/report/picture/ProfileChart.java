@@ -46,13 +46,7 @@ final class ProfileChart {
 
   private ProfileChart() {}
 
-  /**
-   * Creates the chart.
-   *
-   * @param quantity quantity shown
-   * @param colour quantity that determines the colour
-   * @param size size of the plot within its axes [px]
-   */
+  /** Creates the chart of a quantity, coloured by another, with a size within its axes [px]. */
   static JFreeChart of(
       RunPlan plan,
       List<TrackSample> track,

@@ -34,7 +34,6 @@ record Quantity(
   private static final double MIN_OFF_TRACK_M = 0.5;
   private static final double MAX_OFF_TRACK_M = 2.0; // jumps between two legs
 
-  /** Quantity that colours the track on the map. */
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR, SMALL_AIRCRAFT -> altitude(plan, track);
@@ -42,7 +41,6 @@ record Quantity(
     };
   }
 
-  /** Quantity shown over time. */
   static Quantity overTime(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR, SMALL_AIRCRAFT -> altitude(plan, track);

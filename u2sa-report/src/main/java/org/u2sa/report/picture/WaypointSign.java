@@ -15,7 +15,6 @@ import org.u2sa.report.score.WaypointResult;
  */
 record WaypointSign(int index, RunPlan.Waypoint waypoint, boolean captured) {
 
-  /** Signs of all waypoints of a run, in plan order. */
   static List<WaypointSign> of(List<WaypointResult> results) {
     List<WaypointSign> signs = new ArrayList<>();
     for (int i = 0; i < results.size(); i++) {

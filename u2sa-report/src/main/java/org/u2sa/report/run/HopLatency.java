@@ -18,11 +18,7 @@ final class HopLatency {
   private final Map<String, Trace> byChannel = new TreeMap<>(); // [ms]
   private boolean isShortened;
 
-  /**
-   * Adds a message.
-   *
-   * @param ageS time from its timestamp to its recording [s]
-   */
+  /** Adds a message with its age: the time from its timestamp to its recording [s]. */
   void take(String channel, double timeS, double ageS) {
     if (byChannel.size() < ReportLimits.MAX_SOURCES || byChannel.containsKey(channel)) {
       byChannel.computeIfAbsent(channel, Trace::new).add(timeS, ageS * MILLIS);
@@ -31,7 +27,6 @@ final class HopLatency {
     }
   }
 
-  /** Whether channels were left out. */
   boolean isShortened() {
     return isShortened;
   }

@@ -99,7 +99,6 @@ final class RunMap {
             .put("done", waypoint.completed() && !waypoint.abandoned()));
   }
 
-  /** Whether goals or objects were left out. */
   boolean isShortened() {
     return isShortened;
   }
@@ -222,11 +221,7 @@ final class RunMap {
     outline.add(Trace.rounded(point.y()));
   }
 
-  /**
-   * The complete map.
-   *
-   * @param truth ground-truth track; null if unknown
-   */
+  /** The complete map; truth is null if unknown. */
   JsonText json(TruthTrack truth, double truthFromS) {
     JsonText json =
         new JsonText()

@@ -22,7 +22,6 @@ import org.u2sa.report.page.Trace;
 
 /** Timeline of a run: events, and the condition of each service. */
 final class RunTimeline {
-  /** An event. */
   private record Event(double timeS, String kind, boolean bad, String text) {}
 
   private final List<Event> events = new ArrayList<>();
@@ -123,7 +122,6 @@ final class RunTimeline {
     return !text.equals(lastOf.put(subject, text));
   }
 
-  /** Adds an event. */
   void add(double timeS, String kind, boolean bad, String text) {
     if (events.size() >= ReportLimits.MAX_EVENTS) {
       leftOut++;
@@ -132,7 +130,6 @@ final class RunTimeline {
     events.add(new Event(timeS, kind, bad, ReportLimits.clipped(text)));
   }
 
-  /** Number of events of a kind. */
   long count(String kind, boolean bad) {
     return events.stream().filter(e -> e.kind().equals(kind) && e.bad() == bad).count();
   }

@@ -35,21 +35,14 @@ final class StateCharts {
   private Point legFrom; // null before the first goal is reached
   private Point lastAt;
 
-  /**
-   * @param truth may be null
-   * @param truthFromS time in the recording at which the truth starts [s]
-   */
+  /** Truth may be null; it starts at {@code truthFromS} of the recording [s]. */
   StateCharts(RunMap map, TruthTrack truth, double truthFromS) {
     this.map = map;
     this.truth = truth;
     this.truthFromS = truthFromS;
   }
 
-  /**
-   * Adds an estimate.
-   *
-   * @param timeS time of measurement [s of the recording]
-   */
+  /** Adds an estimate measured at a time of the recording [s]. */
   void take(double timeS, StateInformation state) {
     Optional<Point> at = map.take(timeS, state);
     if (at.isEmpty()) {

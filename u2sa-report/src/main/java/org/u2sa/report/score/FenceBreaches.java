@@ -6,11 +6,7 @@ import java.util.List;
 final class FenceBreaches {
   private FenceBreaches() {}
 
-  /**
-   * Counts the times the track leaves the polygon, or begins outside it.
-   *
-   * @param fence corners of the keep-in area
-   */
+  /** Counts the times the track leaves the keep-in area, or begins outside it. */
   static int count(List<RunPlan.Corner> fence, List<TrackSample> track) {
     int breaches = 0;
     boolean wasInside = true;

@@ -35,7 +35,6 @@ public record FlightFigures(
         : maxBankRad;
   }
 
-  /** Metrics of the run {@code track} of {@code plan}. */
   static FlightFigures of(RunPlan plan, List<TrackSample> track) {
     RootMeanSquare altitude = new RootMeanSquare();
     for (int leg = 1; leg < plan.waypoints().size(); leg++) {

@@ -23,11 +23,9 @@ public record ObstacleResult(
     double least = Double.POSITIVE_INFINITY;
     double timeS = 0.0;
     for (TrackSample sample : track) {
-      Geodetic place =
-          new Geodetic(sample.longitudeDeg(), sample.latitudeDeg(), sample.altitudeM());
       double away =
           Surroundings.after(object, sample.timeS())
-              .distanceTo(Surroundings.in(object, place, home));
+              .distanceTo(Surroundings.in(object, sample.place(), home));
       if (away < least) {
         least = away;
         timeS = sample.timeS();
@@ -37,7 +35,6 @@ public record ObstacleResult(
         object.uid(), Surroundings.moves(object), least, timeS, least <= reachM);
   }
 
-  /** Violation text for touching it. */
   String violation() {
     return String.format(Locale.ROOT, "entered %s at %.1f s, %.1f m from it", name, timeS, leastM);
   }

@@ -36,7 +36,6 @@ public record RunOutcome(
     this(contacts, stalled, violations, Map.of(), Map.of());
   }
 
-  /** Copy with another count. */
   RunOutcome counting(String name, int count) {
     Map<String, Integer> all = new LinkedHashMap<>(counts);
     all.put(name, count);
@@ -48,7 +47,6 @@ public record RunOutcome(
     return new RunOutcome(0, false, List.of());
   }
 
-  /** Copy with further violations. */
   RunOutcome breaking(List<String> more) {
     List<String> all = new ArrayList<>(violations);
     all.addAll(more);

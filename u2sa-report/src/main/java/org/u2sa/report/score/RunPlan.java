@@ -103,6 +103,10 @@ public record RunPlan(
    */
   public record Start(
       double longitudeDeg, double latitudeDeg, double altitudeM, double headingRad) {
+    /** Its place on the ground. */
+    public Geodetic place() {
+      return new Geodetic(longitudeDeg, latitudeDeg, altitudeM);
+    }
 
     /** Its place at altitude 0. */
     public Geodetic onMap() {

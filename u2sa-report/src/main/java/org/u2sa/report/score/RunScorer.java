@@ -50,12 +50,7 @@ public final class RunScorer {
     if (track.isEmpty()) {
       return List.of();
     }
-    TrackSample first = track.get(0);
-    Geodetic home =
-        plan.home()
-            .map(
-                start -> new Geodetic(start.longitudeDeg(), start.latitudeDeg(), start.altitudeM()))
-            .orElse(new Geodetic(first.longitudeDeg(), first.latitudeDeg(), first.altitudeM()));
+    Geodetic home = plan.home().map(RunPlan.Start::place).orElse(track.get(0).place());
     return plan.surroundings().objects().stream()
         .map(each -> ObstacleResult.of(each, plan.surroundings().reachM(), home, track))
         .toList();

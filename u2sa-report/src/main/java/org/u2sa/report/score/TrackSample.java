@@ -1,6 +1,7 @@
 package org.u2sa.report.score;
 
 import java.util.Optional;
+import org.u2sa.messages.frame.Geodetic;
 
 /**
  * Ground truth at one moment of a run (never an estimate, because scores are computed from it).
@@ -65,6 +66,10 @@ public record TrackSample(
     if (leg < -1) {
       throw new IllegalArgumentException("leg: " + leg + ", expected -1 or more");
     }
+  }
+
+  Geodetic place() {
+    return new Geodetic(longitudeDeg, latitudeDeg, altitudeM);
   }
 
   private static void finite(String name, double value) {

@@ -23,9 +23,7 @@ public record WaypointResult(
     boolean captured) {
 
   /**
-   * Closest approach of a run to a waypoint while it was the target.
-   *
-   * @param leg index of the waypoint, as in {@link TrackSample#leg()}
+   * Closest approach of a run to a waypoint while it was the target, see {@link TrackSample#leg()}.
    */
   static WaypointResult of(RunPlan.Waypoint waypoint, int leg, List<TrackSample> track) {
     Approach approach = new Approach(waypoint);
@@ -38,7 +36,6 @@ public record WaypointResult(
     return approach.result();
   }
 
-  /** Accumulates the result over the track's segments. */
   private static final class Approach {
     private final RunPlan.Waypoint waypoint;
     private final PlotPlane plane;

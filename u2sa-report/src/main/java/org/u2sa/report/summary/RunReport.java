@@ -113,6 +113,7 @@ public record RunReport(RunDetails facts, RunPlan plan, List<TrackSample> track,
 
   /** Writes the content of {@code summary.json} for {@code --json}; does not close {@code out}. */
   public void writeSummary(Writer out) throws IOException {
-    SummaryJson.write(out, plan.domain(), facts, score);
+    out.write(SummaryJson.text(plan.domain(), facts, score));
+    out.flush();
   }
 }

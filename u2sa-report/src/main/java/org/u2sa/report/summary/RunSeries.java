@@ -1,6 +1,5 @@
 package org.u2sa.report.summary;
 
-import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Path;
@@ -10,10 +9,12 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.FlightFigures;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunScore;
 import org.u2sa.report.score.WaypointResult;
 
@@ -52,87 +53,67 @@ public record RunSeries(List<RunReport> reports) {
 
   /** Writes the same content for {@code --json}; does not close {@code out}. */
   public void writeSummary(Writer out) throws IOException {
-    try (SummaryNumbers json = new SummaryNumbers(out)) {
-      JsonGenerator generator = json.generator();
-      generator.writeStartObject();
-      generator.writeStringField("demo", reports.get(0).facts().demo());
-      generator.writeStringField("simulator", reports.get(0).facts().simulator());
-      generator.writeBooleanField("success", success());
-      generator.writeNumberField("runs", reports.size());
-      generator.writeNumberField(
-          "runsSucceeded", reports.stream().filter(r -> r.score().success()).count());
-      json.number("worstMissM", worst(r -> worstMiss(r.score())), "no waypoint was a target");
-      Domain domain = reports.get(0).plan().domain();
+    RunReport first = reports.get(0);
+    Domain domain = first.plan().domain();
+    Map<String, String> absent = new LinkedHashMap<>();
+    SummaryNumbers json =
+        new SummaryNumbers(absent, "")
+            .put("demo", first.facts().demo())
+            .put("simulator", first.facts().simulator())
+            .put("success", success())
+            .put("runs", reports.size())
+            .put("runsSucceeded", reports.stream().filter(r -> r.score().success()).count())
+            .number("worstMissM", worst(r -> worstMiss(r.score())), "no waypoint was a target")
+            .number(
+                "worstCrossTrackRmsM", worst(r -> r.score().crossTrackRmsM()), noStraight(domain));
+    if (domain == Domain.AIR) {
       json.number(
-          "worstCrossTrackRmsM", worst(r -> r.score().crossTrackRmsM()), noStraight(domain));
-      if (domain == Domain.AIR) {
-        json.number(
-            "worstAltitudeErrorM",
-            worst(r -> flight(r).altitudeMaxErrorM()),
-            "no level leg was flown");
-        json.number("worstBankDeg", worst(r -> flight(r).maxBankDeg()), "nothing took off");
-      }
-      for (Map.Entry<String, Integer> total : totals().entrySet()) {
-        generator.writeNumberField(total.getKey(), total.getValue());
-      }
-      generator.writeArrayFieldStart("perRun");
-      for (RunReport report : reports) {
-        run(json, report);
-      }
-      generator.writeEndArray();
-      json.absences();
-      generator.writeEndObject();
+              "worstAltitudeErrorM",
+              worst(r -> flight(r).altitudeMaxErrorM()),
+              "no level leg was flown")
+          .number("worstBankDeg", worst(r -> flight(r).maxBankDeg()), "nothing took off");
     }
+    totals().forEach(json::put);
+    json.put("perRun", reports.stream().map(report -> run(absent, report)).toList());
+    out.write(json.text());
+    out.flush();
   }
 
   /** Sums of the counts by the rules. */
   private Map<String, Integer> totals() {
     Map<String, Integer> totals = new LinkedHashMap<>();
-    for (RunReport report : reports) {
-      report
-          .score()
-          .outcome()
-          .counts()
-          .forEach((name, count) -> totals.merge(name, count, Integer::sum));
-    }
+    reports.forEach(
+        report ->
+            report.score().outcome().counts().forEach((k, v) -> totals.merge(k, v, Integer::sum)));
     return totals;
   }
 
-  private static void run(SummaryNumbers json, RunReport report) throws IOException {
+  private static JsonText run(Map<String, String> absent, RunReport report) {
     RunScore score = report.score();
-    String of = "seed " + report.facts().seed();
-    JsonGenerator generator = json.generator();
-    generator.writeStartObject();
-    generator.writeNumberField("seed", report.facts().seed());
-    generator.writeBooleanField("success", score.success());
-    generator.writeNumberField("waypoints", score.waypoints().size());
-    generator.writeNumberField("waypointsCaptured", score.captured());
-    json.number("worstMissM", worstMiss(score), "no waypoint was a target", of);
-    json.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight(report.plan().domain()), of);
+    RunOutcome outcome = score.outcome();
+    SummaryNumbers json =
+        new SummaryNumbers(absent, "seed " + report.facts().seed())
+            .put("seed", report.facts().seed())
+            .put("success", score.success())
+            .put("waypoints", score.waypoints().size())
+            .put("waypointsCaptured", score.captured())
+            .number("worstMissM", worstMiss(score), "no waypoint was a target")
+            .number("crossTrackRmsM", score.crossTrackRmsM(), noStraight(report.plan().domain()));
     if (score.flight().isPresent()) {
-      flight(json, score.flight().get(), of);
-      generator.writeBooleanField("crashed", score.outcome().crashed());
-      generator.writeBooleanField("stalled", score.outcome().stalled());
+      FlightFigures flight = score.flight().get();
+      json.number("altitudeMaxErrorM", flight.altitudeMaxErrorM(), "no level leg was flown")
+          .number("maxBankDeg", flight.maxBankDeg(), "did not take off")
+          .put("tookOff", flight.tookOff())
+          .put("crashed", outcome.crashed())
+          .put("stalled", outcome.stalled());
     } else {
-      generator.writeNumberField("contacts", score.outcome().contacts());
-      generator.writeNumberField("violations", score.outcome().violations().size());
+      json.put("contacts", outcome.contacts()).put("violations", outcome.violations().size());
     }
-    for (Map.Entry<String, Integer> count : score.outcome().counts().entrySet()) {
-      generator.writeNumberField(count.getKey(), count.getValue());
-    }
-    for (Map.Entry<String, Double> figure : score.outcome().figures().entrySet()) {
-      json.number(figure.getKey(), figure.getValue());
-    }
-    json.number("simSeconds", score.simSeconds());
-    json.number("wallSeconds", report.facts().wallSeconds());
-    generator.writeEndObject();
-  }
-
-  private static void flight(SummaryNumbers json, FlightFigures flight, String of)
-      throws IOException {
-    json.number("altitudeMaxErrorM", flight.altitudeMaxErrorM(), "no level leg was flown", of);
-    json.number("maxBankDeg", flight.maxBankDeg(), "did not take off", of);
-    json.generator().writeBooleanField("tookOff", flight.tookOff());
+    outcome.counts().forEach(json::put);
+    outcome.figures().forEach(json::number);
+    return json.number("simSeconds", score.simSeconds())
+        .number("wallSeconds", report.facts().wallSeconds())
+        .json();
   }
 
   private static FlightFigures flight(RunReport report) {

@@ -1,16 +1,13 @@
 package org.u2sa.report.summary;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-import java.io.IOException;
-import java.io.Writer;
-import java.util.List;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
+import org.u2sa.interfaces.JsonText;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.FlightFigures;
 import org.u2sa.report.score.ObstacleResult;
 import org.u2sa.report.score.RunDetails;
-import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunScore;
 import org.u2sa.report.score.WaypointResult;
 
@@ -20,124 +17,90 @@ final class SummaryJson {
   /** Waypoint radius of IGVC's qualification, independent of the mission [m]. */
   private static final double QUALIFYING_M = 2.0;
 
-  private final SummaryNumbers numbers;
-  private final JsonGenerator json;
+  private final Map<String, String> absent = new LinkedHashMap<>();
+  private final SummaryNumbers json = new SummaryNumbers(absent, "");
 
-  private SummaryJson(SummaryNumbers numbers) {
-    this.numbers = numbers;
-    json = numbers.generator();
+  private SummaryJson() {}
+
+  static String text(Domain domain, RunDetails facts, RunScore score) {
+    return new SummaryJson().run(domain, facts, score);
   }
 
-  /** Writes the summary; does not close {@code out}. */
-  static void write(Writer out, Domain domain, RunDetails facts, RunScore score)
-      throws IOException {
-    try (SummaryNumbers numbers = new SummaryNumbers(out)) {
-      new SummaryJson(numbers).run(domain, facts, score);
-    }
-  }
-
-  private void run(Domain domain, RunDetails facts, RunScore score) throws IOException {
+  private String run(Domain domain, RunDetails facts, RunScore score) {
     int planned = score.waypoints().size();
-    json.writeStartObject();
-    json.writeStringField("demo", facts.demo());
-    json.writeNumberField("seed", facts.seed());
-    json.writeStringField("simulator", facts.simulator());
-    json.writeBooleanField("success", score.success());
-    json.writeNumberField("waypoints", planned);
-    json.writeNumberField("waypointsCaptured", score.captured());
+    json.put("demo", facts.demo())
+        .put("seed", facts.seed())
+        .put("simulator", facts.simulator())
+        .put("success", score.success())
+        .put("waypoints", planned)
+        .put("waypointsCaptured", score.captured());
     if (domain == Domain.GROUND) {
-      json.writeNumberField("waypointsWithin2M", score.within(QUALIFYING_M));
+      json.put("waypointsWithin2M", score.within(QUALIFYING_M));
     }
-    json.writeNumberField("goals", facts.goals().orElse(planned));
-    json.writeNumberField("goalsCompleted", facts.goalsCompleted().orElse(score.captured()));
-    json.writeArrayFieldStart("perWaypoint");
-    for (WaypointResult result : score.waypoints()) {
-      waypoint(domain, result);
-    }
-    json.writeEndArray();
-    straights(domain, score);
+    json.put("goals", facts.goals().orElse(planned))
+        .put("goalsCompleted", facts.goalsCompleted().orElse(score.captured()))
+        .put("perWaypoint", score.waypoints().stream().map(w -> waypoint(domain, w)).toList());
+    String noStraight = "no straight between waypoints was " + domain.moved();
+    json.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight)
+        .number("crossTrackRmsWholeLegsM", score.crossTrackRmsWholeLegsM(), noStraight)
+        .number("settlingDistanceM", domain.settlingDistanceM());
     if (score.flight().isPresent()) {
       flight(score.flight().get());
-      json.writeBooleanField("crashed", score.outcome().crashed());
-      json.writeBooleanField("stalled", score.outcome().stalled());
+      json.put("crashed", score.outcome().crashed()).put("stalled", score.outcome().stalled());
     }
     if (!score.obstacles().isEmpty()) {
-      obstacles(score.obstacles());
+      json.put("obstacles", score.obstacles().stream().map(this::obstacle).toList());
     }
-    outcome(score.outcome());
-    numbers.number("simSeconds", score.simSeconds());
-    numbers.number("wallSeconds", facts.wallSeconds());
+    score.outcome().counts().forEach(json::put);
+    score.outcome().figures().forEach(json::number);
     OptionalDouble rate =
         facts.wallSeconds() > 0.0
             ? OptionalDouble.of(score.simSeconds() / facts.wallSeconds())
             : OptionalDouble.empty();
-    numbers.number("simSecondsPerSecond", rate, "no wall time was measured");
-    numbers.absences();
-    json.writeEndObject();
+    return json.put("contacts", score.outcome().contacts())
+        .put("violations", score.outcome().violations().size())
+        .put("violationDetails", score.outcome().violations())
+        .number("simSeconds", score.simSeconds())
+        .number("wallSeconds", facts.wallSeconds())
+        .number("simSecondsPerSecond", rate, "no wall time was measured")
+        .text();
   }
 
-  private void waypoint(Domain domain, WaypointResult result) throws IOException {
-    String name = result.waypoint().name();
-    json.writeStartObject();
-    json.writeStringField("name", name);
+  private JsonText waypoint(Domain domain, WaypointResult result) {
     String never = "never was the target";
-    numbers.number("missM", result.missM(), never, name);
+    SummaryNumbers waypoint =
+        new SummaryNumbers(absent, result.waypoint().name())
+            .put("name", result.waypoint().name())
+            .number("missM", result.missM(), never);
     if (domain == Domain.AIR) {
-      numbers.number(
+      waypoint.number(
           "altitudeErrorM",
           result.altitudeErrorM(),
-          result.missM().isPresent() ? "has no planned altitude" : never,
-          name);
+          result.missM().isPresent() ? "has no planned altitude" : never);
     }
-    numbers.number("timeS", result.timeS(), never, name);
-    json.writeBooleanField("captured", result.captured());
-    json.writeEndObject();
+    return waypoint
+        .number("timeS", result.timeS(), never)
+        .put("captured", result.captured())
+        .json();
   }
 
-  private void straights(Domain domain, RunScore score) throws IOException {
-    String noStraight = "no straight between waypoints was " + domain.moved();
-    numbers.number("crossTrackRmsM", score.crossTrackRmsM(), noStraight);
-    numbers.number("crossTrackRmsWholeLegsM", score.crossTrackRmsWholeLegsM(), noStraight);
-    numbers.number("settlingDistanceM", domain.settlingDistanceM());
-  }
-
-  private void flight(FlightFigures score) throws IOException {
+  private void flight(FlightFigures score) {
     String noLevel = "no leg between waypoints of one altitude was flown";
-    numbers.number("altitudeRmsM", score.altitudeRmsM(), noLevel);
-    numbers.number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel);
     String noFlight = "the vehicle did not take off";
-    numbers.number("maxBankDeg", score.maxBankDeg(), noFlight);
-    numbers.number("minAirspeedMps", score.minAirspeedMps(), noFlight);
-    json.writeBooleanField("tookOff", score.tookOff());
+    json.number("altitudeRmsM", score.altitudeRmsM(), noLevel)
+        .number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel)
+        .number("maxBankDeg", score.maxBankDeg(), noFlight)
+        .number("minAirspeedMps", score.minAirspeedMps(), noFlight)
+        .put("tookOff", score.tookOff());
   }
 
-  private void obstacles(List<ObstacleResult> results) throws IOException {
-    json.writeArrayFieldStart("obstacles");
-    for (ObstacleResult result : results) {
-      json.writeStartObject();
-      json.writeStringField("name", result.name());
-      json.writeBooleanField("moves", result.moves());
-      numbers.number("leastDistanceM", result.leastM());
-      numbers.number("timeS", result.timeS());
-      json.writeBooleanField("touched", result.touched());
-      json.writeEndObject();
-    }
-    json.writeEndArray();
-  }
-
-  private void outcome(RunOutcome outcome) throws IOException {
-    for (Map.Entry<String, Integer> count : outcome.counts().entrySet()) {
-      json.writeNumberField(count.getKey(), count.getValue());
-    }
-    for (Map.Entry<String, Double> figure : outcome.figures().entrySet()) {
-      numbers.number(figure.getKey(), figure.getValue());
-    }
-    json.writeNumberField("contacts", outcome.contacts());
-    json.writeNumberField("violations", outcome.violations().size());
-    json.writeArrayFieldStart("violationDetails");
-    for (String violation : outcome.violations()) {
-      json.writeString(violation);
-    }
-    json.writeEndArray();
+  private JsonText obstacle(ObstacleResult result) {
+    return new SummaryNumbers(absent, result.name())
+        .put("name", result.name())
+        .put("moves", result.moves())
+        .number("leastDistanceM", result.leastM())
+        .number("timeS", result.timeS())
+        .put("touched", result.touched())
+        .json();
   }
 }

@@ -1,12 +1,9 @@
 package org.u2sa.recorder.mcap;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.Iterator;
-import org.u2sa.recorder.mcap.record.McapException;
 import org.u2sa.recorder.mcap.record.Opcode;
 
 /**
@@ -19,22 +16,8 @@ final class RecordWalk {
   private boolean ended;
 
   RecordWalk(SeekableByteChannel file) throws IOException {
-    requireMagic(file, 0);
+    RecordStream.requireMagic(file, 0);
     stream = new RecordStream(file, Opcode.magic().length);
-  }
-
-  static void requireMagic(SeekableByteChannel file, long at) throws IOException {
-    ByteBuffer magic = ByteBuffer.allocate(Opcode.magic().length);
-    if (at < 0 || file.size() < at + magic.capacity()) {
-      throw new McapException("the file has " + file.size() + " bytes: too few for MCAP");
-    }
-    file.position(at);
-    while (magic.hasRemaining() && file.read(magic) >= 0) {
-      continue; // a channel may return a part
-    }
-    if (!Arrays.equals(magic.array(), Opcode.magic())) {
-      throw new McapException("at byte " + at + " are not the bytes that mark MCAP's version 0");
-    }
   }
 
   /** Next record; null after the footer. */

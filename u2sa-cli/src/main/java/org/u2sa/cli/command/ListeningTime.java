@@ -1,5 +1,6 @@
-package org.u2sa.cli.look;
+package org.u2sa.cli.command;
 
+import org.u2sa.interfaces.time.Clock;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -29,6 +30,11 @@ public final class ListeningTime {
   /** Whether a duration was set. */
   public boolean isBounded() {
     return forS < Double.POSITIVE_INFINITY;
+  }
+
+  /** When it ends [µs], given its start; {@link Clock#NEVER} if not bounded. */
+  public long end(long beganMicros) {
+    return isBounded() ? beganMicros + Clock.micros(forS) : Clock.NEVER;
   }
 
   /** Whether the duration has elapsed. */
