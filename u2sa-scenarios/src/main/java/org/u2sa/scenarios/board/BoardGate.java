@@ -94,15 +94,15 @@ final class BoardGate implements Hosts {
       } catch (SocketTimeoutException e) {
         look();
       } catch (IOException e) {
-        refusals.add("connection not accepted", String.valueOf(e.getMessage()));
-        rest();
+        rest(e);
       }
     }
   }
 
-  private synchronized void rest() {
+  private synchronized void rest(IOException why) {
     try {
       if (!closed) {
+        refusals.add("connection not accepted", String.valueOf(why.getMessage()));
         wait(LOOK_EVERY_MS); // such as without a free file descriptor
       }
     } catch (InterruptedException e) {

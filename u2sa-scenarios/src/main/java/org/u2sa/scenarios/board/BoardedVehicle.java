@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.file.VehicleFile;
@@ -47,9 +48,11 @@ record BoardedVehicle(
     }
     VehicleRun run = new VehicleRun(file.make(world, Point.ORIGIN, headingRad, seed));
     VehiclePins pins = new VehiclePins(file, run, seed);
-    Map<String, Integer> wiring = new LinkedHashMap<>();
-    pins.actuators().forEach((pin, name) -> wiring.put(name, pin));
-    return new BoardedVehicle(pins, run, pins::commands, wiring.toString());
+    String wiring =
+        pins.actuators().entrySet().stream()
+            .map(each -> each.getValue() + "=" + each.getKey())
+            .collect(Collectors.joining(", "));
+    return new BoardedVehicle(pins, run, pins::commands, wiring);
   }
 
   /** Its state; only the board advances it, which has begun. */

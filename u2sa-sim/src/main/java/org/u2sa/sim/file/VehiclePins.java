@@ -69,9 +69,11 @@ public final class VehiclePins implements Pins {
     return actuators;
   }
 
-  /** The latest commands by actuator; NaN without a signal. Thread-safe. */
+  /** The latest commands by actuator, in their order; NaN without a signal. Thread-safe. */
   public Map<String, Double> commands() {
-    return commands;
+    Map<String, Double> inOrder = new LinkedHashMap<>();
+    actuators.values().forEach(name -> inOrder.put(name, commands.getOrDefault(name, Double.NaN)));
+    return inOrder;
   }
 
   @Override
