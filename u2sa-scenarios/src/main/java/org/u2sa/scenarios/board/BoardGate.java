@@ -26,8 +26,9 @@ import org.u2sa.sim.ioio.Hosts;
 final class BoardGate implements Hosts {
   private static final int BACKLOG = 16;
   private static final int MOST_CANDIDATES = 16;
+  private static final int MOST_OF_AN_ADDRESS = 4; // so that one cannot keep the others out
   private static final int LOOK_EVERY_MS = 500;
-  private static final long LOGIN_WITHIN_MICROS = 10 * Clock.MICROS_PER_SECOND;
+  private static final long LOGIN_WITHIN_MICROS = 30 * Clock.MICROS_PER_SECOND;
   private static final int SEND_BUFFER = 1 << 14;
 
   private final ServerSocket server = new ServerSocket();
@@ -140,7 +141,7 @@ final class BoardGate implements Hosts {
       refuse(socket, name, "another host is connected");
     } else if (users.isEmpty()) {
       admit(socket, name);
-    } else if (candidates.size() >= MOST_CANDIDATES) {
+    } else if (candidates.size() >= MOST_CANDIDATES || candidatesAt(socket) >= MOST_OF_AN_ADDRESS) {
       refuse(socket, name, "too many log in at once");
     } else {
       candidates.put(socket, clock.micros() + LOGIN_WITHIN_MICROS);
@@ -148,6 +149,12 @@ final class BoardGate implements Hosts {
       login.setDaemon(true);
       login.start();
     }
+  }
+
+  private long candidatesAt(Socket socket) {
+    return candidates.keySet().stream()
+        .filter(other -> socket.getInetAddress().equals(other.getInetAddress()))
+        .count();
   }
 
   private void refuse(Socket socket, String name, String why) {
@@ -178,8 +185,9 @@ final class BoardGate implements Hosts {
         refuse(socket, who, "another host is connected");
       }
     } catch (IOException | RuntimeException e) {
-      refusals.add(
-          "host refused at its log-in", name + ": " + OneLine.of(String.valueOf(e.getMessage())));
+      boolean isOverdue = users.isPresent() && !candidates.containsKey(socket);
+      String why = isOverdue ? "it took too long" : String.valueOf(e.getMessage());
+      refusals.add("host refused at its log-in", name + ": " + OneLine.of(why));
       closeQuietly(socket);
     } finally {
       candidates.remove(socket);

@@ -42,7 +42,8 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class BoardUsers implements AutoCloseable {
   private static final int LONGEST_LINE = 512;
-  private static final long ANSWER_WITHIN_S = 10;
+  private static final long ANSWER_WITHIN_S =
+      20; // the first check waits for a thread that warms up
   private static final String COMMAND = "LOGIN ";
 
   private final SSLContext tls;

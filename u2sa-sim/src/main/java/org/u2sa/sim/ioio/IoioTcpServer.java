@@ -19,6 +19,7 @@ import org.u2sa.interfaces.time.Clock;
 public final class IoioTcpServer implements AutoCloseable {
   private static final long PAUSE_MS = 2;
   private static final int BUFFER = 4096;
+  private static final long PAUSE_MICROS = 1_000 * PAUSE_MS;
   private static final long RETRY_MS = 100;
   private static final long LONGEST_GAP_MICROS = 1_000_000;
 
@@ -30,7 +31,8 @@ public final class IoioTcpServer implements AutoCloseable {
   private final Thread time = new Thread(this::passTime, "u2sa-ioio-server-time");
   private final Thread sender = new Thread(this::send, "u2sa-ioio-server-sender");
   private Hosts.Host host; // null if none is connected
-  private int credit; // bytes that may be read before the next pass of time
+  private int credit; // bytes that may be read before it is renewed
+  private long creditMicros; // when it is renewed
   private long lastMicros; // of the clock, at the last pass of time
   private long skippedMicros; // time that the board does not count
   private boolean powered = true;
@@ -184,9 +186,13 @@ public final class IoioTcpServer implements AutoCloseable {
           long now = clock.micros();
           if (Math.abs(now - lastMicros) > LONGEST_GAP_MICROS) {
             skippedMicros += now - lastMicros;
+            creditMicros = now;
           }
           lastMicros = now;
-          credit = BUFFER;
+          if (now >= creditMicros) {
+            credit = BUFFER;
+            creditMicros = now + PAUSE_MICROS;
+          }
           firmware.advance(now - skippedMicros);
           lock.notifyAll();
           lock.wait(PAUSE_MS);
