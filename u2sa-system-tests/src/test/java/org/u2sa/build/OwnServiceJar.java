@@ -32,7 +32,7 @@ final class OwnServiceJar {
 
       public final class Blinker extends org.u2sa.service.U2SAService {
         public Blinker(org.u2sa.service.ServiceContext context) {
-          super(context);
+          super(context, org.u2sa.service.ServiceRole.OBSERVER, "Blinker");
         }
 
         @Override

@@ -146,9 +146,12 @@ final class SerialPorts implements AutoCloseable {
             PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rwx------")));
     for (Map.Entry<String, SerialInstrument> each : new TreeMap<>(devices).entrySet()) {
       String name = each.getKey().replaceAll("[^A-Za-z0-9_-]", "_");
-      if (Files.exists(folder.resolve(name))) {
+      Path link = folder.resolve(name);
+      if (Files.isSymbolicLink(link)) {
+        Files.delete(link); // left by a program that was killed
+      } else if (Files.exists(link)) {
         throw new BadInputException(
-            "--serial: " + folder.resolve(name) + " exists already; expected a folder without it");
+            "--serial: " + link + " exists already; expected a folder without it");
       }
       lines.add(new Line(name, each.getValue(), folder));
     }
