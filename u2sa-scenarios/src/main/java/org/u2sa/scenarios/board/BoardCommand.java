@@ -252,7 +252,7 @@ final class BoardCommand implements Callable<Integer> {
                 clock,
                 users,
                 silentAfterS,
-                new LineLimit(clock, this::say),
+                new PacedLog(clock, this::say),
                 why -> {
                   failure.set(why);
                   waiter.signal();

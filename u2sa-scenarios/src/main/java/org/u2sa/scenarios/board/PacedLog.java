@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /** Keeps hosts that come and go in a flood from filling the log. Thread-safe. */
-final class LineLimit implements Consumer<String> {
+final class PacedLog implements Consumer<String> {
   private static final int AT_ONCE = 20;
   private static final long MICROS_A_LINE = Clock.MICROS_PER_SECOND;
 
@@ -13,7 +13,7 @@ final class LineLimit implements Consumer<String> {
   private long spentMicros; // time up to which lines are accounted for
   private int left; // number of lines left out since the last one
 
-  LineLimit(Clock clock, Consumer<String> lines) {
+  PacedLog(Clock clock, Consumer<String> lines) {
     this.clock = clock;
     this.lines = lines;
   }
