@@ -212,7 +212,7 @@ class BoardCommandTest {
       Process observer = python(board.port(), 1, authority, "screen", screen.toString());
       assertThat(new String(observer.getInputStream().readAllBytes(), UTF_8))
           .contains("REFUSED user, password or role");
-      Process stranger = python(board.port(), 1, authority, "pilot", screen.toString());
+      Process stranger = python(board.port(), 1, authority, "stranger", screen.toString());
       assertThat(new String(stranger.getInputStream().readAllBytes(), UTF_8))
           .contains("REFUSED user, password or role");
       try (Socket plain = board.connect()) {

@@ -127,7 +127,7 @@ public final class IoioTcpServer implements AutoCloseable {
     } catch (SocketTimeoutException e) {
       why = "it was silent for too long";
     } catch (IOException e) {
-      why = isHost(next) ? "the connection broke: " + e.getMessage() : "the board closed it";
+      why = isHost(next) ? "the connection broke: " + e.getMessage() : "it closed the connection";
     } catch (RuntimeException e) {
       why = "the board failed at its message: " + e;
     }
