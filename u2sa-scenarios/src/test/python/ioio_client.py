@@ -151,6 +151,8 @@ def main(host, port, seconds, *secured):
     for module in (0, 1):
         board.pulse(module, 1500)
     board.send(SOFT_CLOSE)
+    while board.link.recv(4096):
+        pass  # until the board has closed: unread bytes would break the connection
 
 
 if __name__ == "__main__":
