@@ -56,7 +56,7 @@ final class BoardCommand implements Callable<Integer> {
   private static final int PORT = 4545; // IOIOLib's
   private static final int HIGHEST_PORT = 65_535;
   private static final double LOOKS_PER_S = 20.0;
-  private static final double MOST_SILENT_S = 3_600.0;
+  private static final double MAX_SILENT_S = 3_600.0;
 
   @Spec private CommandSpec command;
 
@@ -143,9 +143,9 @@ final class BoardCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException, InterruptedException {
-    if (!(silentAfterS >= 0.0 && silentAfterS <= MOST_SILENT_S)) {
+    if (!(silentAfterS >= 0.0 && silentAfterS <= MAX_SILENT_S)) {
       throw new BadInputException(
-          "--silent-after " + silentAfterS + ": expected 0 to " + MOST_SILENT_S + " s");
+          "--silent-after " + silentAfterS + ": expected 0 to " + MAX_SILENT_S + " s");
     }
     InetSocketAddress address = address();
     if (!address.getAddress().isLoopbackAddress() && security == null && !insecure) {

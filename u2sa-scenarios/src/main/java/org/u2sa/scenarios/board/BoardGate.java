@@ -25,8 +25,8 @@ import org.u2sa.sim.ioio.Hosts;
  */
 final class BoardGate implements Hosts {
   private static final int BACKLOG = 16;
-  private static final int MOST_CANDIDATES = 16;
-  private static final int MOST_OF_AN_ADDRESS = 4; // so that one cannot keep the others out
+  private static final int MAX_CANDIDATES = 16;
+  private static final int MAX_PER_ADDRESS = 4; // so that one cannot keep the others out
   private static final int LOOK_EVERY_MS = 500;
   private static final long LOGIN_WITHIN_MICROS = 30 * Clock.MICROS_PER_SECOND;
   private static final int SEND_BUFFER = 1 << 14;
@@ -141,7 +141,7 @@ final class BoardGate implements Hosts {
       refuse(socket, name, "another host is connected");
     } else if (users.isEmpty()) {
       admit(socket, name);
-    } else if (candidates.size() >= MOST_CANDIDATES || candidatesAt(socket) >= MOST_OF_AN_ADDRESS) {
+    } else if (candidates.size() >= MAX_CANDIDATES || candidatesAt(socket) >= MAX_PER_ADDRESS) {
       refuse(socket, name, "too many log in at once");
     } else {
       candidates.put(socket, clock.micros() + LOGIN_WITHIN_MICROS);
