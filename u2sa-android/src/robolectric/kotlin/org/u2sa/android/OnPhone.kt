@@ -52,8 +52,8 @@ class OnPhone {
     fun awaitPhase(phase: Phase) = await(phase.name) { service.state.phase == phase }
 
     /** Waits, and lets the main thread do its work meanwhile. */
-    fun await(what: String, condition: () -> Boolean) =
-        await().alias(what).pollInSameThread().pollDelay(Duration.ZERO).atMost(Duration.ofSeconds(60)).until {
+    fun await(what: String, atMostS: Long = 60, condition: () -> Boolean) =
+        await().alias(what).pollInSameThread().pollDelay(Duration.ZERO).atMost(Duration.ofSeconds(atMostS)).until {
             idle()
             condition()
         }

@@ -138,6 +138,40 @@ class ApkTest {
         .contains("cessna, seed 1: same track.csv", "ugv, seed 1: same track.csv");
   }
 
+  @Test
+  void apk_ownJarThatIsNone_isRefusedBeforeTheBuild() throws Exception {
+    Path text = Files.writeString(folder.resolve("my.jar"), "no jar");
+
+    Ended none = apk("--with", folder.resolve("absent.jar").toString());
+    Ended broken = apk("--with", text.toString());
+
+    assertThat(none.exit()).isEqualTo(BAD_INPUT);
+    assertThat(none.output()).contains("absent.jar: no such file");
+    assertThat(broken.exit()).isEqualTo(BAD_INPUT);
+    assertThat(broken.output()).contains("my.jar: is no jar");
+  }
+
+  @Test
+  void apk_ownJar_itsServicesAreInTheDexAndTheListsGrow() throws Exception {
+    Path jar = OwnServiceJar.in(folder);
+    Path apk = folder.resolve("own.apk");
+
+    Ended built = apk("--with", jar.toString(), "--out", apk.toString());
+
+    assertThat(built.exit()).as(built.output()).isZero();
+    Ended dumped = run(null, List.of("dexdump", apk.toString()));
+    assertThat(dumped.output()).contains("'" + OwnServiceJar.DESCRIPTOR + "'");
+    try (ZipFile archive = new ZipFile(apk.toFile())) {
+      ZipEntry list = archive.getEntry("META-INF/services/" + OwnServiceJar.PROVIDED);
+      assertThat(new String(archive.getInputStream(list).readAllBytes(), UTF_8))
+          .contains(OwnServiceJar.PROVIDER);
+    }
+
+    Ended twice = apk("--no-build", "--with", jar.toString(), "--with", OwnServiceJar.fat(folder));
+    assertThat(twice.exit()).isEqualTo(BAD_INPUT);
+    assertThat(twice.output()).contains("expected your own classes only");
+  }
+
   /** The sum of the methods that dexdump finds in the headers of all dex files. */
   private static int methods(String dump) {
     return Pattern.compile("method_ids_size +: (\\d+)")

@@ -5,7 +5,7 @@ import java.util.concurrent.atomic.AtomicReference
 import org.u2sa.drivers.ioio.BoardConnection
 
 /**
- * Connection to the board over the phone's Bluetooth or USB, with its status for the screen and the failsafe. Thread-safe.
+ * Connection to the board over the phone's Bluetooth, USB or network, with its status for the screen and the failsafe. Thread-safe.
  *
  * @param address address shown in the log
  * @param attempt creates the connection of one attempt, which reports to the given link

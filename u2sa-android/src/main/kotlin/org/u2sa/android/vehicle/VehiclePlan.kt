@@ -8,6 +8,7 @@ import java.time.Instant
 import org.u2sa.android.board.BluetoothConnection
 import org.u2sa.android.board.BoardChoice
 import org.u2sa.android.board.BoardLink
+import org.u2sa.android.board.TcpConnection
 import org.u2sa.android.board.UsbConnection
 import org.u2sa.android.file.LogArchive
 import org.u2sa.android.file.vehicleFiles
@@ -65,18 +66,16 @@ internal class VehiclePlan(context: Context, private val settings: PhoneSettings
             val usb = application.getSystemService(Context.USB_SERVICE) as UsbManager
             BoardLink(board.toString()) { UsbConnection(usb, it) }
         }
-        else -> null
+        is BoardChoice.Tcp -> BoardLink(board.toString()) { TcpConnection(board.host, board.port, it) }
+        BoardChoice.Configured -> null
     }
 
     private fun configure(options: LaunchOptions, mission: File?) {
         options.making(PhoneStateSensor::class.java) { PhoneStateSensor(it, AndroidPhoneSensors(application, clock)) }
-        when (val board = settings.board) {
-            is BoardChoice.Tcp -> options.override("IoioService", "CONNECTION", board.toString())
-            else -> link?.let { way ->
-                options.making(IoioService::class.java) {
-                    watched = way
-                    IoioService(it, way)
-                }
+        link?.let { way ->
+            options.making(IoioService::class.java) {
+                watched = way
+                IoioService(it, way)
             }
         }
         if (!settings.network) {

@@ -87,6 +87,13 @@ final class BoardPins {
     }
   }
 
+  /** Sends the LED's level again, as a sign of life. */
+  void greet() throws ConnectionLostException {
+    if (led.isPresent()) {
+      led.get().write(ledIsLit != ledIsLitLow);
+    }
+  }
+
   /** Voltage at the sampled analog input [V]; empty before the first sample. */
   OptionalDouble volts() throws ConnectionLostException {
     try {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Supplier;
 import org.u2sa.drivers.motor.PulseOutput;
 import org.u2sa.drivers.rc.RcSwitch;
 import org.u2sa.interfaces.BadInputException;
@@ -33,6 +34,7 @@ import org.u2sa.service.handover.HandOver;
 public final class IoioService extends ProprioceptiveSensor implements ActuatorOwner {
   private static final double STEPS_PER_S = 100.0;
   private static final double BATTERY_EVERY_S = 1.0;
+  private static final double GREETING_EVERY_S = 1.0; // a served board drops a silent host
   private static final int MAX_PULSES_A_STEP = 100; // a flood must not hold up the step
   private static final double ALL_PERCENT = 100.0;
 
@@ -46,6 +48,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   private Optional<Boolean> reported = Optional.empty(); // whether the board is connected
   private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
   private double batteryDueS;
+  private double greetingDueS;
 
   /** Launcher constructor: uses the configured connection. */
   public IoioService(ServiceContext context) {
@@ -78,13 +81,21 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
             : OptionalDouble.of(variables.batteryDivider());
     sensors = new PinSensors(this, plan);
     registerPublisher(Channels.POWER);
-    connection = made.orElseGet(() -> configured(variables.connection()));
+    BoardLogin login = settings(BoardLogin.class).get();
+    connection =
+        made.orElseGet(
+            () ->
+                configured(
+                    () ->
+                        login.connection(
+                            variables.connection(),
+                            file -> context.configuration().resolve(file).toString())));
     connector = new BoardConnector(connection, plan, variables.boardSilentAfter());
   }
 
-  private static BoardConnection configured(String address) {
+  private static BoardConnection configured(Supplier<BoardConnection> address) {
     try {
-      return BoardConnection.of(address);
+      return address.get();
     } catch (BadInputException e) {
       throw new BadInputException("variable \"CONNECTION\": " + e.getMessage(), e);
     }
@@ -152,6 +163,10 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     drive(pins, now);
     if (pins.isPresent()) {
       pins.get().light(led(now).isLit(now));
+      if (!connection.isLockstep() && nowS() >= greetingDueS) {
+        greetingDueS = nowS() + GREETING_EVERY_S;
+        pins.get().greet();
+      }
       reportBattery(pins.get());
     }
   }

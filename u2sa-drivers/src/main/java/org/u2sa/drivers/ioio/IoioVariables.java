@@ -13,7 +13,7 @@ record IoioVariables(
     @Variable(
             ifAbsentText = "",
             text =
-                "Address of the board: serial:/dev/ttyACM0 or tcp:host:port; empty: the host connects it, as a phone does.")
+                "Address of the board: serial:/dev/ttyACM0, tcp:host:port, or tls:host:port with a user; empty: the host connects it, as a phone does.")
         String connection,
     @Variable(
             ifAbsentText = "otg",

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.Port;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
 
 /**
  * A board on a desktop serial port (IOIO-OTG on USB) or over TCP: the firmware simulator or a
@@ -42,10 +43,19 @@ final class PortConnection implements IOIOConnection {
       throw new BadInputException(
           "IOIO: \""
               + address
-              + "\" is no address, serial:/dev/ttyACM0 or tcp:host:port expected: "
+              + "\" is no address, serial:/dev/ttyACM0, tcp:host:port or tls:host:port expected: "
               + e.getMessage(),
           e);
     }
+  }
+
+  /**
+   * The same for a board that asks for a user.
+   *
+   * @throws BadInputException if the address is not {@code tls:HOST:PORT}
+   */
+  static BoardConnection at(String address, BrokerAccess access) {
+    return new Address(address, ByteLinks.opener(address, access));
   }
 
   @Override

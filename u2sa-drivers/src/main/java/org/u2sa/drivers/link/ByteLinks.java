@@ -2,9 +2,11 @@ package org.u2sa.drivers.link;
 
 import java.nio.file.Path;
 import java.nio.file.Paths;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
 
@@ -85,7 +87,20 @@ public final class ByteLinks {
     if (!parsed.kind().equals("tcp") || parsed.host().isEmpty()) {
       throw parsed.refused("expected serial:PATH or tcp:HOST:PORT");
     }
-    return new TcpOpener(parsed.host(), parsed.port());
+    return new TcpOpener(parsed.host(), parsed.port(), Optional.empty());
+  }
+
+  /**
+   * Opener of {@code tls:HOST:PORT}, a device that asks for a user.
+   *
+   * @throws BadInputException if the address is none
+   */
+  public static Port.Opener opener(String address, BrokerAccess access) {
+    LinkAddress parsed = new LinkAddress(address);
+    if (!parsed.kind().equals("tls") || parsed.host().isEmpty()) {
+      throw parsed.refused("expected tls:HOST:PORT");
+    }
+    return new TcpOpener(parsed.host(), parsed.port(), Optional.of(access));
   }
 
   private static ByteLink open(LinkAddress address, Clock clock, UnaryOperator<Path> files) {
@@ -100,7 +115,7 @@ public final class ByteLinks {
         }
         return new ReconnectingLink(
             address.toString(),
-            new TcpOpener(address.host(), address.port()),
+            new TcpOpener(address.host(), address.port(), Optional.empty()),
             address.option("silence", TCP_SILENCE_S, 0.0, LONGEST_SILENCE_S));
       case "udp":
         address.onlyOptions(Set.of("silence", "record"));

@@ -7,17 +7,26 @@ import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
+import java.util.Optional;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.SecuredSocket;
 
 /** Connects to a device server over TCP. */
 final class TcpOpener implements Port.Opener {
   private static final int CONNECT_MS = 1_000;
+  private static final int LOGIN_MS = 25_000;
 
   private final String host;
   private final int port;
+  private final Optional<BrokerAccess> access;
 
-  TcpOpener(String host, int port) {
+  /**
+   * @param access user of a server that asks for one, over TLS; empty: plain
+   */
+  TcpOpener(String host, int port, Optional<BrokerAccess> access) {
     this.host = host;
     this.port = port;
+    this.access = access;
   }
 
   @Override
@@ -26,8 +35,11 @@ final class TcpOpener implements Port.Opener {
     try {
       socket.connect(new InetSocketAddress(host, port), CONNECT_MS); // resolved on every attempt
       socket.setTcpNoDelay(true);
+      socket.setSoTimeout(LOGIN_MS);
+      Socket spoken =
+          access.isPresent() ? SecuredSocket.logIn(access.get(), socket, host, port) : socket;
       socket.setSoTimeout(Port.PATIENCE_MS);
-      return new Connected(host + ":" + port, socket);
+      return new Connected(host + ":" + port, socket, spoken);
     } catch (IOException | RuntimeException e) {
       socket.close();
       throw new IOException(
@@ -41,11 +53,15 @@ final class TcpOpener implements Port.Opener {
     private final InputStream in;
     private final OutputStream out;
 
-    Connected(String peer, Socket socket) throws IOException {
+    /**
+     * @param socket the plain socket: closing an encrypted one waits for its writer
+     * @param spoken the same or the encrypted one
+     */
+    Connected(String peer, Socket socket, Socket spoken) throws IOException {
       this.peer = peer;
       this.socket = socket;
-      in = socket.getInputStream();
-      out = socket.getOutputStream();
+      in = spoken.getInputStream();
+      out = spoken.getOutputStream();
     }
 
     @Override

@@ -23,8 +23,13 @@ public final class TrackCsv {
   public static void write(Writer out, Domain domain, List<TrackSample> track) throws IOException {
     out.write(domain == Domain.AIR ? FLIGHT_HEADER : HEADER);
     for (TrackSample s : track) {
-      out.write(domain == Domain.AIR ? ofFlight(s) : of(s));
+      append(out, domain, s);
     }
+  }
+
+  /** Writes one line, for a track that is written while it grows. */
+  public static void append(Writer out, Domain domain, TrackSample sample) throws IOException {
+    out.write(domain == Domain.AIR ? ofFlight(sample) : of(sample));
   }
 
   private static String of(TrackSample s) {

@@ -63,6 +63,14 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
     return lost > 0.0 && losses.nextDouble() < lost;
   }
 
+  /**
+   * The device side of its serial line, in place of {@link #read}; empty if it has no protocol. A
+   * new one on each call.
+   */
+  public Optional<SerialInstrument> serial() {
+    return Optional.empty();
+  }
+
   /** Called at each read while the device is plugged in. */
   void tell(long nowMicros) {}
 

@@ -1,5 +1,6 @@
 package org.u2sa.sim.device;
 
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
@@ -9,11 +10,16 @@ import org.u2sa.sim.sensor.GpsModel;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.sensor.GpsSample;
 import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.sensor.UbloxReceiver;
+import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /** A satellite receiver with the errors of {@link GpsModel}. */
 public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsReceiver {
+  private final GpsParameters parameters;
+  private final LocalPlane plane;
+  private final NoiseStreams streams;
   private final GpsModel model;
   private final Supplier<VehicleTruth> truth;
   private final BooleanSupplier blocked;
@@ -29,6 +35,9 @@ public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsRe
       Supplier<VehicleTruth> truth,
       BooleanSupplier blocked) {
     super(parameters.rateHz(), parameters.latencyS());
+    this.parameters = parameters;
+    this.plane = plane;
+    this.streams = streams;
     model = new GpsModel(parameters, plane, streams);
     this.truth = truth;
     this.blocked = blocked;
@@ -51,5 +60,18 @@ public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsRe
             sample.satellites(),
             true)
         : GpsFix.none(measuredAtMicros, sample.satellites());
+  }
+
+  /** {@inheritDoc} That of a u-blox receiver in its factory setting: NMEA at 9600 baud. */
+  @Override
+  public Optional<SerialInstrument> serial() {
+    UbloxReceiver receiver =
+        new UbloxReceiver(
+            UbloxSettings.factory(), parameters, plane, SerialInstrument.UTC, streams);
+    return Optional.of(
+        new SerialInstrument(
+            micros -> receiver.advance(micros, truth.get(), blocked.getAsBoolean()),
+            receiver.line(),
+            receiver::accept));
   }
 }

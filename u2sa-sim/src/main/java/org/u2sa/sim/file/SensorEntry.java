@@ -32,7 +32,7 @@ record SensorEntry(
   }
 
   /** Makes the device of one service. */
-  Device<?> make(Aboard vehicle) {
+  SimulatedDevice<?> make(Aboard vehicle) {
     SimulatedDevice<?> device = maker.make(vehicle);
     device.degrade(delayS, lost, vehicle.streams().of("losses"));
     return device;

@@ -5,6 +5,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import org.u2sa.sim.ioio.Pins;
 import org.u2sa.sim.ioio.PulseTrain;
+import org.u2sa.sim.ioio.ServoInput;
 import org.u2sa.sim.sensor.SpartonDevice;
 import org.u2sa.sim.sensor.UartTransmitter;
 import org.u2sa.sim.sensor.UbloxReceiver;
@@ -37,8 +38,8 @@ public final class MiniMolle implements Pins, RunningVehicle {
   private final SpartonDevice compass;
   private final VoltmeterModel voltmeter;
   private final HazardPlay hazards;
-  private final EscInput first = new EscInput();
-  private final EscInput second = new EscInput();
+  private final ServoInput first = new ServoInput(false);
+  private final ServoInput second = new ServoInput(false);
   private long beginUs = -1; // not started; other times are relative to it
   private long tickUs;
   private long nowUs;
@@ -213,51 +214,6 @@ public final class MiniMolle implements Pins, RunningVehicle {
     /** The wiring of docs/drivers: GPS 6 and 7, compass 13 and 14, motors 10 and 11, 35, 40. */
     public static Wiring standard() {
       return new Wiring(6, 7, 13, 14, 10, 11, 35, 40, 0.2);
-    }
-  }
-
-  /**
-   * Pulse input of a motor controller or servo: 1000 to 2000 µs, centred at 1500, with a fail-safe
-   * after 0.1 s without pulses. A new width takes effect with its next pulse.
-   */
-  private static final class EscInput {
-    private static final double NEUTRAL_S = 1.5e-3;
-    private static final double HALF_RANGE_S = 0.5e-3;
-    private static final double SHORTEST_S = 0.8e-3; // shorter pulses are noise
-    private static final double LONGEST_S = 2.2e-3;
-    private static final long FAILSAFE_US = 100_000;
-    private static final double US_PER_S = 1e6;
-
-    private PulseTrain pulses = PulseTrain.NONE;
-    private boolean seen;
-    private long lastUs;
-    private long nextUs;
-    private double command = Double.NaN;
-
-    /** Sets the pulses from now on. */
-    void take(PulseTrain train, long nowUs) {
-      if (!pulses.present() && train.present()) {
-        nextUs = nowUs + Math.round(train.widthS() * US_PER_S);
-      }
-      pulses = train;
-    }
-
-    /** Current command, −1…1; NaN without pulses. */
-    double command(long nowUs) {
-      if (pulses.present() && nowUs >= nextUs) {
-        nextUs = nowUs + Math.round(pulses.periodS() * US_PER_S);
-        if (pulses.widthS() >= SHORTEST_S && pulses.widthS() <= LONGEST_S) {
-          double wanted = (pulses.widthS() - NEUTRAL_S) / HALF_RANGE_S;
-          command = Math.max(-1.0, Math.min(1.0, wanted));
-          seen = true;
-          lastUs = nowUs;
-        }
-      }
-      if (!seen || nowUs - lastUs > FAILSAFE_US) {
-        seen = false;
-        command = Double.NaN;
-      }
-      return command;
     }
   }
 }

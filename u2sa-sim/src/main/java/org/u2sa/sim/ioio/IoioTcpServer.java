@@ -2,29 +2,39 @@ package org.u2sa.sim.ioio;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
  * Serves a simulated board over TCP in real time, to one host at a time because the board has one
  * channel. Three daemon threads: acceptor/reader, clock and sender.
+ *
+ * <p>A host is read no faster than 2 MB/s, so that a flood leaves time to the vehicle. If the
+ * process was stopped or the machine slept, the board's time stood still.
  */
 public final class IoioTcpServer implements AutoCloseable {
   private static final long PAUSE_MS = 2;
   private static final int BUFFER = 4096;
+  private static final long PAUSE_MICROS = 1_000 * PAUSE_MS;
+  private static final long RETRY_MS = 100;
+  private static final long LONGEST_GAP_MICROS = 1_000_000;
 
-  private final Object lock = new Object(); // guards the firmware and the last four fields
+  private final Object lock = new Object(); // guards the firmware and the fields after the threads
   private final IoioFirmware firmware;
   private final Clock clock;
-  private final ServerSocket server;
+  private final Hosts source;
   private final Thread hosts = new Thread(this::awaitHosts, "u2sa-ioio-server");
   private final Thread time = new Thread(this::passTime, "u2sa-ioio-server-time");
   private final Thread sender = new Thread(this::send, "u2sa-ioio-server-sender");
-  private Socket host; // null if none is connected
+  private Hosts.Host host; // null if none is connected
+  private int credit; // bytes that may be read before it is renewed
+  private long creditMicros; // when it is renewed
+  private long lastMicros; // of the clock, at the last pass of time
+  private long skippedMicros; // time that the board does not count
   private boolean powered = true;
   private boolean held;
   private boolean closed;
@@ -36,23 +46,25 @@ public final class IoioTcpServer implements AutoCloseable {
    * @throws UncheckedIOException if the port is taken
    */
   public IoioTcpServer(IoioFirmware firmware, Clock clock, int port) {
+    this(firmware, clock, new Loopback(port));
+  }
+
+  /** Serves the hosts of a source, which is closed with the server. */
+  public IoioTcpServer(IoioFirmware firmware, Clock clock, Hosts source) {
     this.firmware = firmware;
     this.clock = clock;
-    try {
-      server = new ServerSocket(port, 1, InetAddress.getLoopbackAddress());
-    } catch (IOException e) {
-      throw new UncheckedIOException("simulated IOIO: port " + port + ": " + e.getMessage(), e);
-    }
-    firmware.advance(clock.micros()); // start the firmware clock before accepting hosts
+    this.source = source;
+    lastMicros = clock.micros();
+    firmware.advance(lastMicros); // start the firmware clock before accepting hosts
     for (Thread thread : new Thread[] {hosts, time, sender}) {
       thread.setDaemon(true);
       thread.start();
     }
   }
 
-  /** The listening port. */
+  /** The listening port on the loopback interface; −1 with a source of hosts. */
   public int port() {
-    return server.getLocalPort();
+    return source instanceof Loopback own ? own.server.getLocalPort() : -1;
   }
 
   /** Whether a host is connected. */
@@ -67,7 +79,7 @@ public final class IoioTcpServer implements AutoCloseable {
     synchronized (lock) {
       powered = on;
       if (!on) {
-        hangUp();
+        hangUp(host);
       }
     }
   }
@@ -84,39 +96,71 @@ public final class IoioTcpServer implements AutoCloseable {
   }
 
   private void awaitHosts() {
-    while (!isClosed()) {
-      try (Socket socket = server.accept()) {
-        socket.setTcpNoDelay(true);
-        if (begin(socket)) {
-          listen(socket);
+    try {
+      while (!isClosed()) {
+        try {
+          serve(source.next());
+        } catch (IOException e) {
+          pause(); // nobody came
         }
-      } catch (IOException e) {
-        continue; // host disconnected; accept the next
-      } finally {
-        synchronized (lock) {
-          hangUp();
-        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void pause() throws InterruptedException {
+    synchronized (lock) {
+      if (!closed) {
+        lock.wait(RETRY_MS);
       }
     }
   }
 
-  private boolean begin(Socket socket) {
+  private void serve(Hosts.Host next) {
+    String why = "the board is off";
+    try {
+      if (begin(next)) {
+        listen(next.input());
+        why = "it closed the connection";
+      }
+    } catch (SocketTimeoutException e) {
+      why = "it was silent for too long";
+    } catch (IOException e) {
+      why = isHost(next) ? "the connection broke: " + e.getMessage() : "it closed the connection";
+    } catch (RuntimeException e) {
+      why = "the board failed at its message: " + e;
+    }
     synchronized (lock) {
-      if (powered) {
-        host = socket;
+      why = firmware.trouble().isEmpty() ? why : "the board refused " + firmware.trouble();
+      hangUp(next);
+    }
+    source.ended(next, why);
+  }
+
+  private boolean isHost(Hosts.Host which) {
+    synchronized (lock) {
+      return host == which;
+    }
+  }
+
+  private boolean begin(Hosts.Host next) {
+    synchronized (lock) {
+      if (powered && !closed) {
+        host = next;
         firmware.open();
         lock.notifyAll();
       }
-      return powered;
+      return host == next;
     }
   }
 
-  private void listen(Socket socket) throws IOException {
-    InputStream in = socket.getInputStream();
+  private void listen(InputStream in) throws IOException {
     byte[] buffer = new byte[BUFFER];
     for (int count = in.read(buffer); count >= 0; count = in.read(buffer)) {
       synchronized (lock) {
         awaitRelease();
+        credit -= count;
         firmware.accept(buffer, 0, count);
         hangUpIfRefused();
         lock.notifyAll();
@@ -126,7 +170,7 @@ public final class IoioTcpServer implements AutoCloseable {
 
   private void awaitRelease() throws IOException {
     try {
-      while (held && host != null) {
+      while ((held || credit <= 0) && host != null) {
         lock.wait();
       }
     } catch (InterruptedException e) {
@@ -139,12 +183,26 @@ public final class IoioTcpServer implements AutoCloseable {
     synchronized (lock) {
       try {
         while (!closed) {
-          firmware.advance(clock.micros());
+          long now = clock.micros();
+          if (Math.abs(now - lastMicros) > LONGEST_GAP_MICROS) {
+            skippedMicros += now - lastMicros;
+            creditMicros = now;
+          }
+          lastMicros = now;
+          if (now >= creditMicros) {
+            credit = BUFFER;
+            creditMicros = now + PAUSE_MICROS;
+          }
+          firmware.advance(now - skippedMicros);
           lock.notifyAll();
           lock.wait(PAUSE_MS);
         }
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt(); // interrupted only to shut down
+      } catch (RuntimeException e) {
+        closed = true;
+        hangUp(host);
+        source.failed(e);
       }
     }
   }
@@ -153,7 +211,7 @@ public final class IoioTcpServer implements AutoCloseable {
     byte[] buffer = new byte[BUFFER];
     try {
       while (!isClosed()) {
-        Socket receiver;
+        Hosts.Host receiver;
         int count;
         synchronized (lock) {
           count = host == null || held ? 0 : firmware.output(buffer);
@@ -172,15 +230,14 @@ public final class IoioTcpServer implements AutoCloseable {
   }
 
   /** Blocks on a slow host; the board's queue may overflow meanwhile. */
-  private void sendTo(Socket receiver, byte[] buffer, int count) {
+  private void sendTo(Hosts.Host receiver, byte[] buffer, int count) {
     try {
-      OutputStream out = receiver.getOutputStream();
-      out.write(buffer, 0, count);
-      out.flush();
+      receiver.output().write(buffer, 0, count);
+      receiver.output().flush();
     } catch (IOException e) {
       synchronized (lock) {
         if (host == receiver) {
-          hangUp();
+          hangUp(receiver);
         }
       }
     }
@@ -188,18 +245,23 @@ public final class IoioTcpServer implements AutoCloseable {
 
   private void hangUpIfRefused() {
     if (host != null && !firmware.isOpen()) {
-      hangUp();
+      hangUp(host);
     }
   }
 
-  /** Call with the lock held. */
-  private void hangUp() {
-    Socket socket = host;
-    host = null;
-    firmware.lost();
+  /**
+   * Call with the lock held.
+   *
+   * @param leaving null if there is none
+   */
+  private void hangUp(Hosts.Host leaving) {
+    if (host != null) {
+      host = null;
+      firmware.lost();
+    }
     lock.notifyAll();
-    if (socket != null) {
-      close(socket);
+    if (leaving != null) {
+      close(leaving.end());
     }
   }
 
@@ -222,16 +284,44 @@ public final class IoioTcpServer implements AutoCloseable {
   public void close() {
     synchronized (lock) {
       closed = true;
-      hangUp();
-      lock.notifyAll();
+      hangUp(host);
     }
-    close(server);
+    close(source);
     try {
       for (Thread thread : new Thread[] {hosts, time, sender}) {
         thread.join();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Hosts on this machine, without a log. */
+  private static final class Loopback implements Hosts {
+    private final ServerSocket server;
+
+    Loopback(int port) {
+      try {
+        server = new ServerSocket(port, 1, InetAddress.getLoopbackAddress());
+      } catch (IOException e) {
+        throw new UncheckedIOException("simulated IOIO: port " + port + ": " + e.getMessage(), e);
+      }
+    }
+
+    @Override
+    public Host next() throws IOException {
+      Socket socket = server.accept();
+      socket.setTcpNoDelay(true);
+      return new Host(
+          socket.getRemoteSocketAddress().toString(),
+          socket.getInputStream(),
+          socket.getOutputStream(),
+          socket);
+    }
+
+    @Override
+    public void close() throws IOException {
+      server.close();
     }
   }
 }

@@ -24,6 +24,8 @@ public final class UbloxReceiver {
   private static final int ACK = 0x05;
   private static final int UART_1 = 1;
   private static final int UART_OF_SIX = 1; // index among the six rates of CFG-MSG: DDC, UART 1, …
+  private static final int LOWEST_BAUD = 1_200;
+  private static final int HIGHEST_BAUD = 921_600;
   private static final int UBX = 1; // bit in the masks of CFG-PRT
   private static final int NMEA = 2;
   private static final double MS_PER_S = 1e3;
@@ -152,7 +154,7 @@ public final class UbloxReceiver {
       line.send(nowUs, new UbxMessage(ACK, obeyed ? 1 : 0, 2).u1(messageClass).u1(id).bytes());
     }
     if (obeyed && id == CFG_PRT) { // acknowledged at the old rate
-      line.baud(number(payload, 8) | number(payload, 10) << 16);
+      line.baud(baud(payload));
     }
   }
 
@@ -179,11 +181,18 @@ public final class UbloxReceiver {
   }
 
   private boolean configurePort(byte[] payload) {
-    if (payload.length != 20 || payload[0] != UART_1) {
+    if (payload.length != 20
+        || payload[0] != UART_1
+        || baud(payload) < LOWEST_BAUD
+        || baud(payload) > HIGHEST_BAUD) {
       return false;
     }
     protocols = number(payload, 14);
     return true;
+  }
+
+  private static int baud(byte[] payload) {
+    return number(payload, 8) | number(payload, 10) << 16;
   }
 
   private boolean configureRate(byte[] payload) {

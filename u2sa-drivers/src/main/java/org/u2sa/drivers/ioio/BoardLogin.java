@@ -1,0 +1,38 @@
+package org.u2sa.drivers.ioio;
+
+import java.util.function.UnaryOperator;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+
+/** Log-in at a board that is served over a network with users, by {@code ./u2sa board}. */
+record BoardLogin(
+    @Variable(ifAbsentText = "", text = "User at a board of tls:host:port.") String user,
+    @Variable(ifAbsentText = "", text = "File whose first line is USER's password.")
+        String passwordFile,
+    @Variable(
+            name = "CA FILE",
+            ifAbsentText = "",
+            text =
+                "Trusted authorities' certificates (PEM) for tls:host:port; empty: those that Java trusts.")
+        String authority) {
+  private static final String SECURED = "tls:";
+
+  /**
+   * Connection for the variable CONNECTION.
+   *
+   * @param files resolves relative file names
+   * @throws BadInputException if the address, the user or a file is invalid
+   */
+  BoardConnection connection(String address, UnaryOperator<String> files) {
+    if (!address.startsWith(SECURED)) {
+      return BoardConnection.of(address);
+    }
+    if (user.isEmpty() || passwordFile.isEmpty()) {
+      throw new BadInputException(address + ": expected USER and PASSWORD FILE, too");
+    }
+    String trusted = authority.isEmpty() ? "" : files.apply(authority);
+    return PortConnection.at(
+        address, BrokerAccess.of(user, files.apply(passwordFile), true, trusted));
+  }
+}

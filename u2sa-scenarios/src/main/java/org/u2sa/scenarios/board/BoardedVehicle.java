@@ -1,0 +1,72 @@
+package org.u2sa.scenarios.board;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.file.VehiclePins;
+import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.ground.MiniMolle;
+import org.u2sa.sim.ioio.Pins;
+import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.World;
+
+/**
+ * A vehicle at the pins of a board. Thread-safe but for the pins.
+ *
+ * @param pins the board's side
+ * @param run the vehicle
+ * @param commands what its actuators get, by name; NaN for no signal
+ * @param wiring the actuators and their pins, for people
+ */
+record BoardedVehicle(
+    Pins pins, RunningVehicle run, Supplier<Map<String, Double>> commands, String wiring) {
+  /** A time at which nothing advances [µs]. */
+  static final long BEFORE_THE_START = 0;
+
+  /** Places a vehicle at the origin of its world, behind the board of its file or the usual one. */
+  static BoardedVehicle of(VehicleFile file, World world, double headingRad, long seed) {
+    List<String> names = file.model().actuators();
+    if (file.hasBoard()) {
+      MiniMolle board = file.board(world, Point.ORIGIN, headingRad, Hazards.none(), seed);
+      return new BoardedVehicle(
+          board,
+          board,
+          () -> {
+            Map<String, Double> commands = new LinkedHashMap<>();
+            commands.put(names.get(0), board.command().first());
+            commands.put(names.get(1), board.command().second());
+            return commands;
+          },
+          names.get(0) + ", " + names.get(1) + " at the pins of <ioio>");
+    }
+    VehicleRun run = new VehicleRun(file.make(world, Point.ORIGIN, headingRad, seed));
+    VehiclePins pins = new VehiclePins(file, run, seed);
+    String wiring =
+        pins.actuators().entrySet().stream()
+            .map(each -> each.getValue() + "=" + each.getKey())
+            .collect(Collectors.joining(", "));
+    return new BoardedVehicle(pins, run, pins::commands, wiring);
+  }
+
+  /** Its state; only the board advances it, which has begun. */
+  VehicleTruth truth() {
+    return run.at(BEFORE_THE_START);
+  }
+
+  Map<String, Double> outputs() {
+    return commands.get();
+  }
+
+  /** Where it truly is. */
+  Geodetic place(VehicleTruth truth) {
+    Point at = truth.position();
+    return run.vehicle().world().plane().at(at.x(), at.y(), at.z());
+  }
+}

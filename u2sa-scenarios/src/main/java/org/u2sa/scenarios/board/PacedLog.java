@@ -1,0 +1,33 @@
+package org.u2sa.scenarios.board;
+
+import java.util.function.Consumer;
+import org.u2sa.interfaces.time.Clock;
+
+/** Keeps hosts that come and go in a flood from filling the log. Thread-safe. */
+final class PacedLog implements Consumer<String> {
+  private static final int AT_ONCE = 20;
+  private static final long MICROS_A_LINE = Clock.MICROS_PER_SECOND;
+
+  private final Clock clock;
+  private final Consumer<String> lines;
+  private long spentMicros; // time up to which lines are accounted for
+  private int left; // number of lines left out since the last one
+
+  PacedLog(Clock clock, Consumer<String> lines) {
+    this.clock = clock;
+    this.lines = lines;
+  }
+
+  @Override
+  public synchronized void accept(String line) {
+    long now = clock.micros();
+    spentMicros = Math.max(spentMicros, now - AT_ONCE * MICROS_A_LINE);
+    if (spentMicros + MICROS_A_LINE > now) {
+      left++;
+      return;
+    }
+    spentMicros += MICROS_A_LINE;
+    lines.accept(left == 0 ? line : line + " (" + left + " lines left out before)");
+    left = 0;
+  }
+}
