@@ -4,6 +4,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.u2sa.device.port.PitotTube;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -33,25 +34,14 @@ public final class AirspeedSensor extends DeviceSensor<PitotTube.Impact> {
           1.0); // s
 
   private record Variables(
-      @Variable(
-              unit = "Pa",
-              min = -1000,
-              max = 1000,
-              ifAbsent = 0,
-              text = "Reading in still air, which is subtracted.")
+      @Variable(unit = "Pa", min = -1000, max = 1000, ifAbsent = 0)
+          @Description("Reading in still air, which is subtracted.")
           double zeroPressure,
-      @Variable(
-              min = 0.5,
-              max = 2,
-              ifAbsent = 1,
-              text = "Factor on the pressure difference that corrects the tube's position error.")
+      @Variable(min = 0.5, max = 2, ifAbsent = 1)
+          @Description("Factor on the pressure difference that corrects the tube's position error.")
           double pressureFactor,
-      @Variable(
-              unit = "Pa",
-              min = 0.01,
-              max = 1000,
-              ifAbsent = 5,
-              text = "Standard deviation of the pressure difference.")
+      @Variable(unit = "Pa", min = 0.01, max = 1000, ifAbsent = 5)
+          @Description("Standard deviation of the pressure difference.")
           double pressureSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -4,6 +4,7 @@ import java.util.stream.Stream;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Pressure;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -32,20 +33,12 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
           1.0); // s
 
   private record Variables(
-      @Variable(
-              unit = "Pa",
-              min = 85_000,
-              max = 110_000,
-              ifAbsent = PressureAltitude.SEA_LEVEL_PA,
-              text = "Current sea-level pressure; 101325 is the standard atmosphere's.")
+      @Variable(unit = "Pa", min = 85_000, max = 110_000, ifAbsent = PressureAltitude.SEA_LEVEL_PA)
+          @Description("Current sea-level pressure; 101325 is the standard atmosphere's.")
           double qnh,
-      @Variable(
-              unit = "m",
-              min = 0.01,
-              max = 1000,
-              ifAbsent = 100,
-              text =
-                  "Standard deviation of the altitude; with an outdated QNH, weather causes errors of up to 100 m.")
+      @Variable(unit = "m", min = 0.01, max = 1000, ifAbsent = 100)
+          @Description(
+              "Standard deviation of the altitude; with an outdated QNH, weather causes errors of up to 100 m.")
           double altitudeSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

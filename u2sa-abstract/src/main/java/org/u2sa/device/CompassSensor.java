@@ -5,6 +5,7 @@ import java.util.stream.Stream;
 import org.u2sa.device.port.Compass;
 import org.u2sa.device.port.Heading;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;
@@ -24,27 +25,15 @@ public final class CompassSensor extends DeviceSensor<Heading> {
           1.5); // s
 
   private record Variables(
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 5,
-              ifAbsent = 0,
-              text =
-                  "Latency from measurement to arrival of a heading, from the data sheet; states are timestamped with the time of measurement.")
+      @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
+          @Description(
+              "Latency from measurement to arrival of a heading, from the data sheet; states are timestamped with the time of measurement.")
           double delay,
-      @Variable(
-              unit = "rad",
-              min = -Math.PI,
-              max = Math.PI,
-              ifAbsent = 0,
-              text = "Yaw of the compass on the vehicle, clockwise.")
+      @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+          @Description("Yaw of the compass on the vehicle, clockwise.")
           double mountingAngle,
-      @Variable(
-              unit = "rad",
-              min = 0,
-              max = Math.PI,
-              ifAbsent = Math.PI / 180,
-              text = "Standard deviation of the heading, from the data sheet.")
+      @Variable(unit = "rad", min = 0, max = Math.PI, ifAbsent = Math.PI / 180)
+          @Description("Standard deviation of the heading, from the data sheet.")
           double headingSigma) {}
 
   private final HeadingMapping headings = headings(settings(Variables.class).get());

@@ -4,6 +4,7 @@ import java.util.stream.Stream;
 import org.u2sa.device.port.DepthGauge;
 import org.u2sa.device.port.Pressure;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -37,47 +38,25 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
   }
 
   private record Variables(
-      @Variable(
-              unit = "kg/m^3",
-              min = 900,
-              max = 1300,
-              ifAbsent = 1025,
-              text = "Water density: 1025 in the sea, 998 in a pool.")
+      @Variable(unit = "kg/m^3", min = 900, max = 1300, ifAbsent = 1025)
+          @Description("Water density: 1025 in the sea, 998 in a pool.")
           double waterDensity,
-      @Variable(
-              unit = "Pa",
-              min = 0,
-              max = 110_000,
-              ifAbsent = PressureAltitude.SEA_LEVEL_PA,
-              text = "Air pressure at the surface; 0 for a sensor of gauge pressure.")
+      @Variable(unit = "Pa", min = 0, max = 110_000, ifAbsent = PressureAltitude.SEA_LEVEL_PA)
+          @Description("Air pressure at the surface; 0 for a sensor of gauge pressure.")
           double surfacePressure,
-      @Variable(
-              unit = "m",
-              min = -500,
-              max = 9000,
-              ifAbsent = 0,
-              text = "GLOBAL: altitude of the water surface above mean sea level.")
+      @Variable(unit = "m", min = -500, max = 9000, ifAbsent = 0)
+          @Description("GLOBAL: altitude of the water surface above mean sea level.")
           double waterLevel,
-      @Variable(
-              name = "MOUNTED Z",
-              unit = "m",
-              min = -100,
-              max = 100,
-              ifAbsent = 0,
-              text = "Position of the sensor on the vehicle, down.")
+      @Variable(name = "MOUNTED Z", unit = "m", min = -100, max = 100, ifAbsent = 0)
+          @Description("Position of the sensor on the vehicle, down.")
           double mountedZ,
-      @Variable(
-              unit = "m",
-              min = 0.001,
-              max = 100,
-              ifAbsent = 0.1,
-              text =
-                  "Standard deviation of the depth; a change of 10 hPa in air pressure shifts it by 0.1 m.")
+      @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.1)
+          @Description(
+              "Standard deviation of the depth; a change of 10 hPa in air pressure shifts it by 0.1 m.")
           double depthSigma,
-      @Variable(
-              ifAbsentText = "GLOBAL",
-              text =
-                  "GLOBAL: z is the altitude; LOCAL_ENU: z is minus the depth; LOCAL_NED: z is the depth.")
+      @Variable(ifAbsentText = "GLOBAL")
+          @Description(
+              "GLOBAL: z is the altitude; LOCAL_ENU: z is minus the depth; LOCAL_NED: z is the depth.")
           DepthFrame depthFrame) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

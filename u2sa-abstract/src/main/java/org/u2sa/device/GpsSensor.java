@@ -4,6 +4,7 @@ import java.util.stream.Stream;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;
@@ -23,13 +24,9 @@ public final class GpsSensor extends DeviceSensor<GpsFix> {
           2.5); // s
 
   private record Variables(
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 5,
-              ifAbsent = 0,
-              text =
-                  "Latency from measurement to arrival of a fix, from the data sheet; states are timestamped with the time of measurement.")
+      @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
+          @Description(
+              "Latency from measurement to arrival of a fix, from the data sheet; states are timestamped with the time of measurement.")
           double delay) {}
 
   private final FixMapping fixes =

@@ -4,6 +4,7 @@ import java.util.stream.Stream;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.InertialMeasurement;
@@ -31,38 +32,21 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
           0.5); // s
 
   private record Variables(
-      @Variable(
-              unit = "rad",
-              min = 0,
-              max = Math.PI,
-              ifAbsent = Math.PI / 180,
-              text = "Standard deviation of roll and pitch, from the data sheet.")
+      @Variable(unit = "rad", min = 0, max = Math.PI, ifAbsent = Math.PI / 180)
+          @Description("Standard deviation of roll and pitch, from the data sheet.")
           double attitudeSigma,
-      @Variable(
-              unit = "rad",
-              min = 0,
-              max = Math.PI,
-              ifAbsent = Math.PI / 90,
-              text = "Standard deviation of the heading, from the data sheet.")
+      @Variable(unit = "rad", min = 0, max = Math.PI, ifAbsent = Math.PI / 90)
+          @Description("Standard deviation of the heading, from the data sheet.")
           double headingSigma,
-      @Variable(
-              ifAbsentText = "true",
-              text =
-                  "Whether angular rates and specific forces are published, too, if the IMU measures both.")
+      @Variable(ifAbsentText = "true")
+          @Description(
+              "Whether angular rates and specific forces are published, too, if the IMU measures both.")
           boolean publishInertial,
-      @Variable(
-              unit = "rad/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 0.005,
-              text = "Standard deviation of an angular rate, from the data sheet.")
+      @Variable(unit = "rad/s", min = 0, max = 10, ifAbsent = 0.005)
+          @Description("Standard deviation of an angular rate, from the data sheet.")
           double rateSigma,
-      @Variable(
-              unit = "m/s^2",
-              min = 0,
-              max = 100,
-              ifAbsent = 0.1,
-              text = "Standard deviation of a specific force, from the data sheet.")
+      @Variable(unit = "m/s^2", min = 0, max = 100, ifAbsent = 0.1)
+          @Description("Standard deviation of a specific force, from the data sheet.")
           double forceSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -3,6 +3,7 @@ package org.u2sa.device;
 import java.util.stream.Stream;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.RangeScan;
@@ -27,21 +28,13 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
           1.0); // s
 
   private record Variables(
-      @Variable(min = 1, max = 1000, ifAbsent = 1, text = "Publish every Nth scan.")
+      @Variable(min = 1, max = 1000, ifAbsent = 1) @Description("Publish every Nth scan.")
           int publishEvery,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0.1,
-              text = "Minimum range of the scans: closer echoes are the vehicle itself.")
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.1)
+          @Description("Minimum range of the scans: closer echoes are the vehicle itself.")
           double nearest,
-      @Variable(
-              unit = "m",
-              min = 0.1,
-              max = 1000,
-              ifAbsent = 100,
-              text = "Farther echoes are ignored: maximum of the scans' maxRange.")
+      @Variable(unit = "m", min = 0.1, max = 1000, ifAbsent = 100)
+          @Description("Farther echoes are ignored: maximum of the scans' maxRange.")
           double farthest) {}
 
   private final MountingPose mounted = settings(MountingPose.class).get();

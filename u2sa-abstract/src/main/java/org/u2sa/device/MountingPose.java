@@ -1,5 +1,6 @@
 package org.u2sa.device;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
@@ -10,53 +11,23 @@ import org.u2sa.messages.frame.Rotation;
  * down; the sensor's own axes likewise.
  */
 public record MountingPose(
-    @Variable(
-            name = "MOUNTED X",
-            unit = "m",
-            min = -100,
-            max = 100,
-            ifAbsent = 0,
-            text = "Position of the sensor on the vehicle, forward.")
+    @Variable(name = "MOUNTED X", unit = "m", min = -100, max = 100, ifAbsent = 0)
+        @Description("Position of the sensor on the vehicle, forward.")
         double x,
-    @Variable(
-            name = "MOUNTED Y",
-            unit = "m",
-            min = -100,
-            max = 100,
-            ifAbsent = 0,
-            text = "Position of the sensor on the vehicle, to the left.")
+    @Variable(name = "MOUNTED Y", unit = "m", min = -100, max = 100, ifAbsent = 0)
+        @Description("Position of the sensor on the vehicle, to the left.")
         double y,
-    @Variable(
-            name = "MOUNTED Z",
-            unit = "m",
-            min = -100,
-            max = 100,
-            ifAbsent = 0,
-            text = "Position of the sensor on the vehicle, down.")
+    @Variable(name = "MOUNTED Z", unit = "m", min = -100, max = 100, ifAbsent = 0)
+        @Description("Position of the sensor on the vehicle, down.")
         double z,
-    @Variable(
-            name = "MOUNTED ROLL",
-            unit = "rad",
-            min = -Math.PI,
-            max = Math.PI,
-            ifAbsent = 0,
-            text = "Roll of the sensor about its x axis, left side down positive.")
+    @Variable(name = "MOUNTED ROLL", unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+        @Description("Roll of the sensor about its x axis, left side down positive.")
         double roll,
-    @Variable(
-            name = "MOUNTED PITCH",
-            unit = "rad",
-            min = -Math.PI,
-            max = Math.PI,
-            ifAbsent = 0,
-            text = "Pitch of the sensor, front up positive.")
+    @Variable(name = "MOUNTED PITCH", unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+        @Description("Pitch of the sensor, front up positive.")
         double pitch,
-    @Variable(
-            name = "MOUNTED YAW",
-            unit = "rad",
-            min = -Math.PI,
-            max = Math.PI,
-            ifAbsent = 0,
-            text = "Yaw of the sensor, to the left positive.")
+    @Variable(name = "MOUNTED YAW", unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+        @Description("Yaw of the sensor, to the left positive.")
         double yaw) {
   /** Rotation from the sensor's axes to the vehicle's. */
   Turn turn() {

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.u2sa.device.port.PointScanner;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ObjectLevel;
@@ -32,46 +33,23 @@ public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
           1.0); // s
 
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = -1_000,
-              max = 1_000,
-              ifAbsent = 0.1,
-              text = "Height above the vehicle's reference point; lower points are ground.")
+      @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 0.1)
+          @Description("Height above the vehicle's reference point; lower points are ground.")
           double minHeight,
-      @Variable(
-              unit = "m",
-              min = -1_000,
-              max = 1_000,
-              ifAbsent = 2,
-              text = "Height above the vehicle's reference point; it passes under higher points.")
+      @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 2)
+          @Description("Height above the vehicle's reference point; it passes under higher points.")
           double maxHeight,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0.5,
-              text = "Distance from the scanner; closer points are the vehicle itself.")
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.5)
+          @Description("Distance from the scanner; closer points are the vehicle itself.")
           double nearest,
-      @Variable(
-              unit = "m",
-              min = 0.1,
-              max = 1_000,
-              ifAbsent = 30,
-              text = "Distance from the scanner beyond which points are ignored.")
+      @Variable(unit = "m", min = 0.1, max = 1_000, ifAbsent = 30)
+          @Description("Distance from the scanner beyond which points are ignored.")
           double farthest,
-      @Variable(
-              unit = "m",
-              min = 0.01,
-              max = 10,
-              ifAbsent = 0.2,
-              text = "Edge of the cubes of which one point each is published.")
+      @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.2)
+          @Description("Edge of the cubes of which one point each is published.")
           double cell,
-      @Variable(
-              min = 1,
-              max = 10_000,
-              ifAbsent = 1_000,
-              text = "Maximum number of points in a message; the farthest are left out.")
+      @Variable(min = 1, max = 10_000, ifAbsent = 1_000)
+          @Description("Maximum number of points in a message; the farthest are left out.")
           int maxPoints) {}
 
   private record Cell(long x, long y, long z) {}

@@ -9,6 +9,7 @@ import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -35,26 +36,14 @@ public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
           10.0); // s
 
   private record Variables(
-      @Variable(
-              unit = "rad",
-              min = -Math.PI,
-              max = Math.PI,
-              ifAbsent = 0,
-              text = "Direction of the radar's zero, from straight ahead to the left.")
+      @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+          @Description("Direction of the radar's zero, from straight ahead to the left.")
           double mountedYaw,
-      @Variable(
-              unit = "m",
-              min = 0.01,
-              max = 10_000,
-              ifAbsent = 30,
-              text = "Standard deviation of the range.")
+      @Variable(unit = "m", min = 0.01, max = 10_000, ifAbsent = 30)
+          @Description("Standard deviation of the range.")
           double rangeSigma,
-      @Variable(
-              unit = "rad",
-              min = 0.0001,
-              max = 1,
-              ifAbsent = 0.0175,
-              text = "Standard deviation of the bearing.")
+      @Variable(unit = "rad", min = 0.0001, max = 1, ifAbsent = 0.0175)
+          @Description("Standard deviation of the bearing.")
           double bearingSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.RangeScan;
@@ -26,20 +27,13 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
           4.0); // s
 
   private record Variables(
-      @Variable(
-              min = 1,
-              max = 255,
-              ifAbsent = 100,
-              text = "Minimum strength of an echo that counts as an object; 255 is full scale.")
+      @Variable(min = 1, max = 255, ifAbsent = 100)
+          @Description("Minimum strength of an echo that counts as an object; 255 is full scale.")
           int threshold,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0.75,
-              text = "Nearer echoes are from the transducer itself: minRange of the scans.")
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.75)
+          @Description("Nearer echoes are from the transducer itself: minRange of the scans.")
           double nearest,
-      @Variable(min = 1, max = 1000, ifAbsent = 8, text = "Pings in each published scan.")
+      @Variable(min = 1, max = 1000, ifAbsent = 8) @Description("Pings in each published scan.")
           int pingsPerScan) {}
 
   private final MountingPose mounted = settings(MountingPose.class).get();

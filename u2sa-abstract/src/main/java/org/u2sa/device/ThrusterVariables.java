@@ -1,66 +1,39 @@
 package org.u2sa.device;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Configuration variables of {@link ThrusterActuator}, except its {@link MountingPose}. */
 record ThrusterVariables(
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Name to which commands are addressed, unique in the system; empty: the service's name.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Name to which commands are addressed, unique in the system; empty: the service's name.")
         String actuatorName,
-    @Variable(ifAbsentText = "false", text = "Whether positive power pushes backwards.")
+    @Variable(ifAbsentText = "false") @Description("Whether positive power pushes backwards.")
         boolean reversed,
-    @Variable(
-            unit = "%",
-            min = -100,
-            max = 0,
-            ifAbsent = -100,
-            text = "Maximum reverse command; 0 for a propeller that turns one way.")
+    @Variable(unit = "%", min = -100, max = 0, ifAbsent = -100)
+        @Description("Maximum reverse command; 0 for a propeller that turns one way.")
         double minimum,
-    @Variable(unit = "%", min = 1, max = 100, ifAbsent = 100, text = "Maximum forward command.")
+    @Variable(unit = "%", min = 1, max = 100, ifAbsent = 100)
+        @Description("Maximum forward command.")
         double maximum,
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 50,
-            ifAbsent = 0,
-            text = "Commands smaller than this count as 0: the motor does not start below it.")
+    @Variable(unit = "%", min = 0, max = 50, ifAbsent = 0)
+        @Description("Commands smaller than this count as 0: the motor does not start below it.")
         double deadband,
-    @Variable(
-            unit = "%/s",
-            min = 1,
-            max = 100_000,
-            ifAbsent = 400,
-            text = "Maximum rate of change of a command; stops are not limited.")
+    @Variable(unit = "%/s", min = 1, max = 100_000, ifAbsent = 400)
+        @Description("Maximum rate of change of a command; stops are not limited.")
         double slewLimit,
-    @Variable(
-            unit = "N",
-            min = 0,
-            max = 1.0e6,
-            ifAbsent = 0,
-            text = "Thrust at 100 %, from the data sheet, for the announcement; 0: unknown.")
+    @Variable(unit = "N", min = 0, max = 1.0e6, ifAbsent = 0)
+        @Description("Thrust at 100 %, from the data sheet, for the announcement; 0: unknown.")
         double fullThrust,
-    @Variable(
-            unit = "N",
-            min = 0,
-            max = 1.0e6,
-            ifAbsent = 0,
-            text = "Reverse thrust at -100 %, for the announcement; 0: as FULL THRUST.")
+    @Variable(unit = "N", min = 0, max = 1.0e6, ifAbsent = 0)
+        @Description("Reverse thrust at -100 %, for the announcement; 0: as FULL THRUST.")
         double reverseThrust,
-    @Variable(
-            unit = "N m",
-            min = -1.0e6,
-            max = 1.0e6,
-            ifAbsent = 0,
-            text =
-                "Torque on the vehicle about the direction of thrust at FULL THRUST, for the announcement: above 0 for a rotor that turns anticlockwise, seen from where the thrust points.")
+    @Variable(unit = "N m", min = -1.0e6, max = 1.0e6, ifAbsent = 0)
+        @Description(
+            "Torque on the vehicle about the direction of thrust at FULL THRUST, for the announcement: above 0 for a rotor that turns anticlockwise, seen from where the thrust points.")
         double fullTorque,
-    @Variable(
-            unit = "s",
-            min = 0.05,
-            max = 60,
-            ifAbsent = 1,
-            text =
-                "Time after which a thruster that is connected counts as silent, or as stalled if it is commanded and does not turn.")
+    @Variable(unit = "s", min = 0.05, max = 60, ifAbsent = 1)
+        @Description(
+            "Time after which a thruster that is connected counts as silent, or as stalled if it is commanded and does not turn.")
         double timeout) {}

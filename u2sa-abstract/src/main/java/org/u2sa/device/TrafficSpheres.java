@@ -9,6 +9,7 @@ import java.util.function.DoubleSupplier;
 import java.util.stream.Stream;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.TrafficTarget;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
@@ -23,52 +24,27 @@ final class TrafficSpheres {
   private static final double UNKNOWN_ALTITUDE_SIGMA_M = 3_000.0;
 
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = 1,
-              max = 100_000,
-              ifAbsent = 150,
-              text = "Distance to keep from other traffic: radius of the published sphere.")
+      @Variable(unit = "m", min = 1, max = 100_000, ifAbsent = 150)
+          @Description("Distance to keep from other traffic: radius of the published sphere.")
           double separation,
-      @Variable(
-              unit = "s",
-              min = 0.1,
-              max = 600,
-              ifAbsent = 30,
-              text = "Time for which a target's velocity remains valid.")
+      @Variable(unit = "s", min = 0.1, max = 600, ifAbsent = 30)
+          @Description("Time for which a target's velocity remains valid.")
           double horizon,
-      @Variable(
-              unit = "m",
-              min = 0.1,
-              max = 10_000,
-              ifAbsent = 30,
-              text = "Standard deviation of a position, where the target reports none.")
+      @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 30)
+          @Description("Standard deviation of a position, where the target reports none.")
           double positionSigma,
-      @Variable(
-              unit = "m",
-              min = 0.1,
-              max = 10_000,
-              ifAbsent = 30,
-              text =
-                  "Standard deviation of an altitude; with an outdated QNH, weather causes errors of up to 100 m in pressure altitudes.")
+      @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 30)
+          @Description(
+              "Standard deviation of an altitude; with an outdated QNH, weather causes errors of up to 100 m in pressure altitudes.")
           double altitudeSigma,
-      @Variable(
-              unit = "m/s",
-              min = 0.01,
-              max = 1000,
-              ifAbsent = 5,
-              text = "Standard deviation of each component of a target's velocity.")
+      @Variable(unit = "m/s", min = 0.01, max = 1000, ifAbsent = 5)
+          @Description("Standard deviation of each component of a target's velocity.")
           double velocitySigma,
-      @Variable(
-              unit = "Pa",
-              min = 85_000,
-              max = 110_000,
-              ifAbsent = PressureAltitude.SEA_LEVEL_PA,
-              text = "Current sea-level pressure, for targets that report pressure altitudes.")
+      @Variable(unit = "Pa", min = 85_000, max = 110_000, ifAbsent = PressureAltitude.SEA_LEVEL_PA)
+          @Description("Current sea-level pressure, for targets that report pressure altitudes.")
           double qnh,
-      @Variable(
-              ifAbsentText = "",
-              text = "ID of the vehicle's own transponder, which is not traffic; empty: none.")
+      @Variable(ifAbsentText = "")
+          @Description("ID of the vehicle's own transponder, which is not traffic; empty: none.")
           String ownId) {}
 
   private final Sensor sensor;

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import org.u2sa.device.port.Heading;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -28,17 +29,12 @@ public final class TrueNorth {
   }
 
   private record Source(
-      @Variable(
-              ifAbsentText = "MODEL",
-              text =
-                  "MODEL: World Magnetic Model at the vehicle's position, no heading until that is known; FIXED: DECLINATION.")
+      @Variable(ifAbsentText = "MODEL")
+          @Description(
+              "MODEL: World Magnetic Model at the vehicle's position, no heading until that is known; FIXED: DECLINATION.")
           North north,
-      @Variable(
-              unit = "rad",
-              min = -Math.PI,
-              max = Math.PI,
-              ifAbsent = 0,
-              text = "Magnetic declination, east positive, where NORTH is FIXED.")
+      @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+          @Description("Magnetic declination, east positive, where NORTH is FIXED.")
           double declination) {}
 
   private final boolean isModelled;

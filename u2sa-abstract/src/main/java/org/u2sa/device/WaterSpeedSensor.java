@@ -5,6 +5,7 @@ import java.util.function.DoubleFunction;
 import java.util.stream.Stream;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -28,19 +29,11 @@ public final class WaterSpeedSensor extends DeviceSensor<VelocityLog.Speeds> {
           2.0); // s
 
   private record Variables(
-      @Variable(
-              unit = "m/s",
-              min = 0.0001,
-              max = 10,
-              ifAbsent = 0.02,
-              text = "Standard deviation of each speed over the bottom, from the data sheet.")
+      @Variable(unit = "m/s", min = 0.0001, max = 10, ifAbsent = 0.02)
+          @Description("Standard deviation of each speed over the bottom, from the data sheet.")
           double groundSigma,
-      @Variable(
-              unit = "m/s",
-              min = 0.0001,
-              max = 10,
-              ifAbsent = 0.05,
-              text = "Standard deviation of each speed through the water, from the data sheet.")
+      @Variable(unit = "m/s", min = 0.0001, max = 10, ifAbsent = 0.05)
+          @Description("Standard deviation of each speed through the water, from the data sheet.")
           double waterSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -5,6 +5,7 @@ import org.u2sa.device.port.WheelEncoder;
 import org.u2sa.device.wheel.OdometryVariables;
 import org.u2sa.device.wheel.WheelOdometry;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -29,11 +30,12 @@ public final class WheelEncoderSensor extends DeviceSensor<WheelEncoder.Ticks> {
           0.5); // s
 
   private record Variables(
-      @Variable(ifAbsentText = "false", text = "Whether the left wheel counts backwards.")
+      @Variable(ifAbsentText = "false") @Description("Whether the left wheel counts backwards.")
           boolean leftReversed,
-      @Variable(ifAbsentText = "false", text = "Whether the right wheel counts backwards.")
+      @Variable(ifAbsentText = "false") @Description("Whether the right wheel counts backwards.")
           boolean rightReversed,
-      @Variable(unit = "Hz", min = 0.1, max = 50, ifAbsent = 10, text = "Rate of published speeds.")
+      @Variable(unit = "Hz", min = 0.1, max = 50, ifAbsent = 10)
+          @Description("Rate of published speeds.")
           double stateRate) {}
 
   private final Variables tuning = settings(Variables.class).get();

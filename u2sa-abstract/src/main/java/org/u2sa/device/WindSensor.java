@@ -3,6 +3,7 @@ package org.u2sa.device;
 import java.util.stream.Stream;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -24,26 +25,14 @@ public final class WindSensor extends DeviceSensor<Anemometer.Wind> {
           3.0); // s
 
   private record Variables(
-      @Variable(
-              unit = "rad",
-              min = -Math.PI,
-              max = Math.PI,
-              ifAbsent = 0,
-              text = "Direction of the instrument's zero, from straight ahead to the left.")
+      @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+          @Description("Direction of the instrument's zero, from straight ahead to the left.")
           double mountedYaw,
-      @Variable(
-              unit = "m/s",
-              min = 0.001,
-              max = 20,
-              ifAbsent = 0.3,
-              text = "Standard deviation of the wind speed, from the data sheet.")
+      @Variable(unit = "m/s", min = 0.001, max = 20, ifAbsent = 0.3)
+          @Description("Standard deviation of the wind speed, from the data sheet.")
           double speedSigma,
-      @Variable(
-              unit = "rad",
-              min = 0.0001,
-              max = 1,
-              ifAbsent = 0.035,
-              text = "Standard deviation of the wind direction, from the data sheet.")
+      @Variable(unit = "rad", min = 0.0001, max = 1, ifAbsent = 0.035)
+          @Description("Standard deviation of the wind direction, from the data sheet.")
           double directionSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.command.ActuatorCommand;
@@ -21,10 +22,9 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   private static final double EXPIRY_CHECKS_PER_S = 50.0;
 
   private record Names(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Name to which commands are addressed, unique in the system; empty: the service's name.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Name to which commands are addressed, unique in the system; empty: the service's name.")
           String actuatorName) {}
 
   private final String actuatorName;

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
@@ -32,33 +33,20 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class CommandedActuators {
   private record Limits(
-      @Variable(
-              unit = "s",
-              min = 0.01,
-              max = 60,
-              ifAbsent = 0.5,
-              text = "Time without a command after which an actuator goes neutral.")
+      @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 0.5)
+          @Description("Time without a command after which an actuator goes neutral.")
           double commandExpiry,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 60,
-              ifAbsent = 1,
-              text = "How far ahead of this clock a command's time may be before it is refused.")
+      @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
+          @Description("How far ahead of this clock a command's time may be before it is refused.")
           double clockTolerance,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
           boolean requiresArming,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 3600,
-              ifAbsent =
-                  10, // the longest restart or outage measured took 7.5 s, and it listens 0.5 s
-              text =
-                  "Time without an arming state after which a vehicle counts as disarmed, where arming is required; 0: never, for a vehicle that would fall.")
+      // The longest restart or outage measured took 7.5 s, and it listens 0.5 s.
+      @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
+          @Description(
+              "Time without an arming state after which a vehicle counts as disarmed, where arming is required; 0: never, for a vehicle that would fall.")
           double armingExpiry) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";

@@ -1,14 +1,14 @@
 package org.u2sa.service;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Reads a sensor at a fixed rate and publishes the measurements (thesis 3.2.2.2). */
 public abstract class Sensor extends PeriodicService {
   private record Names(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Name of the sensor in its messages, unique in the system; empty: the service's name.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Name of the sensor in its messages, unique in the system; empty: the service's name.")
           String sensorName) {}
 
   private final String sensorName;

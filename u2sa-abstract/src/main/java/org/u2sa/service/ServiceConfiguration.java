@@ -9,6 +9,7 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.configuration.ChangeOrigin;
 import org.u2sa.interfaces.configuration.ConfigurationCheck;
 import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.log.LogFile;
@@ -105,42 +106,27 @@ final class ServiceConfiguration {
 
   /** The common configuration variables of all services. */
   record ServiceVariables(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Name of the service, unique within the system; empty: the default of its class.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Name of the service, unique within the system; empty: the default of its class.")
           String serviceName,
-      @Variable(ifAbsentText = "", text = "Directory of the log file; empty: that of the run.")
+      @Variable(ifAbsentText = "")
+          @Description("Directory of the log file; empty: that of the run.")
           String logPath,
-      @Variable(ifAbsentText = "INFO", text = "Lowest level written to the log file.")
+      @Variable(ifAbsentText = "INFO") @Description("Lowest level written to the log file.")
           LogLevelEnum logLevel,
-      @Variable(
-              name = "MAX ERRORS IN A ROW",
-              min = 1,
-              max = 1_000_000,
-              ifAbsent = 10,
-              text = "Consecutive exceptions after which the service stops as failed.")
+      @Variable(name = "MAX ERRORS IN A ROW", min = 1, max = 1_000_000, ifAbsent = 10)
+          @Description("Consecutive exceptions after which the service stops as failed.")
           int maxErrorsInARow,
-      @Variable(
-              unit = "s",
-              min = 0.01,
-              max = 3600,
-              ifAbsent = 0.25,
-              text = "Time between two health reports.")
+      @Variable(unit = "s", min = 0.01, max = 3600, ifAbsent = 0.25)
+          @Description("Time between two health reports.")
           double healthInterval,
-      @Variable(
-              min = 1,
-              max = 1_000_000,
-              ifAbsent = 1024,
-              text =
-                  "Messages that may wait for the service; further ones are dropped and counted.")
+      @Variable(min = 1, max = 1_000_000, ifAbsent = 1024)
+          @Description(
+              "Messages that may wait for the service; further ones are dropped and counted.")
           int inboxCapacity,
-      @Variable(
-              unit = "us",
-              min = 0,
-              max = 10_000,
-              ifAbsent = 0,
-              text =
-                  "Time that the service spins (busy-waits) for the next message, or for its next step, before it sleeps: it reacts sooner and takes as much of a core. Real time only; 0: it sleeps at once.")
+      @Variable(unit = "us", min = 0, max = 10_000, ifAbsent = 0)
+          @Description(
+              "Time that the service spins (busy-waits) for the next message, or for its next step, before it sleeps: it reacts sooner and takes as much of a core. Real time only; 0: it sleeps at once.")
           double spin) {}
 }

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
@@ -38,7 +39,7 @@ class DevicesTest {
 
   /** Two that offer the same name. */
   public static class One extends DeviceProvider<RangeFinder> {
-    private record Variables(@Variable(ifAbsent = 0.5, text = "Gain.") double gain) {}
+    private record Variables(@Variable(ifAbsent = 0.5) @Description("Gain.") double gain) {}
 
     /** For {@link java.util.ServiceLoader}. */
     public One() {

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -41,27 +42,15 @@ public abstract class ControlSystem extends EventDrivenService {
   private static final int MAX_SUBSYSTEMS = 500; // beyond it, silent ones are forgotten
 
   private record Limits(
-      @Variable(
-              unit = "s",
-              min = 0.02,
-              max = 60,
-              ifAbsent = 0.5,
-              text = "How long an actuator obeys a command that is not renewed.")
+      @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 0.5)
+          @Description("How long an actuator obeys a command that is not renewed.")
           double commandExpiry,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 10,
-              ifAbsent = 0.5,
-              text =
-                  "Time over which commands blend from those of a control system that this one replaces.")
+      @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.5)
+          @Description(
+              "Time over which commands blend from those of a control system that this one replaces.")
           double blendTime,
-      @Variable(
-              unit = "s",
-              min = 0.02,
-              max = 60,
-              ifAbsent = 1,
-              text = "Age at which a navigation point counts as absent.")
+      @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 1)
+          @Description("Age at which a navigation point counts as absent.")
           double staleAfter) {}
 
   private final Settings<Limits> limits = settings(Limits.class);

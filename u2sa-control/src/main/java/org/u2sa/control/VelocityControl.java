@@ -3,6 +3,7 @@ package org.u2sa.control;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
@@ -28,54 +29,30 @@ public final class VelocityControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
 
   private record Variables(
-      @Variable(
-              unit = "m/s",
-              min = 0.01,
-              max = 100,
-              ifAbsent = 5,
-              text = "Forward and sideways speed at 100 %, as set for the actuators.")
+      @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 5)
+          @Description("Forward and sideways speed at 100 %, as set for the actuators.")
           double fullSpeed,
-      @Variable(
-              unit = "m/s",
-              min = 0.01,
-              max = 50,
-              ifAbsent = 2,
-              text = "Climb speed at 100 %, as set for the actuators.")
+      @Variable(unit = "m/s", min = 0.01, max = 50, ifAbsent = 2)
+          @Description("Climb speed at 100 %, as set for the actuators.")
           double fullClimb,
-      @Variable(
-              unit = "rad/s",
-              min = 0.01,
-              max = 10,
-              ifAbsent = 1,
-              text = "Turn rate at 100 %, as set for the actuators.")
+      @Variable(unit = "rad/s", min = 0.01, max = 10, ifAbsent = 1)
+          @Description("Turn rate at 100 %, as set for the actuators.")
           double fullTurn,
-      @Variable(
-              unit = "m/s",
-              min = 0.01,
-              max = 100,
-              ifAbsent = 2,
-              text = "Speed to a navigation point that sets none.")
+      @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 2)
+          @Description("Speed to a navigation point that sets none.")
           double cruiseSpeed,
-      @Variable(
-              unit = "1/s",
-              min = 0.01,
-              max = 10,
-              ifAbsent = 0.8,
-              text = "Maximum speed per remaining distance.")
+      @Variable(unit = "1/s", min = 0.01, max = 10, ifAbsent = 0.8)
+          @Description("Maximum speed per remaining distance.")
           double approachGain,
-      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 1, text = "Turn rate per bearing.")
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 1)
+          @Description("Turn rate per bearing.")
           double turnGain,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 1,
-              text =
-                  "Minimum distance of a point to turn to: the bearing of nearer ones is mostly error.")
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 1)
+          @Description(
+              "Minimum distance of a point to turn to: the bearing of nearer ones is mostly error.")
           double facingDistance,
-      @Variable(
-              ifAbsentText = "true",
-              text = "Whether the vehicle can move sideways and backwards, like a multicopter.")
+      @Variable(ifAbsentText = "true")
+          @Description("Whether the vehicle can move sideways and backwards, like a multicopter.")
           boolean sideways) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

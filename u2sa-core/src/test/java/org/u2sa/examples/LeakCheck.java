@@ -8,6 +8,7 @@ import org.u2sa.core.safety.SafetyCheck;
 import org.u2sa.core.safety.SafetyCheckProvider;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -29,7 +30,8 @@ public final class LeakCheck implements SafetyCheck {
   }
 
   private record Variables(
-      @Variable(unit = "m", min = 0, max = 1, ifAbsent = 0.01, text = "Water that counts as leak.")
+      @Variable(unit = "m", min = 0, max = 1, ifAbsent = 0.01)
+          @Description("Water that counts as leak.")
           double leakDepth) {}
 
   private final Settings<Variables> tuning;

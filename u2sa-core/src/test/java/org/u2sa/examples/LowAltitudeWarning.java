@@ -2,6 +2,7 @@ package org.u2sa.examples;
 
 import java.util.Locale;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -14,19 +15,11 @@ import org.u2sa.service.ServiceRole;
 /** Warns once each time that the vehicle gets too low. In: state. Out: altitude-warnings. */
 public final class LowAltitudeWarning extends EventDrivenService {
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = -500,
-              max = 20_000,
-              ifAbsent = 100,
-              text = "Altitude above mean sea level below which the vehicle is too low.")
+      @Variable(unit = "m", min = -500, max = 20_000, ifAbsent = 100)
+          @Description("Altitude above mean sea level below which the vehicle is too low.")
           double lowestAltitude,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 1000,
-              ifAbsent = 10,
-              text = "How far above the lowest altitude a warning ends.")
+      @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 10)
+          @Description("How far above the lowest altitude a warning ends.")
           double margin) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

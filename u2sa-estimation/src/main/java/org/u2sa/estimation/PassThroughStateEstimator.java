@@ -29,7 +29,7 @@ public final class PassThroughStateEstimator extends StateEstimator {
           @Description(
               "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
           double acceleration,
-      @Variable(unit = "m/s", min = 0, ifAbsent = 1, text = "Speed, 1 sigma, if unmeasured.")
+      @Variable(unit = "m/s", min = 0, ifAbsent = 1) @Description("Speed, 1 sigma, if unmeasured.")
           double unknownSpeed,
       @Variable(unit = "rad/s", min = 0, ifAbsent = 0.5)
           @Description("Assumed turn rate, 1 sigma, where none is measured.")

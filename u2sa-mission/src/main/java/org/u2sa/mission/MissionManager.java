@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -46,11 +47,8 @@ public final class MissionManager extends PeriodicService {
    * @param defaultThreshold default horizontal threshold of waypoints [m]
    */
   public record Defaults(
-      @Variable(
-              unit = "m",
-              min = 0,
-              minExcluded = true,
-              text = "Horizontal threshold of waypoints without one.")
+      @Variable(unit = "m", min = 0, minExcluded = true)
+          @Description("Horizontal threshold of waypoints without one.")
           double defaultThreshold) {}
 
   private static final String NAME = "MissionManager";

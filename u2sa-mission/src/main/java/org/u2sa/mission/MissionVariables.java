@@ -1,34 +1,32 @@
 package org.u2sa.mission;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** The variables of the {@link MissionManager}, besides its {@link MissionManager.Defaults}. */
 record MissionVariables(
-    @Variable(
-            text =
-                "Mission XML file, relative to the configuration file. If changed while running, the new mission starts.")
+    @Variable
+        @Description(
+            "Mission XML file, relative to the configuration file. If changed while running, the new mission starts.")
         String mission,
-    @Variable(ifAbsentText = "false", text = "Whether the mission repeats (as in thesis 4.5.2.3).")
+    @Variable(ifAbsentText = "false")
+        @Description("Whether the mission repeats (as in thesis 4.5.2.3).")
         boolean loop,
-    @Variable(
-            ifAbsentText = "ALL",
-            text =
-                "Of several next goals, whether ALL must be finished before what follows, or ANY one.")
+    @Variable(ifAbsentText = "ALL")
+        @Description(
+            "Of several next goals, whether ALL must be finished before what follows, or ANY one.")
         GoalSequence.Options options,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Mission XML file for the failsafe RETURN, relative to the configuration file; empty: return to the mission's home.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Mission XML file for the failsafe RETURN, relative to the configuration file; empty: return to the mission's home.")
         String returnMission,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Mission XML file for the failsafe LAND, relative to the configuration file; empty: return instead.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Mission XML file for the failsafe LAND, relative to the configuration file; empty: return instead.")
         String landMission,
-    @Variable(
-            ifAbsentText = "NEVER",
-            text =
-                "Whether another process takes up the mission where this one ends: ALWAYS; on the order resume: ORDERED; or NEVER.")
+    @Variable(ifAbsentText = "NEVER")
+        @Description(
+            "Whether another process takes up the mission where this one ends: ALWAYS; on the order resume: ORDERED; or NEVER.")
         Resumption resume) {
   /** Whether a mission continues after a restart in another process. */
   enum Resumption {

@@ -35,7 +35,8 @@ record PlanningVariables(
         @Description(
             "IMMEDIATE takes the altitude of a leg's end at once, LINEAR changes it in proportion to the distance flown.")
         AltitudeProfile altitudeProfile,
-    @Variable(min = 1, max = 1000, ifAbsent = 3, text = "Passes at a waypoint before giving up.")
+    @Variable(min = 1, max = 1000, ifAbsent = 3)
+        @Description("Passes at a waypoint before giving up.")
         int attempts,
     @Variable(min = 0, max = 5, ifAbsent = 0)
         @Description(
@@ -45,7 +46,8 @@ record PlanningVariables(
         @Description(
             "After the last goal: HOLD stays at the last waypoint, STOP sends no navigation points.")
         AtEnd atEnd,
-    @Variable(unit = "m", min = 0, ifAbsent = 0, text = "Holding-circle radius; 0: hold in place.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description("Holding-circle radius; 0: hold in place.")
         double loiterRadius,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
         @Description("Maximum age of a state to plan from.")

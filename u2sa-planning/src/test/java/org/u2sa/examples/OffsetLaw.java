@@ -1,6 +1,7 @@
 package org.u2sa.examples;
 
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Point;
@@ -10,12 +11,8 @@ import org.u2sa.planning.guidance.GuidanceLawProvider;
 /** An extension's guidance law: beside the line instead of on it. */
 public final class OffsetLaw implements GuidanceLawProvider {
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = -100,
-              max = 100,
-              ifAbsent = 3,
-              text = "How far to the right of the line to go.")
+      @Variable(unit = "m", min = -100, max = 100, ifAbsent = 3)
+          @Description("How far to the right of the line to go.")
           double sideOffset) {}
 
   @Override

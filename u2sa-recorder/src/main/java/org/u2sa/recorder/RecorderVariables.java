@@ -1,48 +1,34 @@
 package org.u2sa.recorder;
 
 import java.util.OptionalInt;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.recorder.mcap.ChunkCompression;
 
 /** The variables of a {@link Recorder}. */
 record RecorderVariables(
-    @Variable(
-            ifAbsentText = "recording.mcap",
-            text =
-                "File to record into, relative to the folder of the log files. If it exists, a number is appended to the name.")
+    @Variable(ifAbsentText = "recording.mcap")
+        @Description(
+            "File to record into, relative to the folder of the log files. If it exists, a number is appended to the name.")
         String file,
-    @Variable(ifAbsentText = "BOTH", text = "In which form messages are recorded.") Form form,
-    @Variable(ifAbsentText = "LZ4", text = "How the file is compressed.")
+    @Variable(ifAbsentText = "BOTH") @Description("In which form messages are recorded.") Form form,
+    @Variable(ifAbsentText = "LZ4") @Description("How the file is compressed.")
         ChunkCompression compression,
-    @Variable(
-            min = 0,
-            max = 1_000_000,
-            ifAbsent = 0,
-            text = "Size at which the next file is started, in megabytes (10^6 bytes); 0: never.")
+    @Variable(min = 0, max = 1_000_000, ifAbsent = 0)
+        @Description("Size at which the next file is started, in megabytes (10^6 bytes); 0: never.")
         double splitMegabytes,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 1_000_000,
-            ifAbsent = 0,
-            text = "Time after which the next file is started; 0: never.")
+    @Variable(unit = "s", min = 0, max = 1_000_000, ifAbsent = 0)
+        @Description("Time after which the next file is started; 0: never.")
         double splitTime,
-    @Variable(
-            min = 0,
-            max = 100_000,
-            ifAbsent = 0,
-            text = "Number of files to keep: beyond it, the oldest is deleted; 0: all are kept.")
+    @Variable(min = 0, max = 100_000, ifAbsent = 0)
+        @Description("Number of files to keep: beyond it, the oldest is deleted; 0: all are kept.")
         int keep,
-    @Variable(
-            ifAbsentText = "true",
-            text =
-                "Whether executions are recorded, too: when which service handled what, so that services can be executed again.")
+    @Variable(ifAbsentText = "true")
+        @Description(
+            "Whether executions are recorded, too: when which service handled what, so that services can be executed again.")
         boolean executions,
-    @Variable(
-            min = 16,
-            max = 1_000_000,
-            ifAbsent = 8192,
-            text = "Messages that may wait to be written; more are dropped and counted.")
+    @Variable(min = 16, max = 1_000_000, ifAbsent = 8192)
+        @Description("Messages that may wait to be written; more are dropped and counted.")
         int waitingAtMost) {
   enum Form {
     /** Native messages (CBOR). */

@@ -2,6 +2,7 @@ package org.u2sa.world;
 
 import java.util.List;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ObjectDescription;
@@ -13,7 +14,7 @@ import org.u2sa.world.modeller.Sighting;
 /** An extension's modeller, found as one of another jar would be: it knows one lighthouse. */
 public final class LighthouseProvider implements ModellerProvider {
   record Variables(
-      @Variable(unit = "m", ifAbsent = 100, text = "Where the lighthouse stands, northward.")
+      @Variable(unit = "m", ifAbsent = 100) @Description("Where the lighthouse stands, northward.")
           double lighthouse) {}
 
   @Override

@@ -2,6 +2,7 @@ package org.u2sa.service.actuator;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
@@ -12,68 +13,37 @@ import org.u2sa.messages.frame.Point;
  * several.
  */
 public record ActuatorDescription(
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Force and moment on the vehicle at full command, in forward, right and down axes: \"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number astern, or \"wrench X Y Z K M N\" in N and N m; empty: not announced in numbers.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Force and moment on the vehicle at full command, in forward, right and down axes: \"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number astern, or \"wrench X Y Z K M N\" in N and N m; empty: not announced in numbers.")
         String effect,
-    @Variable(
-            min = 0.1,
-            max = 10,
-            ifAbsent = 1,
-            text = "Exponent with which the effect grows with the command; about 2 for propellers.")
+    @Variable(min = 0.1, max = 10, ifAbsent = 1)
+        @Description(
+            "Exponent with which the effect grows with the command; about 2 for propellers.")
         double effectExponent,
-    @Variable(
-            unit = "m/s",
-            min = 0,
-            max = 1000,
-            ifAbsent = 0,
-            text =
-                "Speed through air or water at which the effect holds, growing with its square; 0: does not depend on speed.")
+    @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 0)
+        @Description(
+            "Speed through air or water at which the effect holds, growing with its square; 0: does not depend on speed.")
         double effectSpeed,
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 99,
-            ifAbsent = 0,
-            text = "Command below which nothing moves.")
+    @Variable(unit = "%", min = 0, max = 99, ifAbsent = 0)
+        @Description("Command below which nothing moves.")
         double deadband,
-    @Variable(
-            unit = "%/s",
-            min = 0,
-            max = 1.0e6,
-            ifAbsent = 0,
-            text = "Maximum rate of change to announce; 0: immediate.")
+    @Variable(unit = "%/s", min = 0, max = 1.0e6, ifAbsent = 0)
+        @Description("Maximum rate of change to announce; 0: immediate.")
         double rateLimit,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 60,
-            ifAbsent = 0,
-            text = "Time constant of the response; 0: unknown.")
+    @Variable(unit = "s", min = 0, max = 60, ifAbsent = 0)
+        @Description("Time constant of the response; 0: unknown.")
         double timeConstant,
-    @Variable(
-            unit = "deg",
-            min = -360,
-            max = 360,
-            ifAbsent = 0,
-            text = "Angle at +100 %, so that angles may be commanded; 0: none.")
+    @Variable(unit = "deg", min = -360, max = 360, ifAbsent = 0)
+        @Description("Angle at +100 %, so that angles may be commanded; 0: none.")
         double fullAngle,
-    @Variable(
-            unit = "rad/s",
-            min = -10_000,
-            max = 10_000,
-            ifAbsent = 0,
-            text =
-                "Speed of rotation at +100 %, so that speeds of rotation may be commanded; 0: none.")
+    @Variable(unit = "rad/s", min = -10_000, max = 10_000, ifAbsent = 0)
+        @Description(
+            "Speed of rotation at +100 %, so that speeds of rotation may be commanded; 0: none.")
         double fullSpeed,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 60,
-            ifAbsent = 0,
-            text =
-                "Time between announcements: control drops an actuator that misses three; 0: 0.25 s with EFFECT, otherwise 5 s.")
+    @Variable(unit = "s", min = 0, max = 60, ifAbsent = 0)
+        @Description(
+            "Time between announcements: control drops an actuator that misses three; 0: 0.25 s with EFFECT, otherwise 5 s.")
         double renewal) {
   /** Announcement period of an allocated actuator [s]; control drops it within a second. */
   private static final double ALLOCATED_RENEWAL_S = 0.25;

@@ -5,6 +5,7 @@ import org.u2sa.device.port.GpsFix
 import org.u2sa.device.PressureAltitude
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.interfaces.log.LogLevelEnum
+import org.u2sa.interfaces.configuration.Description
 import org.u2sa.interfaces.configuration.Variable
 import org.u2sa.interfaces.communication.Channels
 import org.u2sa.messages.StateInformation
@@ -20,23 +21,18 @@ private const val EPOCH_YEAR = 1970.0
 private const val WEATHER_M = 100.0 // sea-level pressure varies by about 12 hPa (1 sigma)
 
 private class PhoneTuning(
-    @Variable(
-        name = "MOUNTING",
-        ifAbsentText = "FLAT",
-        text = "How the phone is mounted: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.",
-    ) val mounting: Mounting,
-    @Variable(
-        name = "FIX TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 2.5,
-        text = "Age at which a GPS fix counts as lost: it is not published, and the log says so.",
-    ) val fixTimeout: Double,
-    @Variable(
-        name = "ATTITUDE TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 0.5,
-        text = "Age at which the phone's attitude counts as lost: it is not published, and the log says so.",
-    ) val attitudeTimeout: Double,
-    @Variable(
-        name = "HEADING SIGMA", unit = "rad", min = 0.0, minExcluded = true, ifAbsent = 0.17,
-        text = "Standard deviation of the heading where the phone reports none.",
-    ) val headingSigma: Double,
+    @Variable(name = "MOUNTING", ifAbsentText = "FLAT")
+    @Description("How the phone is mounted: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.")
+    val mounting: Mounting,
+    @Variable(name = "FIX TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 2.5)
+    @Description("Age at which a GPS fix counts as lost: it is not published, and the log says so.")
+    val fixTimeout: Double,
+    @Variable(name = "ATTITUDE TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 0.5)
+    @Description("Age at which the phone's attitude counts as lost: it is not published, and the log says so.")
+    val attitudeTimeout: Double,
+    @Variable(name = "HEADING SIGMA", unit = "rad", min = 0.0, minExcluded = true, ifAbsent = 0.17)
+    @Description("Standard deviation of the heading where the phone reports none.")
+    val headingSigma: Double,
 )
 
 /**

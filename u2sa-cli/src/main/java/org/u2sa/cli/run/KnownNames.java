@@ -7,6 +7,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.interfaces.configuration.ConfigurationException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -48,5 +49,6 @@ final class KnownNames {
   }
 
   /** The one variable of a service that matters here. */
-  record Name(@Variable(ifAbsentText = "", text = "Name of the service.") String serviceName) {}
+  record Name(
+      @Variable(ifAbsentText = "") @Description("Name of the service.") String serviceName) {}
 }

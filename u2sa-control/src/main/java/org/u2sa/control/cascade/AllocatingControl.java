@@ -16,6 +16,7 @@ import org.u2sa.control.allocation.Authority;
 import org.u2sa.control.allocation.DegreeOfFreedom;
 import org.u2sa.control.allocation.Effector;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -49,33 +50,25 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private record Choices(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Axes, separated by spaces, without which the actuators stay neutral: SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Axes, separated by spaces, without which the actuators stay neutral: SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier actuators are used less.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Relative costs of actuators, as \"NAME 4, OTHER NAME 2\"; others cost 1. Costlier actuators are used less.")
           String costs,
-      @Variable(
-              ifAbsentText = "PERCENT",
-              text =
-                  "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT commands all in percent.")
+      @Variable(ifAbsentText = "PERCENT")
+          @Description(
+              "FORCE commands actuators that accept forces in newtons, others in percent; PERCENT commands all in percent.")
           CommandKind commands,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether actuators with no effect, or less than they announce, are detected by the vehicle's motion and left out or counted as weak; needs true masses.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether actuators with no effect, or less than they announce, are detected by the vehicle's motion and left out or counted as weak; needs true masses.")
           boolean watchesResponse,
-      @Variable(
-              unit = "s",
-              min = 1,
-              max = 3600,
-              ifAbsent = 60,
-              text =
-                  "Time after which an actuator that did not respond, or weakly, is tried again.")
+      @Variable(unit = "s", min = 1, max = 3600, ifAbsent = 60)
+          @Description(
+              "Time after which an actuator that did not respond, or weakly, is tried again.")
           double retryTime) {
     Choices {
       axes(essential);

@@ -6,6 +6,7 @@ import org.u2sa.control.Pid;
 import org.u2sa.control.RelayTuner;
 import org.u2sa.control.allocation.Authority;
 import org.u2sa.control.allocation.DegreeOfFreedom;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
@@ -19,23 +20,16 @@ final class AxisTuner {
   record Order(
       @Variable(
               oneOf = {"", "SURGE", "SWAY", "HEAVE", "ROLL", "PITCH", "YAW"},
-              ifAbsentText = "",
-              text =
-                  "Axis whose velocity or rate loop is to be tuned by relay feedback, once, while the vehicle is armed; its gains are written to the log.")
+              ifAbsentText = "")
+          @Description(
+              "Axis whose velocity or rate loop is to be tuned by relay feedback, once, while the vehicle is armed; its gains are written to the log.")
           String tune,
-      @Variable(
-              unit = "%",
-              min = 1,
-              max = 50,
-              ifAbsent = 15,
-              text = "Share of the axis's authority that the relay uses.")
+      @Variable(unit = "%", min = 1, max = 50, ifAbsent = 15)
+          @Description("Share of the axis's authority that the relay uses.")
           double tuneAmplitude,
-      @Variable(
-              min = 0,
-              max = 1,
-              ifAbsent = 0.01,
-              text =
-                  "Hysteresis of the relay, above the noise of the velocity [m/s] or rate [rad/s].")
+      @Variable(min = 0, max = 1, ifAbsent = 0.01)
+          @Description(
+              "Hysteresis of the relay, above the noise of the velocity [m/s] or rate [rad/s].")
           double tuneHysteresis) {}
 
   private static final double FULL_PERCENT = 100.0;

@@ -8,6 +8,7 @@ import java.util.function.Supplier;
 import org.u2sa.control.Pid;
 import org.u2sa.control.allocation.DegreeOfFreedom;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
@@ -15,53 +16,26 @@ import org.u2sa.interfaces.configuration.Variable;
 final class CascadeVariables {
   /** Variables of the control of motion along one axis of the vehicle. */
   private record Linear(
-      @Variable(
-              min = 0,
-              max = 1000,
-              ifAbsent = 0,
-              text = "Weight of the axis when actuators saturate; 0: the axis is not controlled.")
+      @Variable(min = 0, max = 1000, ifAbsent = 0)
+          @Description("Weight of the axis when actuators saturate; 0: the axis is not controlled.")
           double weight,
-      @Variable(
-              unit = "kg",
-              min = 0.001,
-              max = 1.0e7,
-              ifAbsent = 1,
-              text = "Mass, including the added mass of the water.")
+      @Variable(unit = "kg", min = 0.001, max = 1.0e7, ifAbsent = 1)
+          @Description("Mass, including the added mass of the water.")
           double mass,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 100,
-              ifAbsent = 1,
-              text = "Acceleration per velocity error.")
+      @Variable(unit = "1/s", min = 0, max = 100, ifAbsent = 1)
+          @Description("Acceleration per velocity error.")
           double gain,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 1000,
-              ifAbsent = 4,
-              text = "Integral time of the velocity loop; 0: no integral.")
+      @Variable(unit = "s", min = 0, max = 1000, ifAbsent = 4)
+          @Description("Integral time of the velocity loop; 0: no integral.")
           double integralTime,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 100,
-              ifAbsent = 0,
-              text = "Derivative time of the velocity loop; 0: no derivative.")
+      @Variable(unit = "s", min = 0, max = 100, ifAbsent = 0)
+          @Description("Derivative time of the velocity loop; 0: no derivative.")
           double derivativeTime,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 0.3,
-              text = "Velocity per distance to the navigation point.")
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 0.3)
+          @Description("Velocity per distance to the navigation point.")
           double positionGain,
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              max = 100,
-              ifAbsent = 0.5,
-              text = "Maximum speed along the axis.")
+      @Variable(unit = "m/s", min = 0, max = 100, ifAbsent = 0.5)
+          @Description("Maximum speed along the axis.")
           double maxSpeed) {
 
     AxisTuning tuning() {
@@ -72,42 +46,26 @@ final class CascadeVariables {
 
   /** Variables of the control of rotation about one axis of the vehicle. */
   private record Angular(
-      @Variable(
-              min = 0,
-              max = 1000,
-              ifAbsent = 0,
-              text = "Weight of the axis when actuators saturate; 0: the axis is not controlled.")
+      @Variable(min = 0, max = 1000, ifAbsent = 0)
+          @Description("Weight of the axis when actuators saturate; 0: the axis is not controlled.")
           double weight,
-      @Variable(
-              min = 1.0e-6,
-              max = 1.0e7,
-              ifAbsent = 1,
-              text = "Moment of inertia, including that of the water [kg m²].")
+      @Variable(min = 1.0e-6, max = 1.0e7, ifAbsent = 1)
+          @Description("Moment of inertia, including that of the water [kg m²].")
           double inertia,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 100,
-              ifAbsent = 2,
-              text = "Angular acceleration per rate error.")
+      @Variable(unit = "1/s", min = 0, max = 100, ifAbsent = 2)
+          @Description("Angular acceleration per rate error.")
           double gain,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 1000,
-              ifAbsent = 2,
-              text = "Integral time of the rate loop; 0: no integral.")
+      @Variable(unit = "s", min = 0, max = 1000, ifAbsent = 2)
+          @Description("Integral time of the rate loop; 0: no integral.")
           double integralTime,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 100,
-              ifAbsent = 0,
-              text = "Derivative time of the rate loop; 0: no derivative.")
+      @Variable(unit = "s", min = 0, max = 100, ifAbsent = 0)
+          @Description("Derivative time of the rate loop; 0: no derivative.")
           double derivativeTime,
-      @Variable(unit = "1/s", min = 0, max = 20, ifAbsent = 0.8, text = "Rate per angle error.")
+      @Variable(unit = "1/s", min = 0, max = 20, ifAbsent = 0.8)
+          @Description("Rate per angle error.")
           double angleGain,
-      @Variable(unit = "deg/s", min = 0, max = 1000, ifAbsent = 30, text = "Fastest rotation.")
+      @Variable(unit = "deg/s", min = 0, max = 1000, ifAbsent = 30)
+          @Description("Fastest rotation.")
           double maxRate) {
 
     AxisTuning tuning() {
@@ -122,35 +80,21 @@ final class CascadeVariables {
 
   /** How the vehicle moves to its navigation point. */
   record Way(
-      @Variable(
-              ifAbsentText = "false",
-              text = "Whether the vehicle turns towards the navigation point.")
+      @Variable(ifAbsentText = "false")
+          @Description("Whether the vehicle turns towards the navigation point.")
           boolean facesTheWay,
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 1000,
-              ifAbsent = 1,
-              text = "Minimum distance of a point to turn to; nearer, the heading is kept.")
+      @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 1)
+          @Description("Minimum distance of a point to turn to; nearer, the heading is kept.")
           double facingDistance,
-      @Variable(
-              unit = "m/s",
-              min = 0.01,
-              max = 100,
-              ifAbsent = 0.5,
-              text = "Speed to a navigation point that sets none.")
+      @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 0.5)
+          @Description("Speed to a navigation point that sets none.")
           double cruiseSpeed,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether the vehicle moves sideways by leaning the lift of its actuators, as multirotors do. SURGE and SWAY then have gains, but no weight.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether the vehicle moves sideways by leaning the lift of its actuators, as multirotors do. SURGE and SWAY then have gains, but no weight.")
           boolean leans,
-      @Variable(
-              unit = "deg",
-              min = 1,
-              max = 60,
-              ifAbsent = 25,
-              text = "Maximum angle from the vertical of a vehicle that leans.")
+      @Variable(unit = "deg", min = 1, max = 60, ifAbsent = 25)
+          @Description("Maximum angle from the vertical of a vehicle that leans.")
           double maxLean) {}
 
   private final Map<DegreeOfFreedom, Supplier<AxisTuning>> axes =

@@ -2,6 +2,7 @@ package org.u2sa.control.fixedwing;
 
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
@@ -23,49 +24,38 @@ record AutopilotVariables(
 
   /** Behaviour without navigation. */
   record Hold(
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 60,
-              ifAbsent = 5,
-              text =
-                  "Time without navigation before the aircraft circles; until then the wings stay level.")
+      @Variable(unit = "s", min = 0, max = 60, ifAbsent = 5)
+          @Description(
+              "Time without navigation before the aircraft circles; until then the wings stay level.")
           double holdLevelTime,
-      @Variable(
-              unit = "deg",
-              min = 0,
-              max = 30,
-              ifAbsent = 15,
-              text = "Bank to the right when circling without navigation; 0 flies straight on.")
+      @Variable(unit = "deg", min = 0, max = 30, ifAbsent = 15)
+          @Description("Bank to the right when circling without navigation; 0 flies straight on.")
           double holdBank) {}
 
   /** Take-off settings. */
   record ClimbOut(
-      @Variable(min = 0.1, max = 0.5, ifAbsent = 0.2, text = "Throttle while the engine starts.")
+      @Variable(min = 0.1, max = 0.5, ifAbsent = 0.2)
+          @Description("Throttle while the engine starts.")
           double startThrottle,
-      @Variable(unit = "1/s", min = 0.05, max = 5, ifAbsent = 0.3, text = "Take-off throttle rate.")
+      @Variable(unit = "1/s", min = 0.05, max = 5, ifAbsent = 0.3)
+          @Description("Take-off throttle rate.")
           double throttleOpeningRate,
-      @Variable(unit = "deg", min = 5, max = 13, ifAbsent = 10, text = "Pitch at rotation.")
+      @Variable(unit = "deg", min = 5, max = 13, ifAbsent = 10) @Description("Pitch at rotation.")
           double rotationPitch,
-      @Variable(unit = "deg/s", min = 1, max = 10, ifAbsent = 5, text = "Pitch rate at rotation.")
+      @Variable(unit = "deg/s", min = 1, max = 10, ifAbsent = 5)
+          @Description("Pitch rate at rotation.")
           double rotationRate,
-      @Variable(
-              unit = "kt",
-              min = 60,
-              max = 100,
-              ifAbsent = 74,
-              text = "Calibrated airspeed of the climb-out.")
+      @Variable(unit = "kt", min = 60, max = 100, ifAbsent = 74)
+          @Description("Calibrated airspeed of the climb-out.")
           double climbOutSpeed,
-      @Variable(unit = "deg", min = 0, max = 10, ifAbsent = 6, text = "Minimum climb-out pitch.")
+      @Variable(unit = "deg", min = 0, max = 10, ifAbsent = 6)
+          @Description("Minimum climb-out pitch.")
           double climbOutPitchLowerLimit,
-      @Variable(unit = "deg", min = 0, max = 30, ifAbsent = 10, text = "Maximum climb-out bank.")
+      @Variable(unit = "deg", min = 0, max = 30, ifAbsent = 10)
+          @Description("Maximum climb-out bank.")
           double climbOutBankLimit,
-      @Variable(
-              unit = "m",
-              min = 50,
-              max = 2000,
-              ifAbsent = 250,
-              text = "Distance to the aim point on the extended centreline.")
+      @Variable(unit = "m", min = 50, max = 2000, ifAbsent = 250)
+          @Description("Distance to the aim point on the extended centreline.")
           double climbOutLookAhead) {}
 
   /**

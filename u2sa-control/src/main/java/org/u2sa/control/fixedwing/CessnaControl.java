@@ -9,6 +9,7 @@ import org.u2sa.control.ControlSystem;
 import org.u2sa.control.Transfer;
 import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -30,17 +31,12 @@ public final class CessnaControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
 
   private record Outputs(
-      @Variable(
-              unit = "s",
-              min = 0.02,
-              max = 60,
-              ifAbsent = 10,
-              text = "How long throttle, mixture and flaps obey a command that is not renewed.")
+      @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 10)
+          @Description("How long throttle, mixture and flaps obey a command that is not renewed.")
           double powerExpiry,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether LEFT ELEVON and RIGHT ELEVON take the place of AILERON and ELEVATOR, as on flying wings.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether LEFT ELEVON and RIGHT ELEVON take the place of AILERON and ELEVATOR, as on flying wings.")
           boolean elevons) {}
 
   private final Settings<Outputs> outputs = settings(Outputs.class);

@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
 
@@ -16,94 +17,59 @@ final class EnergyLaw {
    * appear.
    */
   record Variables(
-      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 4, text = "Altitude-error time constant.")
+      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 4)
+          @Description("Altitude-error time constant.")
           double altitudeTimeConstant,
-      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 6, text = "Airspeed-error time constant.")
+      @Variable(unit = "s", min = 1, max = 30, ifAbsent = 6)
+          @Description("Airspeed-error time constant.")
           double speedTimeConstant,
-      @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 3.5, text = "Maximum demanded climb.")
+      @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 3.5)
+          @Description("Maximum demanded climb.")
           double climbLimit,
-      @Variable(
-              unit = "m/s",
-              min = 0.5,
-              max = 10,
-              ifAbsent = 4,
-              text = "Maximum demanded sink rate.")
+      @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 4)
+          @Description("Maximum demanded sink rate.")
           double sinkLimit,
-      @Variable(
-              unit = "m/s^2",
-              min = 0.1,
-              max = 5,
-              ifAbsent = 0.8,
-              text = "Maximum rate of change of the demanded climb rate.")
+      @Variable(unit = "m/s^2", min = 0.1, max = 5, ifAbsent = 0.8)
+          @Description("Maximum rate of change of the demanded climb rate.")
           double verticalAccelerationLimit,
-      @Variable(unit = "m/s^2", min = 0.1, max = 5, ifAbsent = 1, text = "Maximum acceleration.")
+      @Variable(unit = "m/s^2", min = 0.1, max = 5, ifAbsent = 1)
+          @Description("Maximum acceleration.")
           double accelerationLimit,
-      @Variable(
-              unit = "s",
-              min = 0.05,
-              max = 20,
-              ifAbsent = 1,
-              text = "Time constant of the airspeed low-pass; longer is calmer in gusts.")
+      @Variable(unit = "s", min = 0.05, max = 20, ifAbsent = 1)
+          @Description("Time constant of the airspeed low-pass; longer is calmer in gusts.")
           double airspeedFilter,
-      @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Throttle of level cruise.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Throttle of level cruise.")
           double throttleTrim,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 20,
-              ifAbsent = 2.5,
-              text = "Throttle per energy rate.")
+      @Variable(unit = "1/rad", min = 0, max = 20, ifAbsent = 2.5)
+          @Description("Throttle per energy rate.")
           double throttleForwardGain,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 20,
-              ifAbsent = 0.7,
-              text = "Throttle per energy-rate error.")
+      @Variable(unit = "1/rad", min = 0, max = 20, ifAbsent = 0.7)
+          @Description("Throttle per energy-rate error.")
           double throttleDamping,
-      @Variable(
-              unit = "1/rad/s",
-              min = 0,
-              max = 20,
-              ifAbsent = 0.4,
-              text = "Throttle per integrated energy-rate error.")
+      @Variable(unit = "1/rad/s", min = 0, max = 20, ifAbsent = 0.4)
+          @Description("Throttle per integrated energy-rate error.")
           double throttleIntegralGain,
-      @Variable(min = 0, max = 1, ifAbsent = 0, text = "Minimum throttle in flight.")
+      @Variable(min = 0, max = 1, ifAbsent = 0) @Description("Minimum throttle in flight.")
           double throttleLowerLimit,
-      @Variable(min = 0, max = 1, ifAbsent = 1, text = "Maximum throttle in cruise.")
+      @Variable(min = 0, max = 1, ifAbsent = 1) @Description("Maximum throttle in cruise.")
           double throttleUpperLimit,
-      @Variable(unit = "1/s", min = 0.01, max = 5, ifAbsent = 0.3, text = "Maximum throttle rate.")
+      @Variable(unit = "1/s", min = 0.01, max = 5, ifAbsent = 0.3)
+          @Description("Maximum throttle rate.")
           double throttleRateLimit,
-      @Variable(
-              unit = "rad",
-              min = 0,
-              max = 0.5,
-              ifAbsent = 0.037,
-              text =
-                  "Induced drag over weight in level flight; grows in turns with the square of the load factor.")
+      @Variable(unit = "rad", min = 0, max = 0.5, ifAbsent = 0.037)
+          @Description(
+              "Induced drag over weight in level flight; grows in turns with the square of the load factor.")
           double turnDrag,
-      @Variable(min = 0, max = 5, ifAbsent = 0.8, text = "Pitch per energy-balance error.")
+      @Variable(min = 0, max = 5, ifAbsent = 0.8) @Description("Pitch per energy-balance error.")
           double energyBalanceGain,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 5,
-              ifAbsent = 0.3,
-              text = "Pitch per integrated energy-balance error.")
+      @Variable(unit = "1/s", min = 0, max = 5, ifAbsent = 0.3)
+          @Description("Pitch per integrated energy-balance error.")
           double energyBalanceIntegralGain,
-      @Variable(
-              unit = "deg/s",
-              min = 0.5,
-              max = 20,
-              ifAbsent = 3,
-              text = "Maximum rate of the demanded pitch.")
+      @Variable(unit = "deg/s", min = 0.5, max = 20, ifAbsent = 3)
+          @Description("Maximum rate of the demanded pitch.")
           double pitchDemandRateLimit,
-      @Variable(
-              unit = "m/s",
-              min = 2,
-              max = 40,
-              ifAbsent = 20,
-              text = "Minimum airspeed for computing flight-path angles.")
+      @Variable(unit = "m/s", min = 2, max = 40, ifAbsent = 20)
+          @Description("Minimum airspeed for computing flight-path angles.")
           double minSpeed) {}
 
   /** The law's output: pitch [rad] and throttle, 0…1. */

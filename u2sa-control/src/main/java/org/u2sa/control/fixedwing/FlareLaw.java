@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -11,38 +12,24 @@ import org.u2sa.interfaces.configuration.Variable;
 final class FlareLaw {
   /** Variables of the flare, which starts only if navigation leads to the ground. */
   record Variables(
-      @Variable(
-              unit = "m",
-              min = 1,
-              max = 30,
-              ifAbsent = 9,
-              text =
-                  "Height above ground at which the flare starts, if navigation leads to the ground.")
+      @Variable(unit = "m", min = 1, max = 30, ifAbsent = 9)
+          @Description(
+              "Height above ground at which the flare starts, if navigation leads to the ground.")
           double flareHeight,
-      @Variable(
-              unit = "s",
-              min = 0.5,
-              max = 10,
-              ifAbsent = 4,
-              text = "Flare time constant: the demanded sink rate is height over this time.")
+      @Variable(unit = "s", min = 0.5, max = 10, ifAbsent = 4)
+          @Description("Flare time constant: the demanded sink rate is height over this time.")
           double flareTimeConstant,
-      @Variable(unit = "m/s", min = 0.1, max = 2, ifAbsent = 0.5, text = "Sink rate at touchdown.")
+      @Variable(unit = "m/s", min = 0.1, max = 2, ifAbsent = 0.5)
+          @Description("Sink rate at touchdown.")
           double flareSink,
-      @Variable(unit = "rad s/m", min = 0, max = 1, ifAbsent = 0.04, text = "Pitch per sink error.")
+      @Variable(unit = "rad s/m", min = 0, max = 1, ifAbsent = 0.04)
+          @Description("Pitch per sink error.")
           double flareDamping,
-      @Variable(
-              unit = "rad/m",
-              min = 0.001,
-              max = 1,
-              ifAbsent = 0.03,
-              text = "Pitch rate per sink-rate error.")
+      @Variable(unit = "rad/m", min = 0.001, max = 1, ifAbsent = 0.03)
+          @Description("Pitch rate per sink-rate error.")
           double flareGain,
-      @Variable(
-              unit = "deg",
-              min = 2,
-              max = 14,
-              ifAbsent = 10,
-              text = "Maximum pitch in the flare: the tail clears the ground.")
+      @Variable(unit = "deg", min = 2, max = 14, ifAbsent = 10)
+          @Description("Maximum pitch in the flare: the tail clears the ground.")
           double flarePitchLimit) {}
 
   private static final double MIN_PITCH_RAD = Math.toRadians(-2.0);

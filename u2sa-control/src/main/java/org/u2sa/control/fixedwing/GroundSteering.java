@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -12,75 +13,35 @@ import org.u2sa.interfaces.configuration.Variable;
 final class GroundSteering {
   /** Gains on the runway. */
   record Variables(
-      @Variable(
-              unit = "s",
-              min = 0.5,
-              max = 10,
-              ifAbsent = 2.5,
-              text = "Time at the present speed to the aim point on the runway centreline.")
+      @Variable(unit = "s", min = 0.5, max = 10, ifAbsent = 2.5)
+          @Description("Time at the present speed to the aim point on the runway centreline.")
           double centrelineLookAheadTime,
-      @Variable(
-              unit = "m",
-              min = 5,
-              max = 200,
-              ifAbsent = 40,
-              text = "Minimum distance to the aim point on the runway centreline.")
+      @Variable(unit = "m", min = 5, max = 200, ifAbsent = 40)
+          @Description("Minimum distance to the aim point on the runway centreline.")
           double centrelineLookAhead,
-      @Variable(
-              unit = "1/s",
-              min = 0.1,
-              max = 5,
-              ifAbsent = 1.8,
-              text = "Yaw rate per heading error on the runway.")
+      @Variable(unit = "1/s", min = 0.1, max = 5, ifAbsent = 1.8)
+          @Description("Yaw rate per heading error on the runway.")
           double centrelineHeadingGain,
-      @Variable(
-              unit = "m/rad",
-              min = 1,
-              max = 50,
-              ifAbsent = 9.5,
-              text = "Wheelbase over the nose-wheel angle at full rudder.")
+      @Variable(unit = "m/rad", min = 1, max = 50, ifAbsent = 9.5)
+          @Description("Wheelbase over the nose-wheel angle at full rudder.")
           double steeringLength,
-      @Variable(
-              unit = "s/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.6,
-              text = "Rudder per yaw-rate error at 10 m/s, nose wheel down.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 1.6)
+          @Description("Rudder per yaw-rate error at 10 m/s, nose wheel down.")
           double steeringDamping,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.2,
-              text = "Rudder per integrated yaw-rate error at 10 m/s, nose wheel down.")
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.2)
+          @Description("Rudder per integrated yaw-rate error at 10 m/s, nose wheel down.")
           double steeringIntegralGain,
-      @Variable(
-              unit = "s/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.5,
-              text = "Rudder per yaw-rate error, nose wheel up.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 1.5)
+          @Description("Rudder per yaw-rate error, nose wheel up.")
           double rotationYawDamping,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.5,
-              text = "Rudder per integrated yaw-rate error, nose wheel up.")
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.5)
+          @Description("Rudder per integrated yaw-rate error, nose wheel up.")
           double rotationYawIntegralGain,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.2,
-              text = "Rudder per sideslip, nose wheel up, against weathercocking.")
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.2)
+          @Description("Rudder per sideslip, nose wheel up, against weathercocking.")
           double weathercockGain,
-      @Variable(
-              unit = "s/m",
-              min = 0,
-              max = 1,
-              ifAbsent = 0.1,
-              text = "Aileron per crosswind at a standstill; less with speed.")
+      @Variable(unit = "s/m", min = 0, max = 1, ifAbsent = 0.1)
+          @Description("Aileron per crosswind at a standstill; less with speed.")
           double aileronIntoWind) {}
 
   private static final double SLOWEST_MPS = 4.0; // below, geometry would demand too much

@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import java.util.Locale;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -9,83 +10,48 @@ import org.u2sa.interfaces.configuration.Variable;
  * 172P handbook, figure 5-3).
  */
 record GuidanceVariables(
-    @Variable(
-            unit = "m/s",
-            min = 5,
-            max = 100,
-            ifAbsent = 46,
-            text = "Calibrated airspeed at which the surface gains hold; they scale from there.")
+    @Variable(unit = "m/s", min = 5, max = 100, ifAbsent = 46)
+        @Description("Calibrated airspeed at which the surface gains hold; they scale from there.")
         double referenceSpeed,
-    @Variable(
-            unit = "m/s",
-            min = 6,
-            max = 60,
-            ifAbsent = 40,
-            text = "Calibrated airspeed unless navigation asks for another.")
+    @Variable(unit = "m/s", min = 6, max = 60, ifAbsent = 40)
+        @Description("Calibrated airspeed unless navigation asks for another.")
         double cruiseSpeed,
-    @Variable(
-            unit = "m/s",
-            min = 7,
-            max = 82,
-            ifAbsent = 60,
-            text = "Maximum demanded calibrated airspeed.")
+    @Variable(unit = "m/s", min = 7, max = 82, ifAbsent = 60)
+        @Description("Maximum demanded calibrated airspeed.")
         double maxSpeed,
-    @Variable(unit = "deg", min = 5, max = 60, ifAbsent = 27.5, text = "Maximum demanded bank.")
+    @Variable(unit = "deg", min = 5, max = 60, ifAbsent = 27.5)
+        @Description("Maximum demanded bank.")
         double bankLimit,
-    @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 15, text = "Maximum bank rate.")
+    @Variable(unit = "deg/s", min = 2, max = 60, ifAbsent = 15) @Description("Maximum bank rate.")
         double bankRateLimit,
-    @Variable(
-            unit = "deg",
-            min = 0,
-            max = 20,
-            ifAbsent = 6.9,
-            text = "Pitch added per load factor above one.")
+    @Variable(unit = "deg", min = 0, max = 20, ifAbsent = 6.9)
+        @Description("Pitch added per load factor above one.")
         double turnPitch,
-    @Variable(unit = "deg", min = -30, max = 0, ifAbsent = -10, text = "Minimum demanded pitch.")
+    @Variable(unit = "deg", min = -30, max = 0, ifAbsent = -10)
+        @Description("Minimum demanded pitch.")
         double pitchLowerLimit,
-    @Variable(unit = "deg", min = 5, max = 30, ifAbsent = 14, text = "Maximum demanded pitch.")
+    @Variable(unit = "deg", min = 5, max = 30, ifAbsent = 14)
+        @Description("Maximum demanded pitch.")
         double pitchUpperLimit,
-    @Variable(
-            unit = "m",
-            min = 5,
-            max = 1000,
-            ifAbsent = 150,
-            text =
-                "Minimum L1 distance: nearer navigation points count as this far, which bounds the gain.")
+    @Variable(unit = "m", min = 5, max = 1000, ifAbsent = 150)
+        @Description(
+            "Minimum L1 distance: nearer navigation points count as this far, which bounds the gain.")
         double minLookAhead,
-    @Variable(
-            unit = "m/s",
-            min = 4,
-            max = 40,
-            ifAbsent = 26.2,
-            text = "Calibrated stall speed, wings level, flaps up.")
+    @Variable(unit = "m/s", min = 4, max = 40, ifAbsent = 26.2)
+        @Description("Calibrated stall speed, wings level, flaps up.")
         double stallSpeed,
-    @Variable(
-            min = 1.05,
-            max = 2,
-            ifAbsent = 1.2,
-            text = "Minimum airspeed over stall speed; bank is limited to keep it in turns.")
+    @Variable(min = 1.05, max = 2, ifAbsent = 1.2)
+        @Description("Minimum airspeed over stall speed; bank is limited to keep it in turns.")
         double stallMargin,
-    @Variable(
-            unit = "m/s",
-            min = 0.5,
-            max = 15,
-            ifAbsent = 4,
-            text = "Band above the minimum airspeed in which speed gains priority over altitude.")
+    @Variable(unit = "m/s", min = 0.5, max = 15, ifAbsent = 4)
+        @Description("Band above the minimum airspeed in which speed gains priority over altitude.")
         double stallBand,
-    @Variable(
-            unit = "deg",
-            min = 5,
-            max = 18,
-            ifAbsent = 12,
-            text = "Maximum angle of attack; above it the nose is lowered by the excess.")
+    @Variable(unit = "deg", min = 5, max = 18, ifAbsent = 12)
+        @Description("Maximum angle of attack; above it the nose is lowered by the excess.")
         double angleOfAttackLimit,
-    @Variable(
-            min = 0,
-            max = 1,
-            ifAbsent = 0.3,
-            text =
-                "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
+    @Variable(min = 0, max = 1, ifAbsent = 0.3)
+        @Description(
+            "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
         double gustShare) {
   /** Validates the order of the speeds. */
   GuidanceVariables {

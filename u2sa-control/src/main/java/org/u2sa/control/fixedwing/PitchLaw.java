@@ -1,5 +1,6 @@
 package org.u2sa.control.fixedwing;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
 
@@ -11,32 +12,22 @@ import org.u2sa.messages.frame.Gravity;
 final class PitchLaw extends RateLoop {
   /** Variables of the pitch loop and its inner pitch-rate loop. */
   record Variables(
-      @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.8, text = "Pitch-error time constant.")
+      @Variable(unit = "s", min = 0.2, max = 5, ifAbsent = 0.8)
+          @Description("Pitch-error time constant.")
           double pitchTimeConstant,
-      @Variable(
-              unit = "deg/s",
-              min = 1,
-              max = 30,
-              ifAbsent = 10,
-              text = "Maximum pitch rate demanded for a pitch error.")
+      @Variable(unit = "deg/s", min = 1, max = 30, ifAbsent = 10)
+          @Description("Maximum pitch rate demanded for a pitch error.")
           double pitchRateLimit,
-      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 0.5, text = "Elevator per pitch rate.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 0.5)
+          @Description("Elevator per pitch rate.")
           double pitchRateForwardGain,
-      @Variable(
-              unit = "s/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 0.18,
-              text = "Elevator per pitch-rate error.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 0.18)
+          @Description("Elevator per pitch-rate error.")
           double pitchRateGain,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 0.7,
-              text = "Elevator per integrated pitch-rate error.")
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.7)
+          @Description("Elevator per integrated pitch-rate error.")
           double pitchRateIntegralGain,
-      @Variable(min = 0, max = 1, ifAbsent = 0.6, text = "Maximum elevator of the integral.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Maximum elevator of the integral.")
           double elevatorTrimLimit) {}
 
   private static final double STEEPEST_RAD =

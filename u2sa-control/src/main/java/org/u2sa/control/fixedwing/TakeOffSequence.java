@@ -2,36 +2,27 @@ package org.u2sa.control.fixedwing;
 
 import java.util.Optional;
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** State machine of {@link FlightPhase}s. */
 final class TakeOffSequence {
   /** Transition thresholds of the phases. */
   record Variables(
-      @Variable(
-              unit = "rpm",
-              min = 0,
-              max = 2000,
-              ifAbsent = 600,
-              text = "Engine speed above which the engine counts as running.")
+      @Variable(unit = "rpm", min = 0, max = 2000, ifAbsent = 600)
+          @Description("Engine speed above which the engine counts as running.")
           double readyRpm,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 60,
-              ifAbsent = 1,
-              text = "Time that engine and navigation must be ready before the throttle opens.")
+      @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
+          @Description("Time that engine and navigation must be ready before the throttle opens.")
           double readyTime,
-      @Variable(min = 0.1, max = 1, ifAbsent = 0.5, text = "Throttle that releases the brakes.")
+      @Variable(min = 0.1, max = 1, ifAbsent = 0.5)
+          @Description("Throttle that releases the brakes.")
           double releaseThrottle,
-      @Variable(unit = "kt", min = 40, max = 80, ifAbsent = 55, text = "Calibrated rotation speed.")
+      @Variable(unit = "kt", min = 40, max = 80, ifAbsent = 55)
+          @Description("Calibrated rotation speed.")
           double rotationSpeed,
-      @Variable(
-              unit = "m",
-              min = 20,
-              max = 500,
-              ifAbsent = 100,
-              text = "Height above ground at which the climb-out ends.")
+      @Variable(unit = "m", min = 20, max = 500, ifAbsent = 100)
+          @Description("Height above ground at which the climb-out ends.")
           double safeHeight) {}
 
   private static final double FLYING_HEIGHT_M = 15.0; // wheels this high mean flying

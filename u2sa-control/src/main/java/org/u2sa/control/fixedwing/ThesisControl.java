@@ -3,6 +3,7 @@ package org.u2sa.control.fixedwing;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -58,42 +59,25 @@ public final class ThesisControl extends ControlSystem {
   static final class ThesisLaw {
     /** With BANK GAIN and PITCH GAIN at 0, this is the law of the thesis. */
     record Variables(
-        @Variable(
-                min = 0,
-                max = 5,
-                ifAbsent = 1,
-                text = "Fraction of full aileron at a direction of 180 degrees; thesis: 1.")
+        @Variable(min = 0, max = 5, ifAbsent = 1)
+            @Description("Fraction of full aileron at a direction of 180 degrees; thesis: 1.")
             double directionGain,
-        @Variable(
-                unit = "deg",
-                min = 1,
-                max = 180,
-                ifAbsent = 30,
-                text = "Direction beyond which the aileron moves no further; thesis: 180.")
+        @Variable(unit = "deg", min = 1, max = 180, ifAbsent = 30)
+            @Description("Direction beyond which the aileron moves no further; thesis: 180.")
             double directionLimit,
-        @Variable(
-                unit = "1/rad",
-                min = 0,
-                max = 5,
-                ifAbsent = 0.4,
-                text = "Aileron against bank; thesis: 0.")
+        @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.4)
+            @Description("Aileron against bank; thesis: 0.")
             double bankGain,
-        @Variable(
-                min = 0,
-                max = 1,
-                ifAbsent = 0.3,
-                text = "Fraction of full elevator at an altitude difference of 1000 ft or more.")
+        @Variable(min = 0, max = 1, ifAbsent = 0.3)
+            @Description("Fraction of full elevator at an altitude difference of 1000 ft or more.")
             double altitudeGain,
-        @Variable(
-                unit = "1/rad",
-                min = 0,
-                max = 5,
-                ifAbsent = 1.5,
-                text = "Elevator against pitch; thesis: 0.")
+        @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.5)
+            @Description("Elevator against pitch; thesis: 0.")
             double pitchGain,
-        @Variable(unit = "deg", min = -5, max = 15, ifAbsent = 6, text = "Pitch in level flight.")
+        @Variable(unit = "deg", min = -5, max = 15, ifAbsent = 6)
+            @Description("Pitch in level flight.")
             double levelPitch,
-        @Variable(min = 0.1, max = 1, ifAbsent = 0.6, text = "Throttle of level flight.")
+        @Variable(min = 0.1, max = 1, ifAbsent = 0.6) @Description("Throttle of level flight.")
             double cruiseThrottle) {}
 
     private static final double FULL_DIFFERENTIAL_M = 1_000.0 * 0.3048; // 4.5.2.4: full climb

@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -13,45 +14,26 @@ import org.u2sa.interfaces.configuration.Variable;
 final class TouchDown {
   /** Variables of the last metres, and the crosswind limit. */
   record Variables(
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 10,
-              ifAbsent = 1.5,
-              text = "Height above ground at which the nose is aligned with the runway.")
+      @Variable(unit = "m", min = 0, max = 10, ifAbsent = 1.5)
+          @Description("Height above ground at which the nose is aligned with the runway.")
           double alignHeight,
-      @Variable(unit = "deg", min = 0, max = 12, ifAbsent = 8, text = "Maximum bank in the flare.")
+      @Variable(unit = "deg", min = 0, max = 12, ifAbsent = 8)
+          @Description("Maximum bank in the flare.")
           double flareBankLimit,
-      @Variable(
-              unit = "m",
-              min = 50,
-              max = 500,
-              ifAbsent = 120,
-              text = "Distance to the aim point on the runway centreline in the flare.")
+      @Variable(unit = "m", min = 50, max = 500, ifAbsent = 120)
+          @Description("Distance to the aim point on the runway centreline in the flare.")
           double flareLookAhead,
-      @Variable(
-              unit = "1/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 1.6,
-              text =
-                  "Aileron that holds the wings level in a sideslip: dihedral effect over aileron effect.")
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.6)
+          @Description(
+              "Aileron that holds the wings level in a sideslip: dihedral effect over aileron effect.")
           double aileronPerSideslip,
-      @Variable(
-              unit = "m/s",
-              min = 10,
-              max = 40,
-              ifAbsent = 28,
-              text =
-                  "Ground speed above which the brakes are hardly used; below it they come on gradually.")
+      @Variable(unit = "m/s", min = 10, max = 40, ifAbsent = 28)
+          @Description(
+              "Ground speed above which the brakes are hardly used; below it they come on gradually.")
           double brakeSpeed,
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              max = 20,
-              ifAbsent = 13,
-              text =
-                  "Maximum crosswind for landing, as felt by the aircraft; in more it stays at SAFE HEIGHT.")
+      @Variable(unit = "m/s", min = 0, max = 20, ifAbsent = 13)
+          @Description(
+              "Maximum crosswind for landing, as felt by the aircraft; in more it stays at SAFE HEIGHT.")
           double maxCrosswind) {}
 
   private static final double LEVEL_MPS = 10.0; // below this, ailerons cannot level the wings

@@ -1,6 +1,7 @@
 package org.u2sa.control.fixedwing;
 
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.frame.Gravity;
 
@@ -12,25 +13,18 @@ import org.u2sa.messages.frame.Gravity;
 final class YawLaw {
   /** Gains at the reference speed. */
   record Variables(
-      @Variable(
-              unit = "s/rad",
-              min = 0,
-              max = 5,
-              ifAbsent = 0.5,
-              text = "Rudder per deviation from the yaw rate of a coordinated turn.")
+      @Variable(unit = "s/rad", min = 0, max = 5, ifAbsent = 0.5)
+          @Description("Rudder per deviation from the yaw rate of a coordinated turn.")
           double yawDamping,
-      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.8, text = "Rudder per sideslip.")
+      @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.8)
+          @Description("Rudder per sideslip.")
           double sideslipGain,
-      @Variable(
-              unit = "1/rad/s",
-              min = 0,
-              max = 5,
-              ifAbsent = 0.4,
-              text = "Rudder per integrated sideslip.")
+      @Variable(unit = "1/rad/s", min = 0, max = 5, ifAbsent = 0.4)
+          @Description("Rudder per integrated sideslip.")
           double sideslipIntegralGain,
-      @Variable(min = 0, max = 1, ifAbsent = 0.5, text = "Maximum rudder of the integral.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.5) @Description("Maximum rudder of the integral.")
           double rudderTrimLimit,
-      @Variable(min = 0, max = 1, ifAbsent = 0.45, text = "Rudder per aileron: adverse yaw.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.45) @Description("Rudder per aileron: adverse yaw.")
           double aileronToRudder) {}
 
   private static final double SLOWEST_MPS = 5.0;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -20,34 +21,24 @@ import org.u2sa.service.handover.HandOver;
 public final class AckermannPursuitControl extends GroundControl {
   /** Steering settings. */
   private record Steering(
-      @Variable(
-              unit = "m",
-              min = 0.05,
-              max = 20,
-              ifAbsent = 0.33,
-              text = "Distance between the front and rear axles.")
+      @Variable(unit = "m", min = 0.05, max = 20, ifAbsent = 0.33)
+          @Description("Distance between the front and rear axles.")
           double wheelbase,
-      @Variable(
-              unit = "deg",
-              min = 1,
-              max = 70,
-              ifAbsent = 24,
-              text =
-                  "Mean angle of the front wheels at 100 %; with WHEELBASE it sets the tightest curve.")
+      @Variable(unit = "deg", min = 1, max = 70, ifAbsent = 24)
+          @Description(
+              "Mean angle of the front wheels at 100 %; with WHEELBASE it sets the tightest curve.")
           double steeringAngle,
-      @Variable(ifAbsentText = "THROTTLE", text = "Drive actuator, forward positive.")
+      @Variable(ifAbsentText = "THROTTLE") @Description("Drive actuator, forward positive.")
           String throttleActuator,
-      @Variable(ifAbsentText = "STEERING", text = "Steering actuator, right positive.")
+      @Variable(ifAbsentText = "STEERING") @Description("Steering actuator, right positive.")
           String steeringActuator,
-      @Variable(
-              ifAbsentText = "PURSUIT",
-              text =
-                  "PURSUIT steers to the navigation point, STANLEY along the path that navigation points describe.")
+      @Variable(ifAbsentText = "PURSUIT")
+          @Description(
+              "PURSUIT steers to the navigation point, STANLEY along the path that navigation points describe.")
           SteeringLaw steeringLaw,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether the steering is commanded by angles, which its actuator must announce to take, instead of percentages.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether the steering is commanded by angles, which its actuator must announce to take, instead of percentages.")
           boolean steersByAngle) {
     double angleRad() {
       return Math.toRadians(steeringAngle);

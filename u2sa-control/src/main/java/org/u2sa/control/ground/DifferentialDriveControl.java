@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -21,42 +22,22 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class DifferentialDriveControl extends GroundControl {
   private record Gains(
-      @Variable(
-              unit = "%/m",
-              min = 0,
-              max = 1000,
-              ifAbsent = 60,
-              text = "Command of both wheels per distance to the point.")
+      @Variable(unit = "%/m", min = 0, max = 1000, ifAbsent = 60)
+          @Description("Command of both wheels per distance to the point.")
           double distanceGain,
-      @Variable(
-              unit = "%",
-              min = 0,
-              max = 100,
-              ifAbsent = 60,
-              text = "Maximum command that distance gives both wheels.")
+      @Variable(unit = "%", min = 0, max = 100, ifAbsent = 60)
+          @Description("Maximum command that distance gives both wheels.")
           double speedLimit,
-      @Variable(
-              unit = "%/rad",
-              min = 0,
-              max = 500,
-              ifAbsent = 45,
-              text =
-                  "Command of each wheel per bearing: right wheel forward, left wheel backward, for a point to the left.")
+      @Variable(unit = "%/rad", min = 0, max = 500, ifAbsent = 45)
+          @Description(
+              "Command of each wheel per bearing: right wheel forward, left wheel backward, for a point to the left.")
           double headingGain,
-      @Variable(
-              unit = "m",
-              min = 0.01,
-              max = 10,
-              ifAbsent = 0.15,
-              text = "Distance at which both wheels stop.")
+      @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.15)
+          @Description("Distance at which both wheels stop.")
           double tolerance,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 0.5,
-              text =
-                  "Integral gain on the command of HEADING GAIN, for motors that are not alike; 0: no feedback.")
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 0.5)
+          @Description(
+              "Integral gain on the command of HEADING GAIN, for motors that are not alike; 0: no feedback.")
           double mismatchGain) {}
 
   private static final double ALIGNED_RAD = 0.6; // at larger bearings it turns and does not learn

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.u2sa.control.Transfer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -19,55 +20,27 @@ import org.u2sa.service.handover.HandOver;
 public final class DifferentialPursuitControl extends GroundControl {
   /** Turn settings. */
   private record Turning(
-      @Variable(
-              unit = "m",
-              min = 0.05,
-              max = 10,
-              ifAbsent = 0.44,
-              text = "Distance between the wheels of both sides.")
+      @Variable(unit = "m", min = 0.05, max = 10, ifAbsent = 0.44)
+          @Description("Distance between the wheels of both sides.")
           double track,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 10,
-              ifAbsent = 0,
-              text = "As PICK UP TIME, of the yaw rate in a turn on the spot.")
+      @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0)
+          @Description("As PICK UP TIME, of the yaw rate in a turn on the spot.")
           double turnPickUpTime,
-      @Variable(
-              unit = "deg",
-              min = 5,
-              max = 180,
-              ifAbsent = 35,
-              text = "Bearing of the navigation point above which the vehicle turns on the spot.")
+      @Variable(unit = "deg", min = 5, max = 180, ifAbsent = 35)
+          @Description("Bearing of the navigation point above which the vehicle turns on the spot.")
           double spotTurnAbove,
-      @Variable(
-              unit = "deg",
-              min = 1,
-              max = 180,
-              ifAbsent = 8,
-              text = "Bearing at which a turn on the spot ends.")
+      @Variable(unit = "deg", min = 1, max = 180, ifAbsent = 8)
+          @Description("Bearing at which a turn on the spot ends.")
           double spotTurnBelow,
-      @Variable(
-              unit = "1/s",
-              min = 0.1,
-              max = 20,
-              ifAbsent = 2,
-              text = "Yaw rate per bearing in a turn on the spot.")
+      @Variable(unit = "1/s", min = 0.1, max = 20, ifAbsent = 2)
+          @Description("Yaw rate per bearing in a turn on the spot.")
           double spotTurnGain,
-      @Variable(
-              unit = "1/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 2,
-              text =
-                  "Share of a yaw-rate error that feedback corrects per second while turning on the"
-                      + " spot; 0: no feedback.")
+      @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 2)
+          @Description(
+              "Share of a yaw-rate error that feedback corrects per second while turning on the spot; 0: no feedback.")
           double spotTurnFeedback,
-      @Variable(
-              min = 0,
-              max = 10,
-              ifAbsent = 2,
-              text = "Additional commanded yaw rate per yaw-rate error; 0: none.")
+      @Variable(min = 0, max = 10, ifAbsent = 2)
+          @Description("Additional commanded yaw rate per yaw-rate error; 0: none.")
           double yawRateGain) {}
 
   private static final double FULL_PERCENT = 100.0;

@@ -1,5 +1,6 @@
 package org.u2sa.control.ground;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
 
@@ -8,15 +9,9 @@ import org.u2sa.messages.StateInformation;
  * the vehicle would stop before a ramp and run away after it.
  */
 record SlopeHelp(
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 5000,
-            ifAbsent = 0,
-            text =
-                "Percentage that holds the vehicle on a slope, by the sine of the slope: its weight"
-                    + " by the motors' force at full percentage and standstill; 0: left to SPEED"
-                    + " GAIN.")
+    @Variable(unit = "%", min = 0, max = 5000, ifAbsent = 0)
+        @Description(
+            "Percentage that holds the vehicle on a slope, by the sine of the slope: its weight by the motors' force at full percentage and standstill; 0: left to SPEED GAIN.")
         double slopeHelp) {
   private static final double FULL_PERCENT = 100.0;
   private static final double LEVEL_RAD = 0.026; // dead band for uneven ground and sensor error

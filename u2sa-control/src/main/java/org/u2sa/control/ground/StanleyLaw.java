@@ -1,5 +1,6 @@
 package org.u2sa.control.ground;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -12,26 +13,14 @@ import org.u2sa.interfaces.configuration.Variable;
 final class StanleyLaw {
   /** Gains. */
   record Variables(
-      @Variable(
-              unit = "1/s",
-              min = 0.01,
-              max = 20,
-              ifAbsent = 2,
-              text = "Rate at which a small cross-track error decays.")
+      @Variable(unit = "1/s", min = 0.01, max = 20, ifAbsent = 2)
+          @Description("Rate at which a small cross-track error decays.")
           double crossTrackGain,
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              max = 10,
-              ifAbsent = 0.3,
-              text = "Softening speed, which keeps the law calm while slow.")
+      @Variable(unit = "m/s", min = 0, max = 10, ifAbsent = 0.3)
+          @Description("Softening speed, which keeps the law calm while slow.")
           double softening,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 2,
-              ifAbsent = 0,
-              text = "Steering per yaw rate in excess of the path's: damping.")
+      @Variable(unit = "s", min = 0, max = 2, ifAbsent = 0)
+          @Description("Steering per yaw rate in excess of the path's: damping.")
           double yawDamping) {}
 
   private StanleyLaw() {}

@@ -15,27 +15,26 @@ import org.u2sa.core.communication.access.ProcessAccount;
 import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
 
 /** Security of the embedded broker: users and encryption, or listening on this host only. */
 final class BrokerSecurity {
   record Variables(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Folder made by ./u2sa security init; with it the embedded broker accepts only users with passwords, over TLS.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Folder made by ./u2sa security init; with it the embedded broker accepts only users with passwords, over TLS.")
           String securityDirectory,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether the embedded broker may listen on a network without SECURITY DIRECTORY: everyone there can command the vehicle.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether the embedded broker may listen on a network without SECURITY DIRECTORY: everyone there can command the vehicle.")
           boolean allowInsecureNetwork,
       @Variable(
               oneOf = {"account", "everybody"},
-              ifAbsentText = "account",
-              text =
-                  "Who on this host may command without SECURITY DIRECTORY: the account that started the broker, by a private token file that tools read by themselves, or everybody. Everybody may listen.")
+              ifAbsentText = "account")
+          @Description(
+              "Who on this host may command without SECURITY DIRECTORY: the account that started the broker, by a private token file that tools read by themselves, or everybody. Everybody may listen.")
           String localCommands) {}
 
   private final LocalAccount account; // null without users or with those of the directory

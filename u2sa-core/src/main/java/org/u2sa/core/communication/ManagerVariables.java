@@ -1,5 +1,6 @@
 package org.u2sa.core.communication;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.cbor.WireForm;
 
@@ -7,41 +8,36 @@ import org.u2sa.messages.cbor.WireForm;
 public record ManagerVariables(
     @Variable(
             oneOf = {"embedded", "external", "none"},
-            ifAbsentText = "embedded",
-            text =
-                "embedded: a broker in this process; external: another MQTT broker; none: this process only.")
+            ifAbsentText = "embedded")
+        @Description(
+            "embedded: a broker in this process; external: another MQTT broker; none: this process only.")
         String broker,
-    @Variable(
-            ifAbsentText = "127.0.0.1",
-            text =
-                "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which requires SECURITY DIRECTORY.")
+    @Variable(ifAbsentText = "127.0.0.1")
+        @Description(
+            "Address on which the embedded broker listens; 0.0.0.0 opens it to the network, which requires SECURITY DIRECTORY.")
         String bindAddress,
-    @Variable(
-            ifAbsentText = "localhost",
-            text =
-                "Host of the external broker; auto: the one that announces itself by mDNS for this system.")
+    @Variable(ifAbsentText = "localhost")
+        @Description(
+            "Host of the external broker; auto: the one that announces itself by mDNS for this system.")
         String communicationManagerIp,
-    @Variable(min = 1, max = 65_535, ifAbsent = 1883, text = "TCP port of either kind of broker.")
+    @Variable(min = 1, max = 65_535, ifAbsent = 1883)
+        @Description("TCP port of either kind of broker.")
         int communicationManagerPort,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 3600,
-            ifAbsent = 0,
-            text =
-                "Time to wait at the start for an external broker, so that hosts may start in any order.")
+    @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
+        @Description(
+            "Time to wait at the start for an external broker, so that hosts may start in any order.")
         double communicationManagerWait,
     @Variable(
             oneOf = {"auto", "yes", "no"},
-            ifAbsentText = "auto",
-            text =
-                "Whether the embedded broker announces itself by mDNS; auto: if it listens on a network.")
+            ifAbsentText = "auto")
+        @Description(
+            "Whether the embedded broker announces itself by mDNS; auto: if it listens on a network.")
         String announce,
     @Variable(
             oneOf = {READABLE, COMPACT},
-            ifAbsentText = READABLE,
-            text =
-                "How this process writes messages. readable: fields by name, for any CBOR tool; compact: fields by number and lists as typed arrays, about half of the bytes of small messages, for readers of format 3 and later.")
+            ifAbsentText = READABLE)
+        @Description(
+            "How this process writes messages. readable: fields by name, for any CBOR tool; compact: fields by number and lists as typed arrays, about half of the bytes of small messages, for readers of format 3 and later.")
         String wireForm) {
   /** Name of the variable {@link #broker}. */
   public static final String BROKER = "BROKER";

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
@@ -14,92 +15,60 @@ import org.u2sa.interfaces.configuration.VariableDeclaration;
 final class MonitorVariables {
   /** Variables that apply to all services. */
   record Limits(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Names of the watched services, separated by commas; one that never appears is reported. Empty: every service ever heard.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Names of the watched services, separated by commas; one that never appears is reported. Empty: every service ever heard.")
           String watched,
-      @Variable(
-              unit = "s",
-              min = 0.1,
-              max = 3600,
-              ifAbsent = 2,
-              text = "Time that a callback may run before its service counts as hung.")
+      @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 2)
+          @Description("Time that a callback may run before its service counts as hung.")
           double hungAfter,
-      @Variable(
-              unit = "s",
-              min = 0.1,
-              max = 3600,
-              ifAbsent = 4,
-              text = "Silence after which a service counts as lost.")
+      @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 4)
+          @Description("Silence after which a service counts as lost.")
           double lostAfter,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 3600,
-              ifAbsent = 6, // an attempt that hangs for 4 s, and a back-off of 2 s
-              text =
-                  "Time to reconnect before a restart, for a service whose connection broke but whose process is not known to have ended.")
+      // An attempt that hangs for 4 s, and a back-off of 2 s.
+      @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 6)
+          @Description(
+              "Time to reconnect before a restart, for a service whose connection broke but whose process is not known to have ended.")
           double reconnectWithin,
-      @Variable(
-              unit = "s",
-              min = 0.1,
-              max = 3600,
-              ifAbsent = 15,
-              text =
-                  "Time in which a service must be heard after the monitor starts or orders it to start.")
+      @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 15)
+          @Description(
+              "Time in which a service must be heard after the monitor starts or orders it to start.")
           double startWithin,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 3600,
-              ifAbsent = 0.25,
-              text = "Delay of the first restart; doubles with each further one within the window.")
+      @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0.25)
+          @Description(
+              "Delay of the first restart; doubles with each further one within the window.")
           double restartDelay,
-      @Variable(
-              min = 1,
-              max = 1000,
-              ifAbsent = 3,
-              text = "Restarts of a service within the window before it is given up.")
+      @Variable(min = 1, max = 1000, ifAbsent = 3)
+          @Description("Restarts of a service within the window before it is given up.")
           int restartLimit,
-      @Variable(unit = "s", min = 1, max = 86_400, ifAbsent = 60, text = "Restart-count window.")
+      @Variable(unit = "s", min = 1, max = 86_400, ifAbsent = 60)
+          @Description("Restart-count window.")
           double restartWindow,
       @Variable(
               oneOf = {"ALERT", "FAILSAFE"},
-              ifAbsentText = "FAILSAFE",
-              text = "What to do when restarts did not help.")
+              ifAbsentText = "FAILSAFE")
+          @Description("What to do when restarts did not help.")
           String afterRestarts,
-      @Variable(ifAbsentText = "RESTART", text = "What to do about a service that no longer works.")
+      @Variable(ifAbsentText = "RESTART")
+          @Description("What to do about a service that no longer works.")
           Policy policy,
-      @Variable(
-              unit = "s",
-              min = 0,
-              max = 3600,
-              ifAbsent = 0,
-              text = "Time without data after which a service counts as stalled; 0: never.")
+      @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
+          @Description("Time without data after which a service counts as stalled; 0: never.")
           double dataTimeout,
       @Variable(
               oneOf = {"CONTINUE", "HOLD", "RETURN", "LAND"},
-              ifAbsentText = "HOLD",
-              text =
-                  "Failsafe that the monitor itself demands when the Safety Manager of an armed vehicle is lost.")
+              ifAbsentText = "HOLD")
+          @Description(
+              "Failsafe that the monitor itself demands when the Safety Manager of an armed vehicle is lost.")
           String onSafetyManagerLoss,
-      @Variable(
-              unit = "s",
-              min = 1.5,
-              max = 3600,
-              ifAbsent =
-                  5, // above LOST AFTER; below ARMING EXPIRY, or it would act on neutral actuators
-              text =
-                  "Time without an arming state after which the Safety Manager of an armed vehicle counts as lost.")
+      // Above LOST AFTER; below ARMING EXPIRY, or it would act on neutral actuators.
+      @Variable(unit = "s", min = 1.5, max = 3600, ifAbsent = 5)
+          @Description(
+              "Time without an arming state after which the Safety Manager of an armed vehicle counts as lost.")
           double safetyManagerDeadline,
-      @Variable(
-              unit = "s",
-              min = 0.01,
-              max = 60,
-              ifAbsent = 1,
-              text =
-                  "Maximum difference of a service's clock from the monitor's before it is reported.")
+      @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 1)
+          @Description(
+              "Maximum difference of a service's clock from the monitor's before it is reported.")
           double clockTolerance) {}
 
   private static final String POLICY = " POLICY";

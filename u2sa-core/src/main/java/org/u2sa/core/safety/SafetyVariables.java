@@ -1,177 +1,113 @@
 package org.u2sa.core.safety;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** The configuration variables of the {@link SafetyManager}, except the matrix ({@link Hazard}). */
 record SafetyVariables(
-    @Variable(
-            unit = "s",
-            min = 0.05,
-            max = 3600,
-            ifAbsent = 5,
-            text = "Time without an operator's heartbeat after which the link counts as lost.")
+    @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 5)
+        @Description("Time without an operator's heartbeat after which the link counts as lost.")
         double operatorDeadline,
-    @Variable(
-            ifAbsentText = "false",
-            text =
-                "Whether arming requires an operator; otherwise the link counts from the first heartbeat.")
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "Whether arming requires an operator; otherwise the link counts from the first heartbeat.")
         boolean operatorRequired,
-    @Variable(
-            unit = "s",
-            min = 0.05,
-            max = 3600,
-            ifAbsent = 1,
-            text = "Age at which the state estimate counts as absent.")
+    @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 1)
+        @Description("Age at which the state estimate counts as absent.")
         double stateDeadline,
-    @Variable(
-            unit = "m",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 50,
-            text =
-                "Standard deviation of x or y above which the position counts as lost; a state without one is trusted.")
+    @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 50)
+        @Description(
+            "Standard deviation of x or y above which the position counts as lost; a state without one is trusted.")
         double positionSigmaLimit,
-    @Variable(ifAbsentText = "StateEstimator", text = "Service that estimates the vehicle's state.")
+    @Variable(ifAbsentText = "StateEstimator")
+        @Description("Service that estimates the vehicle's state.")
         String estimatorService,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Services whose failure is the loss of the actuator link, and whose refusals count, separated by commas; empty: refusals of all count.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Services whose failure is the loss of the actuator link, and whose refusals count, separated by commas; empty: refusals of all count.")
         String actuatorServices,
-    @Variable(
-            unit = "s",
-            min = 0.1,
-            max = 3600,
-            ifAbsent = 2,
-            text =
-                "Time for which a service's actuators must refuse every command, while armed, to count as a failure.")
+    @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 2)
+        @Description(
+            "Time for which a service's actuators must refuse every command, while armed, to count as a failure.")
         double refusalTime,
-    @Variable(ifAbsentText = "HealthMonitor", text = "Name of the health monitor.")
+    @Variable(ifAbsentText = "HealthMonitor") @Description("Name of the health monitor.")
         String healthMonitorService,
-    @Variable(
-            unit = "s",
-            min = 0.05,
-            max = 3600,
-            ifAbsent = 4,
-            text = "Time without a report from the health monitor after which it counts as lost.")
+    @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 4)
+        @Description("Time without a report from the health monitor after which it counts as lost.")
         double healthMonitorDeadline,
-    @Variable(
-            ifAbsentText = "false",
-            text =
-                "Whether arming requires a health monitor; otherwise it counts from its first report.")
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "Whether arming requires a health monitor; otherwise it counts from its first report.")
         boolean healthMonitorRequired,
-    @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Low-battery threshold; 0: not monitored.")
+    @Variable(unit = "V", min = 0, ifAbsent = 0)
+        @Description("Low-battery threshold; 0: not monitored.")
         double lowBatteryVoltage,
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text = "Low-battery charge; 0: not monitored.")
+    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0)
+        @Description("Low-battery charge; 0: not monitored.")
         double lowBatteryRemaining,
-    @Variable(unit = "V", min = 0, ifAbsent = 0, text = "Critical voltage; 0: not monitored.")
+    @Variable(unit = "V", min = 0, ifAbsent = 0) @Description("Critical voltage; 0: not monitored.")
         double criticalBatteryVoltage,
-    @Variable(
-            unit = "%",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text = "Critical charge; 0: not monitored.")
+    @Variable(unit = "%", min = 0, max = 100, ifAbsent = 0)
+        @Description("Critical charge; 0: not monitored.")
         double criticalBatteryRemaining,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 3600,
-            ifAbsent = 10,
-            text = "Time for which a battery must be below a threshold: voltage sags under load.")
+    @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
+        @Description("Time for which a battery must be below a threshold: voltage sags under load.")
         double batteryTime,
-    @Variable(
-            unit = "s",
-            min = 0.05,
-            max = 3600,
-            ifAbsent = 10,
-            text =
-                "Time without a message from a battery once heard after which its sensor counts as lost, if a threshold is set.")
+    @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 10)
+        @Description(
+            "Time without a message from a battery once heard after which its sensor counts as lost, if a threshold is set.")
         double batteryDeadline,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Sensor names of the batteries that count, separated by commas, so that an invented one is ignored; empty: all that are heard.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Sensor names of the batteries that count, separated by commas, so that an invented one is ignored; empty: all that are heard.")
         String batteries,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 3600,
-            ifAbsent = 3,
-            text = "Time for which a cause must be gone before it no longer counts.")
+    @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 3)
+        @Description("Time for which a cause must be gone before it no longer counts.")
         double clearAfter,
-    @Variable(
-            ifAbsentText = "false",
-            text =
-                "Whether RETURN and LAND end with their causes, except the fence; otherwise they last until an operator arms again.")
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "Whether RETURN and LAND end with their causes, except the fence; otherwise they last until an operator arms again.")
         boolean resume,
-    @Variable(
-            ifAbsentText = "false",
-            text = "Whether to arm once in a run, as soon as all checks pass.")
+    @Variable(ifAbsentText = "false")
+        @Description("Whether to arm once in a run, as soon as all checks pass.")
         boolean armAtStart,
-    @Variable(ifAbsentText = "true", text = "Whether arming requires a goal.")
+    @Variable(ifAbsentText = "true") @Description("Whether arming requires a goal.")
         boolean missionRequired,
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Actuators that must have announced themselves before arming, separated by commas; empty: any one.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Actuators that must have announced themselves before arming, separated by commas; empty: any one.")
         String requiredActuators,
-    @Variable(ifAbsentText = "", text = "Geofence XML file, relative to this one; empty: none.")
+    @Variable(ifAbsentText = "")
+        @Description("Geofence XML file, relative to this one; empty: none.")
         String fence,
     @Variable(
             oneOf = {"BRAKE", "TURN"},
-            ifAbsentText = "BRAKE",
-            text =
-                "How the vehicle stays inside the fence: it BRAKEs or, like an aircraft, TURNs to either side.")
+            ifAbsentText = "BRAKE")
+        @Description(
+            "How the vehicle stays inside the fence: it BRAKEs or, like an aircraft, TURNs to either side.")
         String fenceManoeuvre,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 60,
-            ifAbsent = 1,
-            text = "Time from the failsafe until the vehicle brakes or turns.")
+    @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
+        @Description("Time from the failsafe until the vehicle brakes or turns.")
         double reactionTime,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 1,
-            text = "Deceleration when stopping before the fence.")
+    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 1)
+        @Description("Deceleration when stopping before the fence.")
         double braking,
-    @Variable(
-            unit = "rad",
-            min = 0.01,
-            max = 1.4,
-            ifAbsent = 0.4,
-            text = "Bank of the turn away from the fence.")
+    @Variable(unit = "rad", min = 0.01, max = 1.4, ifAbsent = 0.4)
+        @Description("Bank of the turn away from the fence.")
         double turnBank,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text =
-                "The planner's LOITER RADIUS: if ON FENCE is HOLD, the vehicle acts while there is still room for this circle.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description(
+            "The planner's LOITER RADIUS: if ON FENCE is HOLD, the vehicle acts while there is still room for this circle.")
         double holdRadius,
-    @Variable(unit = "m/s", min = 0, ifAbsent = 0, text = "Wind towards the fence to allow for.")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description("Wind towards the fence to allow for.")
         double windAllowance,
-    @Variable(
-            unit = "m/s^2",
-            min = 0,
-            minExcluded = true,
-            ifAbsent = 0.8,
-            text =
-                "Acceleration with which a climb ends below the ceiling, or a descent above the floor.")
+    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 0.8)
+        @Description(
+            "Acceleration with which a climb ends below the ceiling, or a descent above the floor.")
         double verticalAcceleration,
-    @Variable(
-            unit = "m",
-            min = 0,
-            ifAbsent = 0,
-            text = "Margin by which the fence is drawn in on all sides, for position errors.")
+    @Variable(unit = "m", min = 0, ifAbsent = 0)
+        @Description("Margin by which the fence is drawn in on all sides, for position errors.")
         double fenceMargin) {
   /** Names of the variables that define the fence. */
   static final String FENCE = "FENCE";

@@ -8,6 +8,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -50,9 +51,8 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
   /** Provider of CAMERA = MJPEG. */
   public static final class Provider extends LinkProvider<Camera> {
     private record Variables(
-        @Variable(
-                ifAbsentText = "/?action=stream",
-                text = "MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
+        @Variable(ifAbsentText = "/?action=stream")
+            @Description("MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
             String streamPath) {}
 
     public Provider() {

@@ -7,6 +7,7 @@ import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteParser;
 import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.ParsedDevice;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** A GNSS receiver on a link. */
@@ -56,21 +57,16 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
   /** Provider of RECEIVER = NMEA, UBLOX 6 and UBLOX 8. */
   public static final class Provider extends LinkProvider<GpsReceiver> {
     private record Variables(
-        @Variable(
-                unit = "m",
-                min = 0.01,
-                max = 100,
-                ifAbsent = NmeaGps.USUAL_RANGE_ERROR_M,
-                text =
-                    "NMEA: standard deviation of the distance to a satellite without corrections; DGPS and RTK have less. Times the dilution of precision, it is the position's where the receiver sends no GST.")
+        @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = NmeaGps.USUAL_RANGE_ERROR_M)
+            @Description(
+                "NMEA: standard deviation of the distance to a satellite without corrections; DGPS and RTK have less. Times the dilution of precision, it is the position's where the receiver sends no GST.")
             double rangeError,
-        @Variable(
-                min = 1_200,
-                max = 921_600,
-                ifAbsent = 9_600,
-                text = "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.")
+        @Variable(min = 1_200, max = 921_600, ifAbsent = 9_600)
+            @Description(
+                "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.")
             int baud,
-        @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5, text = "UBLOX: fixes per second.")
+        @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5)
+            @Description("UBLOX: fixes per second.")
             double solutionRate) {}
 
     public Provider() {

@@ -2,19 +2,18 @@ package org.u2sa.drivers.ioio;
 
 import java.util.function.UnaryOperator;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
 
 /** Log-in at a board that is served over a network with users, by {@code ./u2sa board}. */
 record BoardLogin(
-    @Variable(ifAbsentText = "", text = "User at a board of tls:host:port.") String user,
-    @Variable(ifAbsentText = "", text = "File whose first line is USER's password.")
+    @Variable(ifAbsentText = "") @Description("User at a board of tls:host:port.") String user,
+    @Variable(ifAbsentText = "") @Description("File whose first line is USER's password.")
         String passwordFile,
-    @Variable(
-            name = "CA FILE",
-            ifAbsentText = "",
-            text =
-                "Trusted authorities' certificates (PEM) for tls:host:port; empty: those that Java trusts.")
+    @Variable(name = "CA FILE", ifAbsentText = "")
+        @Description(
+            "Trusted authorities' certificates (PEM) for tls:host:port; empty: those that Java trusts.")
         String authority) {
   private static final String SECURED = "tls:";
 

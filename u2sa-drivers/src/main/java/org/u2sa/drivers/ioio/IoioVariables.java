@@ -6,96 +6,62 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Configuration variables for the pin assignment. */
 record IoioVariables(
-    @Variable(
-            ifAbsentText = "",
-            text =
-                "Address of the board: serial:/dev/ttyACM0, tcp:host:port, or tls:host:port with a user; empty: the host connects it, as a phone does.")
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Address of the board: serial:/dev/ttyACM0, tcp:host:port, or tls:host:port with a user; empty: the host connects it, as a phone does.")
         String connection,
     @Variable(
             ifAbsentText = "otg",
-            oneOf = {"otg", "v1"},
-            text = "Type of the board, which determines its pins: IOIO-OTG, or the earlier IOIO.")
+            oneOf = {"otg", "v1"})
+        @Description("Type of the board, which determines its pins: IOIO-OTG, or the earlier IOIO.")
         String board,
-    @Variable(
-            ifAbsentText = "LEFT MOTOR=10, RIGHT MOTOR=11",
-            text = "Actuators, each with the pin of its servo pulses.")
+    @Variable(ifAbsentText = "LEFT MOTOR=10, RIGHT MOTOR=11")
+        @Description("Actuators, each with the pin of its servo pulses.")
         String actuators,
-    @Variable(
-            ifAbsentText = "true",
-            text = "Whether all actuators are neutral while one of them has no command.")
+    @Variable(ifAbsentText = "true")
+        @Description("Whether all actuators are neutral while one of them has no command.")
         boolean actuatorsTogether,
     // a period is longer than the longest pulse, 5 ms
-    @Variable(unit = "Hz", min = 20, max = 190, ifAbsent = 50, text = "Servo pulses per second.")
+    @Variable(unit = "Hz", min = 20, max = 190, ifAbsent = 50)
+        @Description("Servo pulses per second.")
         int pulseRate,
-    @Variable(
-            min = -1,
-            max = 48,
-            ifAbsent = 6,
-            text = "Pin that receives from the GPS; -1: no GPS at the board.")
+    @Variable(min = -1, max = 48, ifAbsent = 6)
+        @Description("Pin that receives from the GPS; -1: no GPS at the board.")
         int gpsRxPin,
-    @Variable(
-            min = -1,
-            max = 48,
-            ifAbsent = 7,
-            text = "Pin that transmits to the GPS; -1: none, then the GPS is not set up.")
+    @Variable(min = -1, max = 48, ifAbsent = 7)
+        @Description("Pin that transmits to the GPS; -1: none, then the GPS is not set up.")
         int gpsTxPin,
-    @Variable(
-            unit = "baud",
-            min = 300,
-            max = 1_000_000,
-            ifAbsent = 9600,
-            text = "Baud rate of the GPS.")
+    @Variable(unit = "baud", min = 300, max = 1_000_000, ifAbsent = 9600)
+        @Description("Baud rate of the GPS.")
         int gpsBaud,
-    @Variable(
-            min = -1,
-            max = 48,
-            ifAbsent = 13,
-            text = "Pin that receives from the compass; -1: no compass at the board.")
+    @Variable(min = -1, max = 48, ifAbsent = 13)
+        @Description("Pin that receives from the compass; -1: no compass at the board.")
         int compassRxPin,
-    @Variable(
-            min = -1,
-            max = 48,
-            ifAbsent = 14,
-            text = "Pin that transmits to the compass; -1: none.")
+    @Variable(min = -1, max = 48, ifAbsent = 14)
+        @Description("Pin that transmits to the compass; -1: none.")
         int compassTxPin,
-    @Variable(
-            unit = "baud",
-            min = 300,
-            max = 1_000_000,
-            ifAbsent = 9600,
-            text = "Baud rate of the compass.")
+    @Variable(unit = "baud", min = 300, max = 1_000_000, ifAbsent = 9600)
+        @Description("Baud rate of the compass.")
         int compassBaud,
-    @Variable(
-            min = -1,
-            max = 48,
-            ifAbsent = 35,
-            text =
-                "Pin of the radio receiver's switch channel; -1: no radio, commands are always obeyed.")
+    @Variable(min = -1, max = 48, ifAbsent = 35)
+        @Description(
+            "Pin of the radio receiver's switch channel; -1: no radio, commands are always obeyed.")
         int rcSwitchPin,
-    @Variable(
-            min = -1,
-            max = 48,
-            ifAbsent = 40,
-            text = "Analog input of the battery's voltage; -1: not measured.")
+    @Variable(min = -1, max = 48, ifAbsent = 40)
+        @Description("Analog input of the battery's voltage; -1: not measured.")
         int batteryPin,
-    @Variable(
-            min = 1,
-            max = 100,
-            ifAbsent = 5,
-            text = "Ratio of the voltage divider: battery voltage over pin voltage.")
+    @Variable(min = 1, max = 100, ifAbsent = 5)
+        @Description("Ratio of the voltage divider: battery voltage over pin voltage.")
         double batteryDivider,
-    @Variable(min = -1, max = 48, ifAbsent = 0, text = "Pin of the status LED; -1: none.")
+    @Variable(min = -1, max = 48, ifAbsent = 0) @Description("Pin of the status LED; -1: none.")
         int ledPin,
-    @Variable(
-            unit = "s",
-            min = 0.1,
-            max = 60,
-            ifAbsent = 1,
-            text = "Time without a byte from the board after which it counts as lost.")
+    @Variable(unit = "s", min = 0.1, max = 60, ifAbsent = 1)
+        @Description("Time without a byte from the board after which it counts as lost.")
         double boardSilentAfter) {
   /** An actuator and its pin. */
   record ActuatorPin(String name, int pin) {}

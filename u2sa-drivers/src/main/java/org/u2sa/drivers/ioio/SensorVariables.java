@@ -9,58 +9,39 @@ import org.u2sa.drivers.gps.UbloxModel;
 import org.u2sa.drivers.gps.UbxGps;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Configuration variables of GPS and compass. */
 record SensorVariables(
     @Variable(
             ifAbsentText = "UBLOX 6",
-            oneOf = {"NMEA", "UBLOX 6", "UBLOX 8"},
-            text =
-                "NMEA: any, listened to only; UBLOX 6: LEA-6 and older, UBLOX 8: generation 7 and newer, configured at each connection.")
+            oneOf = {"NMEA", "UBLOX 6", "UBLOX 8"})
+        @Description(
+            "NMEA: any, listened to only; UBLOX 6: LEA-6 and older, UBLOX 8: generation 7 and newer, configured at each connection.")
         String gpsReceiver,
-    @Variable(
-            unit = "Hz",
-            min = 0.1,
-            max = 25,
-            ifAbsent = 5,
-            text = "Fixes per second of a u-blox receiver.")
+    @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5)
+        @Description("Fixes per second of a u-blox receiver.")
         double gpsSolutionRate,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 5,
-            ifAbsent = 0,
-            text =
-                "Latency from measurement to arrival of a fix's first message, from the data sheet; states are timestamped with the time of measurement.")
+    @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
+        @Description(
+            "Latency from measurement to arrival of a fix's first message, from the data sheet; states are timestamped with the time of measurement.")
         double gpsDelay,
     @Variable(
             ifAbsentText = "SPARTON",
-            oneOf = {"NMEA", "SPARTON"},
-            text =
-                "NMEA: any that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its successors, polled for each heading.")
+            oneOf = {"NMEA", "SPARTON"})
+        @Description(
+            "NMEA: any that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its successors, polled for each heading.")
         String compass,
-    @Variable(
-            unit = "s",
-            min = 0,
-            max = 5,
-            ifAbsent = 0,
-            text =
-                "Latency from measurement to arrival of a heading, from the data sheet; states are timestamped with the time of measurement.")
+    @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
+        @Description(
+            "Latency from measurement to arrival of a heading, from the data sheet; states are timestamped with the time of measurement.")
         double compassDelay,
-    @Variable(
-            unit = "rad",
-            min = -Math.PI,
-            max = Math.PI,
-            ifAbsent = 0,
-            text = "Yaw of the compass on the vehicle, clockwise.")
+    @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+        @Description("Yaw of the compass on the vehicle, clockwise.")
         double compassMountingAngle,
-    @Variable(
-            unit = "rad",
-            min = 0,
-            max = Math.PI,
-            ifAbsent = Math.PI / 180,
-            text = "Standard deviation of the heading, from the data sheet.")
+    @Variable(unit = "rad", min = 0, max = Math.PI, ifAbsent = Math.PI / 180)
+        @Description("Standard deviation of the heading, from the data sheet.")
         double headingSigma) {
   private static final String NMEA = "NMEA";
 

@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkProvider;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -79,9 +80,10 @@ public final class MavlinkRange extends MavlinkListener<RangeFinder.Distance>
   /** Provider of MODEL = MAVLINK. */
   public static final class Provider extends LinkProvider<RangeFinder> {
     private record Choice(
-        @Variable(ifAbsentText = "ANY", text = "MAVLINK: type of the sensor.")
+        @Variable(ifAbsentText = "ANY") @Description("MAVLINK: type of the sensor.")
             Kind distanceSensorKind,
-        @Variable(min = -1, max = 255, ifAbsent = -1, text = "MAVLINK: ID of the sensor; -1: any.")
+        @Variable(min = -1, max = 255, ifAbsent = -1)
+            @Description("MAVLINK: ID of the sensor; -1: any.")
             int distanceSensorId) {}
 
     public Provider() {

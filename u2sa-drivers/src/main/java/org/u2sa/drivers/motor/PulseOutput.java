@@ -3,6 +3,7 @@ package org.u2sa.drivers.motor;
 import java.util.OptionalDouble;
 import org.u2sa.device.SlewLimit;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Converts an actuator command to a servo or ESC pulse. Not thread-safe. */
@@ -11,12 +12,8 @@ public final class PulseOutput {
   private final SlewLimit slew;
 
   private record Variables(
-      @Variable(
-              unit = "%/s",
-              min = 1,
-              max = 100_000,
-              ifAbsent = 400,
-              text = "Maximum rate of change; stops are not limited.")
+      @Variable(unit = "%/s", min = 1, max = 100_000, ifAbsent = 400)
+          @Description("Maximum rate of change; stops are not limited.")
           double slewLimit) {}
 
   /**

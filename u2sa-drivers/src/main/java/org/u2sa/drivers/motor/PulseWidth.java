@@ -1,5 +1,6 @@
 package org.u2sa.drivers.motor;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
@@ -7,39 +8,20 @@ import org.u2sa.interfaces.configuration.Variable;
  * may differ. Variable names are prefixed with the actuator's name.
  */
 public record PulseWidth(
-    @Variable(
-            name = "MIN PULSE",
-            unit = "us",
-            min = 100,
-            max = 5000,
-            ifAbsent = 1000,
-            text = "Pulse at -100 %, or 100 % if reversed.")
+    @Variable(name = "MIN PULSE", unit = "us", min = 100, max = 5000, ifAbsent = 1000)
+        @Description("Pulse at -100 %, or 100 % if reversed.")
         double minimumUs,
-    @Variable(
-            name = "NEUTRAL PULSE",
-            unit = "us",
-            min = 100,
-            max = 5000,
-            ifAbsent = 1500,
-            text = "Pulse at which nothing moves.")
+    @Variable(name = "NEUTRAL PULSE", unit = "us", min = 100, max = 5000, ifAbsent = 1500)
+        @Description("Pulse at which nothing moves.")
         double neutralUs,
-    @Variable(
-            name = "MAX PULSE",
-            unit = "us",
-            min = 100,
-            max = 5000,
-            ifAbsent = 2000,
-            text = "Pulse at 100 %, or -100 % if reversed.")
+    @Variable(name = "MAX PULSE", unit = "us", min = 100, max = 5000, ifAbsent = 2000)
+        @Description("Pulse at 100 %, or -100 % if reversed.")
         double maximumUs,
-    @Variable(ifAbsentText = "false", text = "Whether the device is reversed: swaps the ends.")
+    @Variable(ifAbsentText = "false")
+        @Description("Whether the device is reversed: swaps the ends.")
         boolean reversed,
-    @Variable(
-            name = "DEAD BAND",
-            unit = "%",
-            min = 0,
-            max = 100,
-            ifAbsent = 0,
-            text = "Dead band: percentages up to this are neutral.")
+    @Variable(name = "DEAD BAND", unit = "%", min = 0, max = 100, ifAbsent = 0)
+        @Description("Dead band: percentages up to this are neutral.")
         double deadBandPercent) {
   private static final double FULL_PERCENT = 100.0;
   private static final double MICRO = 1.0e-6;

@@ -8,6 +8,7 @@ import org.u2sa.device.port.MotorController;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.ByteLinks;
 import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
@@ -192,11 +193,8 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   /** Provider of CONTROLLER = ROBOCLAW. */
   public static final class Provider extends DeviceProvider<MotorController> {
     private record Variables(
-        @Variable(
-                min = 128,
-                max = 135,
-                ifAbsent = 128,
-                text = "ROBOCLAW: address set at the controller; 128 is 0x80.")
+        @Variable(min = 128, max = 135, ifAbsent = 128)
+            @Description("ROBOCLAW: address set at the controller; 128 is 0x80.")
             int address) {}
 
     public Provider() {

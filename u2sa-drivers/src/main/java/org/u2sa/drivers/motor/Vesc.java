@@ -6,6 +6,7 @@ import org.u2sa.device.port.Thruster;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
@@ -130,12 +131,9 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   /** Provider of THRUSTER = VESC. */
   public static final class Provider extends LinkProvider<Thruster> {
     private record Variables(
-        @Variable(
-                min = 1,
-                max = 100,
-                ifAbsent = 7,
-                text =
-                    "VESC: pairs of magnetic poles of the motor; half the number of its magnets.")
+        @Variable(min = 1, max = 100, ifAbsent = 7)
+            @Description(
+                "VESC: pairs of magnetic poles of the motor; half the number of its magnets.")
             int polePairs) {}
 
     public Provider() {

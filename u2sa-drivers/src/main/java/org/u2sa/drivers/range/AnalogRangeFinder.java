@@ -8,6 +8,7 @@ import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.sonar.SonarModel;
 import org.u2sa.drivers.sysfs.FileDevice;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -85,20 +86,11 @@ public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
   /** Provider of MODEL = LV ANALOG and SHARP. */
   public static final class Provider extends DeviceProvider<RangeFinder> {
     private record Variables(
-        @Variable(
-                unit = "V",
-                min = 0,
-                max = 10,
-                minExcluded = true,
-                ifAbsent = 0.001,
-                text = "LV ANALOG, SHARP: voltage of one count of the converter in CONNECTION.")
+        @Variable(unit = "V", min = 0, max = 10, minExcluded = true, ifAbsent = 0.001)
+            @Description("LV ANALOG, SHARP: voltage of one count of the converter in CONNECTION.")
             double voltsPerCount,
-        @Variable(
-                unit = "V",
-                min = 2.5,
-                max = 5.5,
-                ifAbsent = 5,
-                text = "LV ANALOG: supply voltage of the sonar.")
+        @Variable(unit = "V", min = 2.5, max = 5.5, ifAbsent = 5)
+            @Description("LV ANALOG: supply voltage of the sonar.")
             double sonarSupply) {}
 
     public Provider() {

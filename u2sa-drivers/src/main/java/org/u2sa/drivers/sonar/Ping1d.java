@@ -7,6 +7,7 @@ import org.u2sa.device.port.RangeFinder;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
@@ -72,12 +73,8 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
   /** Provider of MODEL = PING1D. */
   public static final class Provider extends LinkProvider<RangeFinder> {
     private record Variables(
-        @Variable(
-                unit = "%",
-                min = 0,
-                max = 100,
-                ifAbsent = 50,
-                text = "PING1D: minimum confidence of an echo.")
+        @Variable(unit = "%", min = 0, max = 100, ifAbsent = 50)
+            @Description("PING1D: minimum confidence of an echo.")
             int minConfidence) {}
 
     public Provider() {

@@ -8,6 +8,7 @@ import org.u2sa.device.port.Sonar;
 import org.u2sa.drivers.link.ByteLink;
 import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
@@ -120,27 +121,17 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   /** Provider of SONAR = PING360. */
   public static final class Provider extends LinkProvider<Sonar> {
     private record Variables(
-        @Variable(unit = "m", min = 1, max = 75, ifAbsent = 20, text = "PING360: range.")
+        @Variable(unit = "m", min = 1, max = 75, ifAbsent = 20) @Description("PING360: range.")
             double sonarReach,
-        @Variable(
-                unit = "m/s",
-                min = 1300,
-                max = 1700,
-                ifAbsent = 1500,
-                text =
-                    "PING360: speed of sound in the water: 1500 in the sea, 1450 in a cold lake.")
+        @Variable(unit = "m/s", min = 1300, max = 1700, ifAbsent = 1500)
+            @Description(
+                "PING360: speed of sound in the water: 1500 in the sea, 1450 in a cold lake.")
             double soundSpeed,
-        @Variable(
-                min = 1,
-                max = 100,
-                ifAbsent = 4,
-                text = "PING360: step between pings in gradians, 400 to a turn.")
+        @Variable(min = 1, max = 100, ifAbsent = 4)
+            @Description("PING360: step between pings in gradians, 400 to a turn.")
             int stepGradians,
-        @Variable(
-                min = 0,
-                max = 2,
-                ifAbsent = 1,
-                text = "PING360: analog gain: 0 low, 1 normal, 2 high.")
+        @Variable(min = 0, max = 2, ifAbsent = 1)
+            @Description("PING360: analog gain: 0 low, 1 normal, 2 high.")
             int gain) {}
 
     public Provider() {

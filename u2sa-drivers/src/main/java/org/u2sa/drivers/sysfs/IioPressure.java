@@ -7,6 +7,7 @@ import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.DepthGauge;
 import org.u2sa.device.port.Pressure;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -36,12 +37,8 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
 
   /** Variable common to all pressure files. */
   record Scale(
-      @Variable(
-              unit = "kPa",
-              min = 0,
-              minExcluded = true,
-              ifAbsent = 1,
-              text = "IIO: kilopascals of one unit of the file; 1 for in_pressure_input.")
+      @Variable(unit = "kPa", min = 0, minExcluded = true, ifAbsent = 1)
+          @Description("IIO: kilopascals of one unit of the file; 1 for in_pressure_input.")
           double fileScale) {}
 
   private static IioPressure open(ServiceContext context) {

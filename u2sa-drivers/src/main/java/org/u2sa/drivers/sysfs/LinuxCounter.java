@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.WheelEncoder;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
@@ -26,10 +27,9 @@ public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implement
   /** Provider of ENCODERS = LINUX COUNTER. */
   public static final class Provider extends DeviceProvider<WheelEncoder> {
     private record Files(
-        @Variable(
-                ifAbsentText = "/sys/bus/counter/devices/counter1/count0/count",
-                text =
-                    "LINUX COUNTER: file of the right wheel's count; CONNECTION is the left one's.")
+        @Variable(ifAbsentText = "/sys/bus/counter/devices/counter1/count0/count")
+            @Description(
+                "LINUX COUNTER: file of the right wheel's count; CONNECTION is the left one's.")
             String rightCounter) {}
 
     public Provider() {

@@ -2,6 +2,7 @@ package org.u2sa.flightgear.link;
 
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.mission.Mission;
@@ -14,60 +15,41 @@ final class LinkConfiguration {
   private record Variables(
       @Variable(
               oneOf = {"embedded", "flightgear"},
-              ifAbsentText = "embedded",
-              text =
-                  "embedded: the Cessna 172 of u2sa-sim, in lockstep; flightgear: FlightGear's generic protocol over TCP.")
+              ifAbsentText = "embedded")
+          @Description(
+              "embedded: the Cessna 172 of u2sa-sim, in lockstep; flightgear: FlightGear's generic protocol over TCP.")
           String link,
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "Mission file whose home is the embedded aircraft's starting position, relative to the configuration file.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Mission file whose home is the embedded aircraft's starting position, relative to the configuration file.")
           String mission,
-      @Variable(
-              unit = "m/s",
-              min = 0,
-              max = 30,
-              ifAbsent = 0,
-              text =
-                  "Wind for the embedded aircraft: at every height, or with WIND SHEAR 6 m above ground.")
+      @Variable(unit = "m/s", min = 0, max = 30, ifAbsent = 0)
+          @Description(
+              "Wind for the embedded aircraft: at every height, or with WIND SHEAR 6 m above ground.")
           double windSpeed,
-      @Variable(
-              unit = "rad",
-              min = 0,
-              max = 2.0 * Math.PI,
-              ifAbsent = 0,
-              text =
-                  "True direction from which the wind blows, clockwise from north, for the embedded aircraft.")
+      @Variable(unit = "rad", min = 0, max = 2.0 * Math.PI, ifAbsent = 0)
+          @Description(
+              "True direction from which the wind blows, clockwise from north, for the embedded aircraft.")
           double windFrom,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether the wind grows with height, for the embedded aircraft (MIL-F-8785C, 3.7.3.4: 1.8 times as strong at 300 m).")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether the wind grows with height, for the embedded aircraft (MIL-F-8785C, 3.7.3.4: 1.8 times as strong at 300 m).")
           boolean windShear,
-      @Variable(
-              ifAbsentText = "true",
-              text =
-                  "Whether the wind has Dryden gusts, seeded by the run, for the embedded aircraft.")
+      @Variable(ifAbsentText = "true")
+          @Description(
+              "Whether the wind has Dryden gusts, seeded by the run, for the embedded aircraft.")
           boolean gusts,
-      @Variable(ifAbsentText = "127.0.0.1", text = "Host on which FlightGear runs.")
+      @Variable(ifAbsentText = "127.0.0.1") @Description("Host on which FlightGear runs.")
           String flightgearHost,
-      @Variable(
-              min = 1,
-              max = 65_535,
-              ifAbsent = 5501,
-              text = "TCP port on which this service receives FlightGear's readings.")
+      @Variable(min = 1, max = 65_535, ifAbsent = 5501)
+          @Description("TCP port on which this service receives FlightGear's readings.")
           int flightgearOutPort,
-      @Variable(
-              min = 1,
-              max = 65_535,
-              ifAbsent = 5502,
-              text = "TCP port on which FlightGear receives controls.")
+      @Variable(min = 1, max = 65_535, ifAbsent = 5502)
+          @Description("TCP port on which FlightGear receives controls.")
           int flightgearInPort,
-      @Variable(
-              min = 0,
-              max = 65_535,
-              ifAbsent = 5503,
-              text = "TCP port of FlightGear's property server, which repairs a cut link; 0: none.")
+      @Variable(min = 0, max = 65_535, ifAbsent = 5503)
+          @Description(
+              "TCP port of FlightGear's property server, which repairs a cut link; 0: none.")
           int flightgearPropertyPort) {}
 
   private final Settings<Variables> settings;

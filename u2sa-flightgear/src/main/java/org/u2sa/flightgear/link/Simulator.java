@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.u2sa.control.fixedwing.AircraftActuator;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.AircraftState;
@@ -42,10 +43,9 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
   private static final double RICH = 1.0;
 
   private record Senses(
-      @Variable(
-              ifAbsentText = "true",
-              text =
-                  "Whether sensed-state has the aircraft's true position, motion and attitude; false: only weight on wheels, engine and height above ground, as sensors measure the rest.")
+      @Variable(ifAbsentText = "true")
+          @Description(
+              "Whether sensed-state has the aircraft's true position, motion and attitude; false: only weight on wheels, engine and height above ground, as sensors measure the rest.")
           boolean sensesMotion) {}
 
   private final boolean sensesMotion;

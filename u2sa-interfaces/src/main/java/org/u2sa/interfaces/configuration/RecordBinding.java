@@ -101,11 +101,11 @@ final class RecordBinding<T> {
   }
 
   private static String description(Variable said, Parameter parameter) {
-    Description longer = parameter.getAnnotation(Description.class);
-    if (longer == null && said.text().isEmpty()) {
-      throw new IllegalArgumentException(said + ": expected a text or @Description");
+    Description description = parameter.getAnnotation(Description.class);
+    if (description == null) {
+      throw new IllegalArgumentException(said + ": expected a @Description beside it");
     }
-    return longer == null ? said.text() : longer.value();
+    return description.value();
   }
 
   private static String name(Variable said, Parameter parameter) {

@@ -7,11 +7,11 @@ import java.lang.annotation.Target;
 
 /**
  * Marks a record component as a configuration variable. Every component of the record must be
- * annotated:
+ * annotated, and have a {@link Description}:
  *
  * <pre>{@code
  * record Variables(
- *     @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40, text = "Speed on legs.")
+ *     @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40) @Description("Speed on legs.")
  *         double cruiseSpeed,
  *     @Variable(oneOf = {"HOLD", "STOP"}, ifAbsentText = "STOP")
  *         @Description("After the last goal: HOLD stays at the last waypoint, STOP stops.")
@@ -51,7 +51,4 @@ public @interface Variable {
 
   /** Allowed texts, case-sensitive; empty for any. */
   String[] oneOf() default {};
-
-  /** Description for the user who sets it, as a sentence; unless it has a {@link Description}. */
-  String text() default "";
 }

@@ -18,29 +18,26 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /** Credentials of a client of the Communication Manager. Immutable; files are read once. */
 public final class BrokerAccess {
   /** Login variables for a Communication Manager in another process. */
   public record Login(
-      @Variable(
-              ifAbsentText = "",
-              text =
-                  "User at the Communication Manager, if it runs in another process; empty: none.")
+      @Variable(ifAbsentText = "")
+          @Description(
+              "User at the Communication Manager, if it runs in another process; empty: none.")
           String user,
-      @Variable(ifAbsentText = "", text = "File whose first line is USER's password.")
+      @Variable(ifAbsentText = "") @Description("File whose first line is USER's password.")
           String passwordFile,
-      @Variable(
-              ifAbsentText = "false",
-              text =
-                  "Whether the connection to a Communication Manager in another process is encrypted.")
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether the connection to a Communication Manager in another process is encrypted.")
           boolean tls,
-      @Variable(
-              name = "CA FILE",
-              ifAbsentText = "",
-              text =
-                  "Trusted authorities' certificates (PEM), which switches TLS on; empty: those that Java trusts.")
+      @Variable(name = "CA FILE", ifAbsentText = "")
+          @Description(
+              "Trusted authorities' certificates (PEM), which switches TLS on; empty: those that Java trusts.")
           String authority) {}
 
   private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);

@@ -30,19 +30,20 @@ class SettingsTest {
   }
 
   private record Variables(
-      @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40, text = "Speed on legs.")
+      @Variable(unit = "m/s", min = 30, max = 60, ifAbsent = 40) @Description("Speed on legs.")
           double cruiseSpeed,
-      @Variable(name = "STALL", unit = "m/s", min = 0, minExcluded = true, text = "Stall speed.")
+      @Variable(name = "STALL", unit = "m/s", min = 0, minExcluded = true)
+          @Description("Stall speed.")
           double stallSpeed,
-      @Variable(min = 1, max = 9, ifAbsent = 3, text = "Passes at a waypoint.") int attempts,
-      @Variable(ifAbsentText = "", text = "File of the mission.") String mission,
+      @Variable(min = 1, max = 9, ifAbsent = 3) @Description("Passes at a waypoint.") int attempts,
+      @Variable(ifAbsentText = "") @Description("File of the mission.") String mission,
       @Variable(
               oneOf = {"slow", "fast"},
-              ifAbsentText = "slow",
-              text = "How.")
+              ifAbsentText = "slow")
+          @Description("How.")
           String mode,
-      @Variable(ifAbsentText = "true", text = "Whether it loops.") boolean loop,
-      @Variable(ifAbsentText = "STOP", text = "What follows.") End atEnd) {
+      @Variable(ifAbsentText = "true") @Description("Whether it loops.") boolean loop,
+      @Variable(ifAbsentText = "STOP") @Description("What follows.") End atEnd) {
     Variables {
       if (stallSpeed >= cruiseSpeed) {
         throw new IllegalArgumentException("STALL must be below CRUISE SPEED");
@@ -51,8 +52,8 @@ class SettingsTest {
   }
 
   private record Pair(
-      @Variable(min = 0, max = 1000, ifAbsent = 0, text = "One.") int one,
-      @Variable(min = 0, max = 1000, ifAbsent = 0, text = "The same.") int two) {
+      @Variable(min = 0, max = 1000, ifAbsent = 0) @Description("One.") int one,
+      @Variable(min = 0, max = 1000, ifAbsent = 0) @Description("The same.") int two) {
     Pair {
       if (one != two) {
         throw new IllegalArgumentException("ONE and TWO differ");
@@ -62,11 +63,12 @@ class SettingsTest {
 
   private record Unchecked(double plain) {}
 
-  private record WrongDefault(@Variable(max = 1, ifAbsent = 2, text = "Too much.") double share) {}
+  private record WrongDefault(
+      @Variable(max = 1, ifAbsent = 2) @Description("Too much.") double share) {}
 
-  private record WrongKind(@Variable(ifAbsent = 2, text = "A text.") String text) {}
+  private record WrongKind(@Variable(ifAbsent = 2) @Description("A text.") String text) {}
 
-  private record WrongType(@Variable(text = "A date.") long micros) {}
+  private record WrongType(@Variable @Description("A date.") long micros) {}
 
   private record Undescribed(@Variable(ifAbsent = 2) double share) {}
 
@@ -279,7 +281,7 @@ class SettingsTest {
   void settings_descriptionOfItsOwn_isTheVariables() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("here", Map.of());
     assertThatThrownBy(() -> configuration.settings(Undescribed.class))
-        .hasMessageContainingAll("Undescribed", "expected a text or @Description");
+        .hasMessageContainingAll("Undescribed", "expected a @Description beside it");
 
     configuration.settings(Described.class);
 

@@ -94,12 +94,14 @@ public record AvoidanceVariables(
         @Description(
             "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
         double turnRadius,
-    @Variable(ifAbsentText = "false", text = "Whether the control system can drive backwards.")
+    @Variable(ifAbsentText = "false")
+        @Description("Whether the control system can drive backwards.")
         boolean reverses,
     @Variable(unit = "m", min = 0, ifAbsent = 0.3)
         @Description("Distance to keep from traffic, beyond its own radius and the vehicle's.")
         double trafficClearance,
-    @Variable(unit = "s", min = 0, ifAbsent = 4, text = "How far ahead in time traffic is avoided.")
+    @Variable(unit = "s", min = 0, ifAbsent = 4)
+        @Description("How far ahead in time traffic is avoided.")
         double trafficHorizon,
     @Variable(unit = "deg", min = 0, minExcluded = true, max = 180, ifAbsent = 10)
         @Description("How near to a waypoint's heading the vehicle must arrive.")

@@ -56,9 +56,9 @@ public record CourseVariables(
     @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.305)
         @Description("Radius of the white discs that mark potholes.")
         double potholeRadius,
-    @Variable(unit = "m", min = 0.1, max = 3, ifAbsent = 0.6, text = "Diameter of a barrel.")
+    @Variable(unit = "m", min = 0.1, max = 3, ifAbsent = 0.6) @Description("Diameter of a barrel.")
         double barrelWidth,
-    @Variable(unit = "m", min = 0.2, max = 3, ifAbsent = 1, text = "Height of a barrel.")
+    @Variable(unit = "m", min = 0.2, max = 3, ifAbsent = 1) @Description("Height of a barrel.")
         double barrelHeight,
     @Variable(unit = "m", min = 0, max = 1, ifAbsent = 0.08)
         @Description("Height of a barrel's lowest orange above the ground.")
@@ -69,9 +69,11 @@ public record CourseVariables(
     @Variable(unit = "m", min = 0, max = 2, ifAbsent = 0.3)
         @Description("Height of the lower edge of a sawhorse's lowest plank above the ground.")
         double sawhorseClear,
-    @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.32, text = "Width of a flag's cloth.")
+    @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.32)
+        @Description("Width of a flag's cloth.")
         double flagWidth,
-    @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.26, text = "Height of a flag's cloth.")
+    @Variable(unit = "m", min = 0.05, max = 2, ifAbsent = 0.26)
+        @Description("Height of a flag's cloth.")
         double flagCloth,
     @Variable(unit = "m", min = 0.1, max = 5, ifAbsent = 1)
         @Description("Height of a flag's upper edge above the ground.")

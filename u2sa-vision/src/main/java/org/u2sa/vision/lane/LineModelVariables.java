@@ -14,7 +14,8 @@ record LineModelVariables(
     @Variable(unit = "m", min = 0.01, max = 5, ifAbsent = 0.35)
         @Description("LINES: distance up to which a sighting beside a known line is that line.")
         double lineGate,
-    @Variable(min = 1, max = 20, ifAbsent = 3, text = "LINES: sightings that make a line certain.")
+    @Variable(min = 1, max = 20, ifAbsent = 3)
+        @Description("LINES: sightings that make a line certain.")
         int lineHits,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
         @Description(

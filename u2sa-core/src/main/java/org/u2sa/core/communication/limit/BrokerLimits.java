@@ -1,81 +1,52 @@
 package org.u2sa.core.communication.limit;
 
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 
 /** Limits of the embedded broker, per client and in total. */
 public record BrokerLimits(
-    @Variable(min = 4, max = 100_000, ifAbsent = 512, text = "Maximum connections to the broker.")
+    @Variable(min = 4, max = 100_000, ifAbsent = 512)
+        @Description("Maximum connections to the broker.")
         int maxClients,
-    @Variable(
-            min = 10,
-            max = 10_000_000,
-            ifAbsent = 100_000,
-            text =
-                "Packets per second that the embedded broker reads from one client; further ones wait. A tenth while a subscriber to its messages is behind.")
+    @Variable(min = 10, max = 10_000_000, ifAbsent = 100_000)
+        @Description(
+            "Packets per second that the embedded broker reads from one client; further ones wait. A tenth while a subscriber to its messages is behind.")
         int clientMessagesPerSecond,
-    @Variable(
-            min = 10_000,
-            max = 2_000_000_000,
-            ifAbsent = 200_000_000,
-            text =
-                "Bytes per second that the embedded broker reads from one client; further ones wait. A tenth while a subscriber to its messages is behind.")
+    @Variable(min = 10_000, max = 2_000_000_000, ifAbsent = 200_000_000)
+        @Description(
+            "Bytes per second that the embedded broker reads from one client; further ones wait. A tenth while a subscriber to its messages is behind.")
         int clientBytesPerSecond,
-    @Variable(
-            min = 100,
-            max = 100_000_000,
-            ifAbsent = 250_000,
-            text =
-                "Packets per second that the embedded broker reads from all clients together. Each client's first hundredth of CLIENT MESSAGES PER SECOND is not counted and never waits for the others.")
+    @Variable(min = 100, max = 100_000_000, ifAbsent = 250_000)
+        @Description(
+            "Packets per second that the embedded broker reads from all clients together. Each client's first hundredth of CLIENT MESSAGES PER SECOND is not counted and never waits for the others.")
         int totalMessagesPerSecond,
-    @Variable(
-            min = 1,
-            max = 1_000_000,
-            ifAbsent = 200,
-            text =
-                "Subscriptions and queries to all services per second that the embedded broker reads from one user; further ones wait.")
+    @Variable(min = 1, max = 1_000_000, ifAbsent = 200)
+        @Description(
+            "Subscriptions and queries to all services per second that the embedded broker reads from one user; further ones wait.")
         int clientQuestionsPerSecond,
-    @Variable(
-            min = 1,
-            max = 1_000_000,
-            ifAbsent = 50,
-            text =
-                "Changes of configuration, services and goals per second that the embedded broker accepts from one client; more are refused. One larger than 4 KiB counts as several.")
+    @Variable(min = 1, max = 1_000_000, ifAbsent = 50)
+        @Description(
+            "Changes of configuration, services and goals per second that the embedded broker accepts from one client; more are refused. One larger than 4 KiB counts as several.")
         int clientOrdersPerSecond,
-    @Variable(
-            min = 16,
-            max = 1_000_000,
-            ifAbsent = 4_096,
-            text =
-                "Topics for which the embedded broker retains a client's message; one user may take half. Emergency stop, failsafe and arming state have room of their own.")
+    @Variable(min = 16, max = 1_000_000, ifAbsent = 4_096)
+        @Description(
+            "Topics for which the embedded broker retains a client's message; one user may take half. Emergency stop, failsafe and arming state have room of their own.")
         int maxRetainedTopics,
-    @Variable(
-            min = 65_536,
-            max = 2_000_000_000,
-            ifAbsent = 32 << 20,
-            text = "Total bytes of retained messages; at most a quarter of the heap's size.")
+    @Variable(min = 65_536, max = 2_000_000_000, ifAbsent = 32 << 20)
+        @Description("Total bytes of retained messages; at most a quarter of the heap's size.")
         int maxRetainedBytes,
-    @Variable(
-            min = 16_384,
-            max = 2_000_000_000,
-            ifAbsent = 8 << 20,
-            text =
-                "Bytes of retained messages of one user, or of one client where there are no users.")
+    @Variable(min = 16_384, max = 2_000_000_000, ifAbsent = 8 << 20)
+        @Description(
+            "Bytes of retained messages of one user, or of one client where there are no users.")
         int maxClientRetainedBytes,
-    @Variable(
-            min = 1 << 20,
-            max = 2_000_000_000,
-            ifAbsent = 32 << 20,
-            text =
-                "Bytes published after a message that a client has not acknowledged, before the embedded broker disconnects the client.")
+    @Variable(min = 1 << 20, max = 2_000_000_000, ifAbsent = 32 << 20)
+        @Description(
+            "Bytes published after a message that a client has not acknowledged, before the embedded broker disconnects the client.")
         int maxUnacknowledgedBytes,
-    @Variable(
-            unit = "s",
-            min = 0.5,
-            max = 3_600,
-            ifAbsent = 15,
-            text =
-                "Time after which the embedded broker disconnects a client that neither reads nor acknowledges what waits for it.")
+    @Variable(unit = "s", min = 0.5, max = 3_600, ifAbsent = 15)
+        @Description(
+            "Time after which the embedded broker disconnects a client that neither reads nor acknowledges what waits for it.")
         double clientPatience) {
   /** Unidentified connections from one address. */
   public static final int PENDING_PER_ADDRESS = 32;

@@ -1,6 +1,7 @@
 package {{package}};
 
 import java.util.function.DoubleConsumer;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.Actuator;
@@ -9,14 +10,10 @@ import org.u2sa.service.ServiceContext;
 /** Moves a servo. In: actuation of its ACTUATOR NAME. Out: actuators. */
 public final class {{Name}} extends Actuator {
   private record Variables(
-      @Variable(unit = "us", min = 500, max = 2500, ifAbsent = 1500, text = "Pulse at 0 %.")
+      @Variable(unit = "us", min = 500, max = 2500, ifAbsent = 1500) @Description("Pulse at 0 %.")
           double neutral,
-      @Variable(
-              unit = "us",
-              min = -1000,
-              max = 1000,
-              ifAbsent = 500,
-              text = "How much longer the pulse is at 100 %.")
+      @Variable(unit = "us", min = -1000, max = 1000, ifAbsent = 500)
+          @Description("How much longer the pulse is at 100 %.")
           double full) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -3,6 +3,7 @@ package {{package}};
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.control.ControlSystem;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.NavigationPoint;
@@ -19,19 +20,11 @@ public final class {{Name}} extends ControlSystem {
   private static final String RIGHT = "RIGHT MOTOR";
 
   private record Variables(
-      @Variable(
-              unit = "%",
-              min = 0,
-              max = 100,
-              ifAbsent = 50,
-              text = "Power of both motors straight ahead.")
+      @Variable(unit = "%", min = 0, max = 100, ifAbsent = 50)
+          @Description("Power of both motors straight ahead.")
           double power,
-      @Variable(
-              unit = "%/rad",
-              min = 0,
-              max = 500,
-              ifAbsent = 40,
-              text = "Power for each radian of the bearing, opposite on both sides.")
+      @Variable(unit = "%/rad", min = 0, max = 500, ifAbsent = 40)
+          @Description("Power for each radian of the bearing, opposite on both sides.")
           double bearingGain) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

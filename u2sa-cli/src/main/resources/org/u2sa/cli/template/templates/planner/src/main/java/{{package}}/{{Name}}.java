@@ -8,6 +8,7 @@ import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerStateProvider;
 import org.u2sa.planning.Pursuit;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.goal.GoalInformation;
@@ -20,14 +21,11 @@ import org.u2sa.messages.frame.ReferenceFrame;
 /** Goes straight to waypoints, and slowly near them. A state of the path planner. */
 public final class {{Name}} implements PlannerState {
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 2,
-              text = "Distance to a waypoint within which the vehicle is slow.")
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 2)
+          @Description("Distance to a waypoint within which the vehicle is slow.")
           double slowWithin,
-      @Variable(unit = "m/s", min = 0.01, max = 20, ifAbsent = 0.5, text = "Speed near a waypoint.")
+      @Variable(unit = "m/s", min = 0.01, max = 20, ifAbsent = 0.5)
+          @Description("Speed near a waypoint.")
           double slowSpeed) {}
 
   private final Settings<Variables> tuning;

@@ -2,6 +2,7 @@ package {{package}};
 
 import java.util.List;
 import java.util.Set;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -21,19 +22,11 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   private static final List<String> MOTORS = List.of("LEFT MOTOR", "RIGHT MOTOR");
 
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = 0.05,
-              max = 5,
-              ifAbsent = 0.5,
-              text = "Distance between the wheels.")
+      @Variable(unit = "m", min = 0.05, max = 5, ifAbsent = 0.5)
+          @Description("Distance between the wheels.")
           double track,
-      @Variable(
-              unit = "m/s",
-              min = 0.1,
-              max = 20,
-              ifAbsent = 2,
-              text = "Speed at full power of both motors.")
+      @Variable(unit = "m/s", min = 0.1, max = 20, ifAbsent = 2)
+          @Description("Speed at full power of both motors.")
           double maxSpeed) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -1,6 +1,7 @@
 package {{package}};
 
 import java.util.Random;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.StateInformation;
@@ -12,12 +13,8 @@ public final class {{Name}} extends ProprioceptiveSensor {
   private static final double RATE_HZ = 10.0;
 
   private record Variables(
-      @Variable(
-              unit = "m",
-              min = 0,
-              max = 100,
-              ifAbsent = 0.2,
-              text = "Standard deviation of a reading.")
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.2)
+          @Description("Standard deviation of a reading.")
           double noise) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);
