@@ -94,6 +94,7 @@ final class SensorKinds {
     Optional<String> service = sensor.xml().optionalAttribute("service");
     double delay = kind.isDelayed ? 0.0 : sensor.number("delay", "s", 0.0, 5.0, 0.0);
     double lost = kind.isDelayed ? 0.0 : sensor.number("dropouts", "1", 0.0, 1.0, 0.0);
+    double failsAt = sensor.number("failsAt", "s", 0.0, 1e9, Double.POSITIVE_INFINITY);
     Reader reader = sensor.made(() -> kind.reader.apply(sensor));
     Map<String, Double> variables = new LinkedHashMap<>(reader.variables());
     if (kind.port == WheelEncoder.class) {
@@ -106,6 +107,6 @@ final class SensorKinds {
     }
     sensor.end();
     return new SensorEntry(
-        sensor.xml().name(), kind.port, service, delay, lost, variables, reader.maker());
+        sensor.xml().name(), kind.port, service, delay, lost, failsAt, variables, reader.maker());
   }
 }

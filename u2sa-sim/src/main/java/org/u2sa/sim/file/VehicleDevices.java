@@ -1,6 +1,7 @@
 package org.u2sa.sim.file;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -37,6 +38,7 @@ public final class VehicleDevices implements DeviceSource {
   private final VehicleFile file;
   private final RunningVehicle run;
   private final long seed;
+  private final Map<String, NoiseStreams> noise = new HashMap<>(); // by service
 
   /**
    * @param run the vehicle of the file, in its world
@@ -46,6 +48,12 @@ public final class VehicleDevices implements DeviceSource {
     this.file = file;
     this.run = run;
     this.seed = seed;
+  }
+
+  /** Gives a service's sensor these random numbers instead of those of its own. */
+  public VehicleDevices noise(String service, NoiseStreams streams) {
+    noise.put(service, streams);
+    return this;
   }
 
   @Override
@@ -117,7 +125,9 @@ public final class VehicleDevices implements DeviceSource {
   }
 
   private NoiseStreams streams(String service) {
-    return new NoiseStreams(new NoiseStreams(seed).of("sensor " + service).nextLong());
+    return noise.containsKey(service)
+        ? noise.get(service)
+        : new NoiseStreams(new NoiseStreams(seed).of("sensor " + service).nextLong());
   }
 
   private Supplier<GroundState> wheels(Clock clock) {

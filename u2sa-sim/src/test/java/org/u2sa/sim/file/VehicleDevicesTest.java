@@ -82,6 +82,27 @@ class VehicleDevicesTest {
   }
 
   @Test
+  void read_afterTheSensorsFailure_isDisconnected() {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.sixWheels()
+                .replace(
+                    "<gps preset=\"survey\"/>",
+                    "<gps preset=\"survey\"><failsAt unit=\"s\">2</failsAt></gps>"));
+    GpsReceiver receiver =
+        device(file, GpsReceiver.class, "GpsSensor", variables()).orElseThrow();
+    receiver.read(0L);
+    clock.runUntil(() -> false, 1_900_000L);
+    receiver.read(1_900_000L);
+    boolean before = receiver.isConnected();
+    clock.runUntil(() -> false, 2_000_000L);
+    receiver.read(2_000_000L);
+
+    assertThat(before).isTrue();
+    assertThat(receiver.isConnected()).isFalse();
+  }
+
+  @Test
   void device_receiver_setsDelayUnlessTheServiceStatesOne() {
     VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
     XmlConfiguration open = variables();
