@@ -36,6 +36,7 @@ class VehicleFilesPageTest {
     vehicles.add(new Page("config/ugv/vehicle.xml").text());
     vehicles.add(new Page("config/ugv/vehicle-ackermann.xml").text());
     vehicles.add(new Page("config/vehicles/bluerov2.xml").text());
+    vehicles.add(new Page("config/cessna/vehicle.xml").text());
     return vehicles;
   }
 

@@ -22,7 +22,6 @@ import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioInProcess;
 import org.u2sa.sim.ioio.IoioTcpServer;
 import org.u2sa.sim.vehicle.RunningVehicle;
-import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.EnvironmentElement;
 import org.u2sa.sim.world.World;
@@ -60,7 +59,7 @@ public final class VehicleTrial {
    */
   public static VehicleTrial of(
       VehicleFile file, World world, Point place, double headingRad, long seed) {
-    RunningVehicle run = new VehicleRun(file.make(world, place, headingRad, seed));
+    RunningVehicle run = file.running(world, place, headingRad, seed);
     return new VehicleTrial(file, world, run, Optional.empty(), seed);
   }
 

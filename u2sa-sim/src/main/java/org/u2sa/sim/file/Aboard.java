@@ -1,7 +1,9 @@
 package org.u2sa.sim.file;
 
+import java.util.List;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -14,6 +16,7 @@ import org.u2sa.sim.world.World;
  * @param truth current state of the vehicle
  * @param air current velocity of the air around the vehicle: east, north, up [m/s]
  * @param wheels current state of a ground vehicle's wheels
+ * @param traffic other vehicles now
  * @param streams the device's own random numbers
  */
 record Aboard(
@@ -21,6 +24,7 @@ record Aboard(
     Supplier<VehicleTruth> truth,
     Supplier<Point> air,
     Supplier<GroundState> wheels,
+    Supplier<List<SimulatedTraffic.Other>> traffic,
     NoiseStreams streams) {
 
   /** Current state of a sensor on the vehicle. */

@@ -15,6 +15,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.DeviceSource;
 import org.u2sa.sim.device.SimulatedMotors;
+import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.device.VehicleThruster;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
@@ -38,6 +39,7 @@ public final class VehicleDevices implements DeviceSource {
   private final VehicleFile file;
   private final RunningVehicle run;
   private final long seed;
+  private Supplier<List<SimulatedTraffic.Other>> traffic = List::of;
   private final Map<String, NoiseStreams> noise = new HashMap<>(); // by service
 
   /**
@@ -48,6 +50,12 @@ public final class VehicleDevices implements DeviceSource {
     this.file = file;
     this.run = run;
     this.seed = seed;
+  }
+
+  /** Tells traffic receivers what moves around the vehicle. */
+  public VehicleDevices traffic(Supplier<List<SimulatedTraffic.Other>> around) {
+    traffic = around;
+    return this;
   }
 
   /** Gives a service's sensor these random numbers instead of those of its own. */
@@ -64,6 +72,9 @@ public final class VehicleDevices implements DeviceSource {
     }
     if (port == MotorController.class) {
       return Optional.of(port.cast(motors(service, variables, clock)));
+    }
+    if (port == VehicleRun.class && run instanceof VehicleRun.Readers readers) {
+      return Optional.of(port.cast(readers.owned()));
     }
     return SensorKinds.isKnown(port)
         ? Optional.of(port.cast(sensor(port, service, variables, clock)))
@@ -105,6 +116,7 @@ public final class VehicleDevices implements DeviceSource {
             () -> run.at(clock.micros()),
             () -> run.read(clock.micros(), SimulatedVehicle::air),
             wheels(clock),
+            () -> traffic.get(),
             streams(name)));
   }
 

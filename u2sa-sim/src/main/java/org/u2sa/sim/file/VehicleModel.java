@@ -37,6 +37,11 @@ public interface VehicleModel {
     return false;
   }
 
+  /** Whether one service, which commands all of it, alone advances it: sensors must not. */
+  default boolean isSteppedByOwner() {
+    return false;
+  }
+
   /** Names of its actuators, as in commands. */
   List<String> actuators();
 

@@ -13,7 +13,6 @@ import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.MotorController;
 import org.u2sa.device.port.Thruster;
-import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
@@ -21,6 +20,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 class VehicleDevicesTest {
+  /** A device that vehicle files do not know. */
+  private interface Winch extends Device<Device.Reading> {}
+
   private final LockstepClock clock = new LockstepClock();
 
   private VehicleRun run(VehicleFile file) {
@@ -66,7 +68,7 @@ class VehicleDevicesTest {
   void device_portOfNoVehicleFile_isLeftToTheConfiguration() {
     VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
 
-    assertThat(device(file, TrafficReceiver.class, "TrafficSensor", variables())).isEmpty();
+    assertThat(device(file, Winch.class, "Winch", variables())).isEmpty();
   }
 
   @Test
@@ -89,8 +91,7 @@ class VehicleDevicesTest {
                 .replace(
                     "<gps preset=\"survey\"/>",
                     "<gps preset=\"survey\"><failsAt unit=\"s\">2</failsAt></gps>"));
-    GpsReceiver receiver =
-        device(file, GpsReceiver.class, "GpsSensor", variables()).orElseThrow();
+    GpsReceiver receiver = device(file, GpsReceiver.class, "GpsSensor", variables()).orElseThrow();
     receiver.read(0L);
     clock.runUntil(() -> false, 1_900_000L);
     receiver.read(1_900_000L);
