@@ -68,7 +68,7 @@ class VehicleFilesPageTest {
 
   @Test
   void examples_ofThePage_areVehicles() throws IOException {
-    assertThat(vehicles()).hasSize(7).allSatisfy(VehicleFilesPageTest::read);
+    assertThat(vehicles()).hasSize(8).allSatisfy(VehicleFilesPageTest::read);
   }
 
   @Test

@@ -5,10 +5,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.MotorController;
+import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -16,6 +18,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.DeviceSource;
 import org.u2sa.sim.device.SimulatedMotors;
 import org.u2sa.sim.device.SimulatedTraffic;
+import org.u2sa.sim.device.VehicleServo;
 import org.u2sa.sim.device.VehicleThruster;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
@@ -69,6 +72,9 @@ public final class VehicleDevices implements DeviceSource {
       Class<D> port, String service, XmlConfiguration variables, Clock clock) {
     if (port == Thruster.class) {
       return Optional.of(port.cast(thruster(service, variables)));
+    }
+    if (port == Servo.class) {
+      return Optional.of(port.cast(servo(service, variables)));
     }
     if (port == MotorController.class) {
       return Optional.of(port.cast(motors(service, variables, clock)));
@@ -148,12 +154,24 @@ public final class VehicleDevices implements DeviceSource {
 
   private Thruster thruster(String service, XmlConfiguration variables) {
     String name = stated(variables, ACTUATOR_NAME).orElse(service);
-    if (file.model().medium() != VehicleModel.Medium.GROUND
-        && file.model().actuators().contains(name)
+    VehicleModel model = file.model();
+    if (model.actuators().contains(name)
+        && model.travelRad(name).isEmpty()
+        && model.wheels().isEmpty()
         && run instanceof VehicleRun commanded) {
       return new VehicleThruster(commanded, name);
     }
     throw none(service, "Thruster \"" + name + "\"");
+  }
+
+  private Servo servo(String service, XmlConfiguration variables) {
+    String name = stated(variables, ACTUATOR_NAME).orElse(service);
+    OptionalDouble travel = file.model().travelRad(name);
+    if (travel.isPresent() && run instanceof VehicleRun commanded) {
+      unlessStated(variables, "TRAVEL", travel.getAsDouble());
+      return new VehicleServo(commanded, name, travel.getAsDouble(), file.model().lowest(name));
+    }
+    throw none(service, "Servo \"" + name + "\"");
   }
 
   private MotorController motors(String name, XmlConfiguration service, Clock clock) {

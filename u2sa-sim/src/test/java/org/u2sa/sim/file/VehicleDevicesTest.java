@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +13,7 @@ import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.MotorController;
+import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -84,7 +86,7 @@ class VehicleDevicesTest {
   }
 
   @Test
-  void read_afterTheSensorsFailure_isDisconnected() {
+  void read_afterTheSensorsFailure_isDisconnected() throws InterruptedException {
     VehicleFile file =
         Vehicles.parse(
             Vehicles.sixWheels()
@@ -129,6 +131,23 @@ class VehicleDevicesTest {
 
     assertThat(driving).isGreaterThan(0.5);
     assertThat(run.at(10_000_000L).speedMps()).isCloseTo(0.0, within(0.05));
+  }
+
+  @Test
+  void device_servo_deflectsItsSurfaceAndKnowsItsTravel() throws Exception {
+    VehicleFile file = VehicleFile.load(Path.of("../config/ugv/vehicle-ackermann.xml"));
+    VehicleRun run = run(file);
+    VehicleDevices devices = new VehicleDevices(file, run, 1);
+    XmlConfiguration open = variables();
+    Servo steering = devices.device(Servo.class, "STEERING", open, clock).orElseThrow();
+    run.command(0L, "THROTTLE", 0.5);
+    steering.turn(0.4189);
+    steering.read(0L);
+
+    assertThat(open.overrides()).containsEntry("TRAVEL", 0.4189);
+    assertThat(run.at(2_000_000L).rates().z()).isGreaterThan(0.5);
+    assertThatThrownBy(() -> devices.device(Thruster.class, "STEERING", variables(), clock))
+        .hasMessageContaining("needs a Thruster \"STEERING\"");
   }
 
   @Test
