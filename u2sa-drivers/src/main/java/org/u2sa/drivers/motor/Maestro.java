@@ -1,16 +1,13 @@
 package org.u2sa.drivers.motor;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Servo;
 import org.u2sa.drivers.link.ByteLink;
-import org.u2sa.drivers.link.ByteLinks;
+import org.u2sa.drivers.link.LinkProvider;
 import org.u2sa.drivers.link.LinkedDevice;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.ServiceContext;
 
 /**
  * One channel of a Pololu Maestro servo controller: targets out, positions in (Maestro User's
@@ -28,7 +25,6 @@ public final class Maestro extends LinkedDevice<Servo.Position> implements Servo
   private int target;
   private long askDueMicros = Long.MIN_VALUE;
   private int firstByte = -1; // of a position
-  private Optional<Position> latest = Optional.empty();
 
   /**
    * Wiring of a servo.
@@ -125,11 +121,6 @@ public final class Maestro extends LinkedDevice<Servo.Position> implements Servo
   }
 
   @Override
-  protected Optional<Position> latest() {
-    return latest;
-  }
-
-  @Override
   public void turn(double angleRad) {
     double pulseUs = wiring.middlePulse() + wiring.pulsePerAngle() * angleRad;
     double within = Math.max(wiring.shortestPulse(), Math.min(wiring.longestPulse(), pulseUs));
@@ -142,21 +133,9 @@ public final class Maestro extends LinkedDevice<Servo.Position> implements Servo
   }
 
   /** Provider of SERVO = MAESTRO. */
-  public static final class Provider extends DeviceProvider<Servo> {
-    /** Constructor for {@link java.util.ServiceLoader}. */
+  public static final class Provider extends LinkProvider<Servo> {
     public Provider() {
-      super(Servo.class, "MAESTRO");
-    }
-
-    @Override
-    protected List<Class<?>> variables() {
-      return List.of(Variables.class);
-    }
-
-    @Override
-    protected Servo open(String name, ServiceContext context) {
-      return new Maestro(
-          ByteLinks.of(context), context.configuration().settings(Variables.class).get());
+      super(Servo.class, Variables.class, (name, link, own) -> new Maestro(link, own), "MAESTRO");
     }
   }
 }
