@@ -1,11 +1,15 @@
 package org.u2sa.sim.file;
 
 import java.util.List;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
@@ -26,6 +30,25 @@ record Aboard(
     Supplier<GroundState> wheels,
     Supplier<List<SimulatedTraffic.Other>> traffic,
     NoiseStreams streams) {
+
+  /**
+   * What the devices of a running vehicle work with.
+   *
+   * @param nowMicros time of the run [µs]
+   */
+  static Aboard of(
+      RunningVehicle run,
+      LongSupplier nowMicros,
+      Supplier<List<SimulatedTraffic.Other>> traffic,
+      NoiseStreams streams) {
+    return new Aboard(
+        run.vehicle().world(),
+        () -> run.at(nowMicros.getAsLong()),
+        () -> run.read(nowMicros.getAsLong(), SimulatedVehicle::air),
+        () -> run.read(nowMicros.getAsLong(), vehicle -> ((GroundVehicle) vehicle).state()),
+        traffic,
+        streams);
+  }
 
   /** Current state of a sensor on the vehicle. */
   Supplier<VehicleTruth> at(Mount mount) {

@@ -24,7 +24,6 @@ import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
-import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
@@ -116,14 +115,7 @@ public final class VehicleDevices implements DeviceSource {
     for (Map.Entry<String, Double> each : entry.variables().entrySet()) {
       unlessStated(service, each.getKey(), each.getValue());
     }
-    return entry.make(
-        new Aboard(
-            run.vehicle().world(),
-            () -> run.at(clock.micros()),
-            () -> run.read(clock.micros(), SimulatedVehicle::air),
-            wheels(clock),
-            () -> traffic.get(),
-            streams(name)));
+    return entry.make(Aboard.of(run, clock::micros, () -> traffic.get(), streams(name)));
   }
 
   private BadInputException none(String service, String port) {
