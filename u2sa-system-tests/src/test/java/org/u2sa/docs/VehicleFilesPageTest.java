@@ -36,6 +36,7 @@ class VehicleFilesPageTest {
     vehicles.add(new Page("config/ugv/vehicle.xml").text());
     vehicles.add(new Page("config/ugv/vehicle-ackermann.xml").text());
     vehicles.add(new Page("config/vehicles/bluerov2.xml").text());
+    vehicles.add(new Page("config/cessna/vehicle.xml").text());
     return vehicles;
   }
 
@@ -67,7 +68,7 @@ class VehicleFilesPageTest {
 
   @Test
   void examples_ofThePage_areVehicles() throws IOException {
-    assertThat(vehicles()).hasSize(7).allSatisfy(VehicleFilesPageTest::read);
+    assertThat(vehicles()).hasSize(8).allSatisfy(VehicleFilesPageTest::read);
   }
 
   @Test

@@ -47,7 +47,7 @@ public final class NewCommand extends BaseCommand {
 
   @Option(
       names = "--kind",
-      paramLabel = "rover|boat|copter",
+      paramLabel = "rover|boat|submarine|plane|copter",
       description = "With KIND vehicle: one from a vehicle file, to simulate with its devices.")
   private String vehicle; // null for the simple simulation in code
 

@@ -51,8 +51,8 @@ class GeneratedProjectsTest {
   void make_kindOfSomethingElse_isRefused() {
     assertThatThrownBy(() -> made.make("sensor", "pier", "--kind", "boat"))
         .hasMessageContaining("--kind boat: expected KIND vehicle");
-    assertThatThrownBy(() -> made.make("vehicle", "pier", "--kind", "plane"))
-        .hasMessageContaining("vehicle-plane");
+    assertThatThrownBy(() -> made.make("vehicle", "pier", "--kind", "tram"))
+        .hasMessageContaining("vehicle-tram");
   }
 
   @Test

@@ -1,5 +1,6 @@
 package org.u2sa.flightgear.link;
 
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
@@ -20,15 +21,19 @@ public final class EmbeddedAircraft implements AircraftLink {
   private VehicleTruth seen; // null before the first reading
   private long sequence;
 
-  /** Links to an aircraft that no other object advances. */
-  public EmbeddedAircraft(Cessna172 aircraft) {
-    this.aircraft = aircraft;
-    run = new VehicleRun(aircraft);
-  }
-
-  /** The aircraft, for reading only. */
-  Cessna172 aircraft() {
-    return aircraft;
+  /**
+   * Links to an aircraft that no other object advances.
+   *
+   * @throws BadInputException if it is not a Cessna 172
+   */
+  public EmbeddedAircraft(VehicleRun run) {
+    this.run = run;
+    if (!(run.vehicle() instanceof Cessna172 cessna)) {
+      throw new BadInputException(
+          "the Simulator needs a vehicle file with <cessna172>; this vehicle has "
+              + run.vehicle().actuators());
+    }
+    aircraft = cessna;
   }
 
   @Override

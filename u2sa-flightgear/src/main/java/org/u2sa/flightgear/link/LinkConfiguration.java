@@ -1,5 +1,6 @@
 package org.u2sa.flightgear.link;
 
+import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Description;
@@ -8,7 +9,9 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.mission.Mission;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.aircraft.Cessna172;
+import org.u2sa.sim.aircraft.RunwayStart;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.vehicle.VehicleRun;
 
 /** Opens the link to the aircraft that the Simulator's variables describe. */
 final class LinkConfiguration {
@@ -17,7 +20,7 @@ final class LinkConfiguration {
               oneOf = {"embedded", "flightgear"},
               ifAbsentText = "embedded")
           @Description(
-              "embedded: the Cessna 172 of u2sa-sim, in lockstep; flightgear: FlightGear's generic protocol over TCP.")
+              "embedded: the Cessna 172 of u2sa-sim, in lockstep, in simulate that of the vehicle file; flightgear: FlightGear's generic protocol over TCP.")
           String link,
       @Variable(ifAbsentText = "")
           @Description(
@@ -85,15 +88,20 @@ final class LinkConfiguration {
       throw new BadInputException(
           "variable \"LINK\": \"embedded\": the aircraft would end with the replaced Simulator; expected \"flightgear\" for a swap in flight");
     }
+    Optional<VehicleRun> provided =
+        context
+            .devices()
+            .device(VehicleRun.class, "Simulator", context.configuration(), context.clock());
+    if (provided.isPresent()) {
+      return new EmbeddedAircraft(provided.get());
+    }
     Wind steady =
         now.gusts()
             ? Wind.gusty(now.windFrom(), now.windSpeed(), context.seed())
             : Wind.constant(now.windFrom(), now.windSpeed());
     Wind wind = steady.withShear(now.windShear());
-    return new EmbeddedAircraft(
-        Cessna172.onRunway(
-            EmbeddedStart.of(Mission.load(context.configuration().resolve(now.mission()))),
-            wind,
-            true));
+    RunwayStart start =
+        EmbeddedStart.of(Mission.load(context.configuration().resolve(now.mission())));
+    return new EmbeddedAircraft(new VehicleRun(Cessna172.onRunway(start, wind, true)));
   }
 }

@@ -19,7 +19,6 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.actuator.ActuatorOwner;
 import org.u2sa.service.handover.HandOver;
-import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
@@ -86,11 +85,6 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
           "RIGHT BRAKE", "brakes the right wheel");
 
   private static final Set<String> BOTH_WAYS = Set.of("AILERON", "ELEVATOR", "RUDDER");
-
-  /** The aircraft, if embedded in this process; for programs that run on its clock. */
-  public Optional<Cessna172> embedded() {
-    return link instanceof EmbeddedAircraft here ? Optional.of(here.aircraft()) : Optional.empty();
-  }
 
   @Override
   public List<ActuatorAnnouncement> actuators() {

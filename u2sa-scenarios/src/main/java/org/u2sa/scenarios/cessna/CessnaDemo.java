@@ -2,11 +2,14 @@ package org.u2sa.scenarios.cessna;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.flightgear.link.EmbeddedStart;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
@@ -14,8 +17,14 @@ import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
+import org.u2sa.scenarios.run.HomeFolder;
 import org.u2sa.scenarios.run.Simulation;
+import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.aircraft.RunwayStart;
+import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.device.SimulatedTraffic;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -79,6 +88,8 @@ final class CessnaDemo implements Callable<Integer>, Demo {
       })
   private Path worldFile; // null for an empty sky
 
+  private Surroundings around; // null until read
+
   @Override
   public Integer call() throws InterruptedException, IOException {
     return frame.run(this);
@@ -100,9 +111,13 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   /** {@inheritDoc} The extent is half the wing span. */
   @Override
   public Surroundings surroundings() {
-    return worldFile == null
-        ? Surroundings.none()
-        : new Surroundings(WorldFile.load(worldFile).objects(), HALF_SPAN_M);
+    if (around == null) {
+      around =
+          worldFile == null
+              ? Surroundings.none()
+              : new Surroundings(WorldFile.load(worldFile).objects(), HALF_SPAN_M);
+    }
+    return around;
   }
 
   /** Profile with a minimum ground speed of 25 m/s, and ten minutes to get ready. */
@@ -153,15 +168,48 @@ final class CessnaDemo implements Callable<Integer>, Demo {
         mission,
         FlightObserver::new,
         launch -> {
-          demoWind.applyTo(launch.override("Simulator", "MISSION", DemoFrame.absolute(mission)));
+          launch.override("Simulator", "MISSION", DemoFrame.absolute(mission));
           around(launch);
         },
         launch -> {
-          launch.override("Simulator", "LINK", "embedded");
-          AircraftSensors.attach(launch, EmbeddedStart.of(mission), seed, surroundings());
-          return new Simulation.Within("embedded Cessna 172", "aircraft");
+          VehicleTrial placed = placed(onRunway(mission), demoWind.wind(seed), seed);
+          placed.devices().traffic(() -> traffic(placed));
+          launch.override("Simulator", "LINK", "embedded").devices(placed.devices());
+          return new Simulation.Within(placed.name(), "aircraft");
         },
         launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));
+  }
+
+  /** The aircraft of its vehicle file on the runway. */
+  static VehicleTrial placed(RunPlan.Start start, Wind wind, long seed) {
+    String folder = "config/cessna";
+    return VehicleTrial.of(
+        VehicleFile.load(HomeFolder.holding(folder).resolve(folder).resolve("vehicle.xml")),
+        VehicleTrial.at(start).with(wind),
+        Point.ORIGIN,
+        start.headingRad(),
+        seed);
+  }
+
+  /** What moves around the aircraft and reports its position by transponder. */
+  private List<SimulatedTraffic.Other> traffic(VehicleTrial placed) {
+    double timeS = placed.run().at(0L).timeS();
+    LocalPlane plane = placed.world().plane();
+    return surroundings().objects().stream()
+        .filter(Surroundings::moves)
+        .map(
+            object -> {
+              Point here = place(object, plane, timeS);
+              Point soon = place(object, plane, timeS + 1.0);
+              return new SimulatedTraffic.Other(
+                  object.uid(), object.objectType(), here, soon.minus(here));
+            })
+        .toList();
+  }
+
+  private static Point place(ObjectDescription object, LocalPlane plane, double timeS) {
+    Point centre = Surroundings.centreAfter(object, timeS);
+    return plane.point(Surroundings.onEarth(object, centre, plane.origin()));
   }
 
   /** Configures the chart of static objects and the separation from the largest moving one. */

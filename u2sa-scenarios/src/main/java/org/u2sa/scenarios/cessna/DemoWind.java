@@ -3,7 +3,6 @@ package org.u2sa.scenarios.cessna;
 import java.util.SplittableRandom;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.sim.atmosphere.Wind;
 
 /**
@@ -59,12 +58,5 @@ record DemoWind(double speedMps, double fromRad, boolean shear) {
   /** Copy with or without shear; the wind near the ground is the same. */
   DemoWind withShear(boolean growsWithHeight) {
     return new DemoWind(speedMps, fromRad, growsWithHeight);
-  }
-
-  void applyTo(LaunchOptions options) {
-    options
-        .override("Simulator", "WIND SPEED", speedMps)
-        .override("Simulator", "WIND FROM", fromRad)
-        .override("Simulator", "WIND SHEAR", shear);
   }
 }

@@ -4,13 +4,20 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
+import org.u2sa.sim.world.RampedGround;
+import org.u2sa.sim.world.Surface;
+import org.u2sa.sim.world.Terrain;
+import org.u2sa.sim.world.World;
 
 /**
  * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Object types
@@ -150,6 +157,26 @@ record Course(String origin, List<ObjectDescription> objects) {
         .filter(PolyLine.class::isInstance)
         .filter(o -> o.objectType().equals(BOUNDARY) || o.objectType().equals(END))
         .toList();
+  }
+
+  /**
+   * The world: a lawn with the ramps, and all objects that a level laser sees, which paint is not.
+   *
+   * @param origin place of the course's origin on the earth
+   */
+  World world(Geodetic origin) {
+    World lawn =
+        World.at(origin)
+            .with(
+                objects.stream()
+                    .filter(object -> object instanceof Cylinder || object instanceof Box)
+                    .toList());
+    List<Ramp> ramps = ramps().stream().map(NamedRamp::ramp).toList();
+    if (ramps.isEmpty()) {
+      return lawn;
+    }
+    RampedGround ground = new RampedGround(ramps);
+    return lawn.with((Terrain) ground).with((Surface) ground);
   }
 
   /** All objects of a type, in order. */

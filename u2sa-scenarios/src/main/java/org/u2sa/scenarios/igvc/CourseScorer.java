@@ -2,7 +2,6 @@ package org.u2sa.scenarios.igvc;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.DoubleConsumer;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectList;
@@ -21,15 +20,9 @@ final class CourseScorer implements TruthObserver.Scorer {
   private final RunFilm film;
   private final RunSnapshots snapshots;
   private final Path directory;
-  private final DoubleConsumer time;
 
-  /**
-   * @param time receives the time of the run [s]
-   */
-  CourseScorer(
-      Judge judge, RunFilm film, RunSnapshots snapshots, Path directory, DoubleConsumer time) {
+  CourseScorer(Judge judge, RunFilm film, RunSnapshots snapshots, Path directory) {
     this.snapshots = snapshots;
-    this.time = time;
     this.judge = judge;
     this.film = film;
     this.directory = directory;
@@ -37,7 +30,6 @@ final class CourseScorer implements TruthObserver.Scorer {
 
   @Override
   public void see(VehicleTruth truth) {
-    time.accept(truth.timeS());
     judge.see(truth);
     film.see(truth);
     if (snapshots.isDue(truth.timeS())) {

@@ -3,20 +3,27 @@ package org.u2sa.scenarios.igvc;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
+import java.util.LinkedHashMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.concurrent.Callable;
-import org.u2sa.device.LidarSensor;
-import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.device.port.Camera;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
-import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
-import org.u2sa.scenarios.run.Simulation;
-import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.camera.ColourLens;
+import org.u2sa.sim.camera.Light;
+import org.u2sa.sim.camera.Scenery;
+import org.u2sa.sim.device.SimulatedColourCamera;
+import org.u2sa.sim.device.SimulatedLaser;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.vision.camera.CourseCamera;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -39,6 +46,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
 
   private static final double MAX_MINUTES = 60.0;
+  private static final double CAMERA_HZ = 5.0;
 
   /** Course origin: Rochester, Michigan, where the competition is held. */
   private static final Geodetic ORIGIN = new Geodetic(-83.2190, 42.6780, 290.0);
@@ -151,40 +159,64 @@ final class IgvcDemo implements Callable<Integer>, Demo {
             ? CourseMission.write(course, ORIGIN, directory.resolve("mission.xml"))
             : given;
     Path known = CourseMission.writeKnown(course, ORIGIN, directory.resolve("known.xml"));
-    IgvcWorld world =
-        new IgvcWorld(course, outline, ORIGIN, seed, cameraDiesS, lidarDiesS, hardness);
+    VehicleTrial placed = placed(course, seed);
     RunFilm film = new RunFilm(course, outline, ORIGIN, directory);
     RunSnapshots snapshots = new RunSnapshots(course, outline, directory, snapshotEveryS);
     Judge judge = new Judge(course, outline.frontM(), outline.rearM(), outline.widthM(), runS);
-    return new Trial(
+    return placed.trial(
         mission,
-        TruthObserver.of(
-            world::truth,
-            world.world().plane(),
-            new CourseScorer(judge, film, snapshots, directory, world::time)),
+        SIMULATOR,
+        clock -> new CourseScorer(judge, film, snapshots, directory),
         launch -> {
           launch
-              .override("SafetyManager", "ARM AT START", true) // the demo acts as operator
               .override("WorldModeler", "WORLD", known.toAbsolutePath().toString())
-              .making(LidarSensor.class, context -> new LidarSensor(context, world.laser()))
               .making(
                   CourseCamera.class,
                   context ->
                       new CourseCamera(
                           context,
                           snapshots.watch(
-                              new WatchedCamera(world.camera()), context.configuration())));
+                              new WatchedCamera(camera(course, placed, seed)),
+                              context.configuration())));
           outline.tell(launch);
-          launch.devices(world.devices());
-        },
-        launch -> {
-          launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
-          return new Simulation.Within(SIMULATOR, "vehicle");
-        },
-        launch -> {
-          BoardServer server = new BoardServer(world.board(), SIMULATOR);
-          launch.override("IoioService", "CONNECTION", server.address());
-          return server;
         });
+  }
+
+  private VehicleTrial placed(Course course, long seed) {
+    NoiseStreams streams = new NoiseStreams(seed);
+    SimulatedLaser.Faults faults = Hardness.laser(hardness);
+    Map<String, String> changes = new LinkedHashMap<>();
+    changes.put("differential/track", "" + outline.trackM());
+    changes.put("body/outline/width", "" + outline.widthM());
+    changes.put("laser/noEcho", "" + faults.dropOut());
+    changes.put("laser/mixed", "" + faults.mixed());
+    if (lidarDiesS < Double.POSITIVE_INFINITY) {
+      changes.put("laser/failsAt", "" + lidarDiesS);
+    }
+    Course.Start start = course.start();
+    VehicleTrial placed =
+        VehicleTrial.behindBoard(
+            VehicleFile.load(system().resolveSibling("vehicle.xml"), changes),
+            course.world(ORIGIN),
+            Point.of(start.eastM(), start.northM(), 0.0),
+            start.headingRad(),
+            Hardness.hazards(hardness, course, streams),
+            seed);
+    placed.devices().noise("LidarSensor", streams);
+    return placed;
+  }
+
+  /** A camera with the seed's lighting. */
+  private Camera camera(Course course, VehicleTrial placed, long seed) {
+    NoiseStreams streams = new NoiseStreams(seed);
+    Light light = Light.random(streams.of("light"));
+    SimulatedColourCamera camera =
+        new SimulatedColourCamera(
+            ColourLens.mast().rate(CAMERA_HZ),
+            new Scenery(course.objects(), light, seed),
+            streams,
+            placed::truth);
+    camera.failAt(cameraDiesS, () -> placed.truth().timeS());
+    return camera;
   }
 }

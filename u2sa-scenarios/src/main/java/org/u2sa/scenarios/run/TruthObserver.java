@@ -4,9 +4,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -20,6 +21,7 @@ import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
+import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
@@ -35,7 +37,8 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   private static final double STOOD_S = 2.0; // standstill at the end of the mission
   private static final double PARKED_WITHIN_S = 30.0; // time limit after the last goal
 
-  private final Supplier<VehicleTruth> vehicle;
+  private final RunningVehicle vehicle;
+  private final Clock clock;
   private final LocalPlane plane;
   private final Scorer scorer;
   private final RunRecord record;
@@ -47,12 +50,13 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   private TruthObserver(
       ServiceContext context,
       RunRecord record,
-      Supplier<VehicleTruth> vehicle,
+      RunningVehicle vehicle,
       LocalPlane plane,
       Scorer scorer) {
     super(context, ServiceRole.OBSERVER, "TruthObserver", LOOKS_PER_S);
     this.record = record;
     this.vehicle = vehicle;
+    clock = context.clock();
     this.plane = plane;
     this.scorer = scorer;
     registerSubscriber(Channels.GOALS);
@@ -64,13 +68,13 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   /**
    * Creates an observer of a vehicle.
    *
-   * @param vehicle the vehicle's state; thread-safe
-   * @param scorer a new one for each run
+   * @param scorer makes one by the run's clock
    */
-  public static RunObserver.Maker of(
-      Supplier<VehicleTruth> vehicle, LocalPlane plane, Scorer scorer) {
+  static RunObserver.Maker of(
+      RunningVehicle vehicle, LocalPlane plane, Function<Clock, Scorer> scorer) {
     return (ServiceContext context, RunPlan plan, Consumer<TrackSample> screen) ->
-        new TruthObserver(context, new RunRecord(plan, screen), vehicle, plane, scorer);
+        new TruthObserver(
+            context, new RunRecord(plan, screen), vehicle, plane, scorer.apply(context.clock()));
   }
 
   /** Whether a vehicle moves at all. */
@@ -87,7 +91,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
       scorer.reported(report);
     }
     if (data instanceof ArmingState state) {
-      scorer.armed(state, vehicle.get());
+      scorer.armed(state, vehicle.at(clock.micros()));
     } else if (!record.received(data) && !scorer.heard(data)) {
       unexpected(data);
     }
@@ -104,7 +108,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
    * Records the ground truth; false if its time has not advanced, e.g. before the vehicle exists.
    */
   private boolean look() {
-    VehicleTruth truth = vehicle.get();
+    VehicleTruth truth = vehicle.at(clock.micros());
     if (truth.timeS() <= lastS) {
       return false;
     }

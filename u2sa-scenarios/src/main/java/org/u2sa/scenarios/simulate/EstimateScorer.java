@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.Set;
-import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -31,7 +31,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
 
   private final RunningVehicle run;
   private final Geodetic origin;
-  private final Supplier<Long> nowMicros;
+  private final Clock clock;
   private final Set<String> unplaced;
   private final Set<String> completed = new HashSet<>();
   private final Errors position = new Errors();
@@ -65,14 +65,13 @@ final class EstimateScorer implements TruthObserver.Scorer {
   /**
    * @param run the vehicle
    * @param origin origin of local frames
-   * @param nowMicros time of the run's clock [µs]
+   * @param clock the run's
    * @param unplaced names of the goals that are no waypoints of the plan
    */
-  EstimateScorer(
-      RunningVehicle run, Geodetic origin, Supplier<Long> nowMicros, Set<String> unplaced) {
+  EstimateScorer(RunningVehicle run, Geodetic origin, Clock clock, Set<String> unplaced) {
     this.run = run;
     this.origin = origin;
-    this.nowMicros = nowMicros;
+    this.clock = clock;
     this.unplaced = unplaced;
   }
 
@@ -99,9 +98,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
             || frame.equals(ReferenceFrame.LOCAL_ENU)
             || frame.equals(ReferenceFrame.LOCAL_NED);
     if (isPlace) {
-      compare(
-          state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(nowMicros.get()));
-      VehicleTruth truth = run.at(nowMicros.get());
+      compare(state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(clock.micros()));
+      VehicleTruth truth = run.at(clock.micros());
       state
           .psi()
           .ifPresent(
@@ -121,8 +119,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
     if (enu.x().isEmpty() || enu.y().isEmpty()) {
       return;
     }
-    VehicleTruth truth = run.at(nowMicros.get());
-    double ageS = Math.max(0.0, (nowMicros.get() - atMicros) / US_PER_S);
+    VehicleTruth truth = run.at(clock.micros());
+    double ageS = Math.max(0.0, (clock.micros() - atMicros) / US_PER_S);
     Point then =
         Point.of(
             truth.position().x() - ageS * truth.velocity().x(),

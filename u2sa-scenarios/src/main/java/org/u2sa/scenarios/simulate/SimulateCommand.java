@@ -14,8 +14,6 @@ import org.u2sa.core.launch.SystemFile;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
@@ -24,20 +22,12 @@ import org.u2sa.mission.MissionManager;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
-import org.u2sa.scenarios.run.BoardCable;
-import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.RunPlans;
-import org.u2sa.scenarios.run.Simulation;
-import org.u2sa.scenarios.run.TruthObserver;
-import org.u2sa.sim.file.VehicleDevices;
+import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.Hazards;
-import org.u2sa.sim.ground.MiniMolle;
-import org.u2sa.sim.vehicle.RunningVehicle;
-import org.u2sa.sim.vehicle.VehicleRun;
-import org.u2sa.sim.world.EnvironmentElement;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
@@ -222,67 +212,26 @@ final class SimulateCommand implements Callable<Integer>, Demo {
 
   /** The world of a run, with the environment of its file. */
   private World world(RunPlan.Start at, long seed) {
-    World empty = World.at(new Geodetic(at.longitudeDeg(), at.latitudeDeg(), at.altitudeM()));
-    if (worldFile == null) {
-      return vehicle.home(empty);
-    }
-    WorldFile around = WorldFile.load(worldFile);
-    World world = empty.with(around.objects());
-    Path folder = worldFile.toAbsolutePath().getParent();
-    return vehicle.home(
-        around
-            .environment()
-            .map(element -> EnvironmentElement.apply(element, world, folder, seed))
-            .orElse(world));
+    return vehicle.home(VehicleTrial.around(VehicleTrial.at(at), world(), seed));
   }
 
   @Override
   public Trial trial(Mission mission, Path directory, long seed) {
     RunPlan.Start at = start(mission);
     World world = world(at, seed);
-    boolean hasBoard = hasService(IoioService.class);
-    Optional<MiniMolle> pins =
-        hasBoard
-            ? Optional.of(vehicle.board(world, Point.ORIGIN, at.headingRad(), Hazards.none(), seed))
-            : Optional.empty();
-    Optional<BoardCable> cable = pins.map(BoardCable::new);
-    RunningVehicle run =
-        pins.isPresent()
-            ? pins.get()
-            : new VehicleRun(vehicle.make(world, Point.ORIGIN, at.headingRad(), seed));
+    VehicleTrial placed =
+        hasService(IoioService.class)
+            ? VehicleTrial.behindBoard(
+                vehicle, world, Point.ORIGIN, at.headingRad(), Hazards.none(), seed)
+            : VehicleTrial.of(vehicle, world, Point.ORIGIN, at.headingRad(), seed);
     Set<String> elsewhere = new LinkedHashSet<>();
     mission.goals().forEach(goal -> elsewhere.add(goal.uid()));
     plan(mission).waypoints().forEach(waypoint -> elsewhere.remove(waypoint.name()));
-    Simulation simulation = new Simulation.Within(vehicle.name(), "vehicle");
-    return new Trial(
+    return placed.trial(
         mission,
-        (context, plan, screen) -> {
-          Clock clock = context.clock();
-          return TruthObserver.of(
-                  () -> run.at(clock.micros()),
-                  world.plane(),
-                  new EstimateScorer(run, world.plane().origin(), clock::micros, elsewhere))
-              .make(context, plan, screen);
-        },
-        launch ->
-            launch
-                .override("SafetyManager", "ARM AT START", true) // the command acts as operator
-                .devices(new VehicleDevices(vehicle, run, seed)),
-        launch -> {
-          cable.ifPresent(
-              board ->
-                  launch.making(
-                      IoioService.class, context -> new IoioService(context, board.connection())));
-          return simulation;
-        },
-        launch -> {
-          if (cable.isEmpty()) {
-            return simulation;
-          }
-          BoardServer server = new BoardServer(cable.get().board(), vehicle.name());
-          launch.override("IoioService", "CONNECTION", server.address());
-          return server;
-        });
+        vehicle.name(),
+        clock -> new EstimateScorer(placed.run(), world.plane().origin(), clock, elsewhere),
+        launch -> {});
   }
 
   private boolean hasService(Class<?> service) {

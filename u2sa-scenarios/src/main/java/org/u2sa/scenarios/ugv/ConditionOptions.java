@@ -1,14 +1,16 @@
 package org.u2sa.scenarios.ugv;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalDouble;
+import java.util.Map;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.sim.world.Surface;
 import org.u2sa.sim.world.Terrain;
+import org.u2sa.sim.world.World;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -73,42 +75,68 @@ final class ConditionOptions {
   /**
    * Validates the options.
    *
-   * @param plan determines the position of the hill
    * @throws ParameterException if options conflict or are out of range
    */
-  DriveConditions conditions(VehicleKind vehicle, RunPlan plan) {
+  void check(UgvDemo.VehicleKind vehicle) {
     require("--payload", payloadKg, 0.0, 500.0, "kg");
     require("--slope", slopeDeg, 0.0, 20.0, "degrees");
     require("--hill", hillDeg, 0.0, 20.0, "degrees");
     if (slopeDeg > 0.0 && hillDeg > 0.0) {
       throw wrong("--slope and --hill: expected one of them");
     }
-    List<String> words = new ArrayList<>();
     if (mismatch != null) {
       require("--mismatch", mismatch, -50.0, 50.0, "percent");
-      if (vehicle == VehicleKind.ACKERMANN) {
+      if (vehicle == UgvDemo.VehicleKind.ACKERMANN) {
         throw wrong("--mismatch: is of two motors; expected none with --vehicle ackermann");
       }
-      words.add("motors " + DriveConditions.figure(mismatch) + " % apart");
+    }
+  }
+
+  /** Other values than the vehicle file's, by their places. */
+  Map<String, String> changes(UgvDemo.VehicleKind vehicle) {
+    Map<String, String> changes = new LinkedHashMap<>();
+    if (mismatch != null) {
+      changes.put(vehicle.dynamics() + "/exactMismatch", "" + mismatch / FULL_PERCENT);
+    }
+    changes.put(vehicle.dynamics() + "/payload", "" + payloadKg);
+    return changes;
+  }
+
+  /**
+   * The world with the ground of the options.
+   *
+   * @param plan determines the position of the hill
+   */
+  World ground(World level, RunPlan plan) {
+    return level.with(terrain(plan)).with(surface.surface);
+  }
+
+  /** Deviations from the default, for reports; empty if none. */
+  String words() {
+    List<String> words = new ArrayList<>();
+    if (mismatch != null) {
+      words.add("motors " + figure(mismatch) + " % apart");
     }
     if (payloadKg > 0.0) {
-      words.add("+" + DriveConditions.figure(payloadKg) + " kg");
+      words.add("+" + figure(payloadKg) + " kg");
     }
     if (surface != GroundKind.LAWN) {
       words.add(surface.name().toLowerCase(Locale.ROOT));
     }
     if (slopeDeg > 0.0) {
-      words.add("slope " + DriveConditions.figure(slopeDeg) + " degrees");
+      words.add("slope " + figure(slopeDeg) + " degrees");
     }
     if (hillDeg > 0.0) {
-      words.add("hill " + DriveConditions.figure(hillDeg) + " degrees");
+      words.add("hill " + figure(hillDeg) + " degrees");
     }
-    return new DriveConditions(
-        mismatch == null ? OptionalDouble.empty() : OptionalDouble.of(mismatch / FULL_PERCENT),
-        payloadKg,
-        surface.surface,
-        terrain(plan),
-        String.join(", ", words));
+    return String.join(", ", words);
+  }
+
+  /** A number without trailing zeros. */
+  private static String figure(double value) {
+    return value == Math.rint(value)
+        ? String.format(Locale.ROOT, "%.0f", value)
+        : String.valueOf(value);
   }
 
   private Terrain terrain(RunPlan plan) {
@@ -137,9 +165,8 @@ final class ConditionOptions {
 
   private void require(String option, double value, double least, double most, String unit) {
     if (!(value >= least && value <= most)) {
-      String range = DriveConditions.figure(least) + " to " + DriveConditions.figure(most);
-      throw wrong(
-          option + " " + DriveConditions.figure(value) + ": expected " + range + " " + unit);
+      String range = figure(least) + " to " + figure(most);
+      throw wrong(option + " " + figure(value) + ": expected " + range + " " + unit);
     }
   }
 

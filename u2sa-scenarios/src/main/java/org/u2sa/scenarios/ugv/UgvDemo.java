@@ -2,25 +2,24 @@ package org.u2sa.scenarios.ugv;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
-import org.u2sa.device.LidarSensor;
-import org.u2sa.drivers.ioio.IoioService;
-import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
-import org.u2sa.scenarios.run.BoardServer;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.Laps;
-import org.u2sa.scenarios.run.Simulation;
-import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -42,6 +41,25 @@ import picocli.CommandLine.Spec;
       "  mosquitto_sub -t 'u2sa/ugv/#' -F '%%t %%l bytes'"
     })
 final class UgvDemo implements Callable<Integer>, Demo {
+  /** Vehicle. */
+  enum VehicleKind {
+    /** The thesis's Mini-Molle: two driven wheels and a castor. */
+    DIFFERENTIAL("vehicle.xml"),
+    /** A 1:10 truck with steered front wheels. */
+    ACKERMANN("vehicle-ackermann.xml");
+
+    private final String file;
+
+    VehicleKind(String file) {
+      this.file = file;
+    }
+
+    /** Element of its dynamics in its file. */
+    String dynamics() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
   /** Controller. */
   enum ControlKind {
     /** Regulated pure pursuit. */
@@ -190,7 +208,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
 
   @Override
   public void check(RunPlan plan) {
-    around.conditions(vehicle, plan);
+    around.check(vehicle);
   }
 
   @Override
@@ -198,51 +216,39 @@ final class UgvDemo implements Callable<Integer>, Demo {
     int wanted = laps != null ? laps : frame.isOwnMission() ? LAPS : 1;
     Mission driven =
         Laps.write(mission, wanted, leastThresholdM(), directory.resolve("mission.xml"));
-    DriveConditions conditions = around.conditions(vehicle, frame.plan(this, mission));
-    UgvWorld world =
-        new UgvWorld(
-            start(driven), vehicle, receiver, seed, Hazards.none(), conditions, obstacles());
-    String simulator = simulator(world.name(), conditions);
-    return new Trial(
+    RunPlan.Start start = start(driven);
+    Map<String, String> changes = around.changes(vehicle);
+    changes.put("gps/@preset", receiver.preset());
+    changes.put("ioio/gps/@preset", receiver.preset());
+    World ground = around.ground(VehicleTrial.at(start), frame.plan(this, mission));
+    VehicleTrial placed =
+        VehicleTrial.behindBoard(
+            VehicleFile.load(system().resolveSibling(vehicle.file), changes),
+            VehicleTrial.around(ground, world(), seed),
+            Point.ORIGIN,
+            start.headingRad(),
+            Hazards.none(),
+            seed);
+    placed.devices().noise("LidarSensor", new NoiseStreams(seed));
+    return placed.trial(
         driven,
-        TruthObserver.of(world::truth, world.world().plane(), new UnarmedMotion(world)),
-        launch -> {
-          configure(launch, start(driven));
-          launch.devices(world.devices(seed));
-        },
-        launch -> {
-          launch.making(IoioService.class, context -> new IoioService(context, world.connection()));
-          mountLaser(launch, world, seed);
-          return new Simulation.Within(simulator, "vehicle");
-        },
-        launch -> {
-          BoardServer server = new BoardServer(world.board(), simulator);
-          launch.override("IoioService", "CONNECTION", server.address());
-          mountLaser(launch, world, seed);
-          return server;
-        });
-  }
-
-  private void mountLaser(LaunchOptions launch, UgvWorld world, long seed) {
-    if (worldFile != null) {
-      launch.making(LidarSensor.class, context -> new LidarSensor(context, world.laser(seed)));
-    }
+        simulator(placed.name()),
+        clock -> new UnarmedMotion(placed),
+        launch -> configure(launch, start));
   }
 
   /** {@inheritDoc} Contacts are counted by the simulation, which knows the vehicle's outline. */
   @Override
   public Surroundings surroundings() {
-    return new Surroundings(obstacles(), 0.0);
+    return worldFile == null
+        ? Surroundings.none()
+        : new Surroundings(WorldFile.load(worldFile).objects(), 0.0);
   }
 
   /** The filter's positions are smooth even if the receiver's jump. */
   private double leastThresholdM() {
     boolean leaps = estimator == EstimatorKind.PASS_THROUGH || control == ControlKind.PROPORTIONAL;
     return leaps ? receiver.leastThresholdM() : 0.0;
-  }
-
-  private List<ObjectDescription> obstacles() {
-    return worldFile == null ? List.of() : WorldFile.load(worldFile).objects();
   }
 
   private void configure(LaunchOptions launch, RunPlan.Start start) {
@@ -257,16 +263,16 @@ final class UgvDemo implements Callable<Integer>, Demo {
     }
     launch
         .override("PassThroughStateEstimator", "STALE AFTER", receiver.fixTimeoutS())
-        .override(FUSING, "POSITION CORRELATION", receiver.correlationS())
-        .override("SafetyManager", "ARM AT START", true); // the demo acts as operator
+        .override(FUSING, "POSITION CORRELATION", receiver.correlationS());
   }
 
-  private String simulator(String name, DriveConditions conditions) {
+  private String simulator(String name) {
+    String conditions = around.words();
     return name
         + " behind an IOIO, "
         + receiver.words()
         + ", "
         + control.name().toLowerCase(Locale.ROOT)
-        + (conditions.words().isEmpty() ? "" : ", " + conditions.words());
+        + (conditions.isEmpty() ? "" : ", " + conditions);
   }
 }

@@ -8,6 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;
@@ -29,8 +30,11 @@ final class UnarmedMotion implements TruthObserver.Scorer {
   private double disarmedS = Double.NEGATIVE_INFINITY;
   private boolean said;
 
-  UnarmedMotion(UgvWorld world) {
-    this(world.world().terrain(), world::motors, world::contacts);
+  UnarmedMotion(VehicleTrial vehicle) {
+    this(
+        vehicle.world().terrain(),
+        vehicle.board()::command,
+        () -> vehicle.board().contacts().size());
   }
 
   /**

@@ -11,11 +11,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
-import org.u2sa.mission.Mission;
-import org.u2sa.report.score.Surroundings;
 import org.u2sa.testkit.Repository;
 
 /** A line in the system file adds a sensor to the Cessna, and it rolls all the same. */
@@ -37,7 +34,6 @@ class AddedAircraftSensorsTest {
                 ESTIMATOR, "  <service class=\"org.u2sa.device." + sensor + "\"/>\n" + ESTIMATOR)
             .replace("configuration=\"", "configuration=\"" + cessna + "/"),
         UTF_8);
-    Mission mission = Mission.load(home.resolve("missions/cessna/mission.xml"));
     LockstepClock clock = new LockstepClock();
     LaunchOptions options =
         new LaunchOptions()
@@ -46,7 +42,9 @@ class AddedAircraftSensorsTest {
             .logDirectory(directory)
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", true);
-    AircraftSensors.attach(options, EmbeddedStart.of(mission), 1, Surroundings.none());
+    options.devices(
+        TroubledFlight.devices(
+            home.resolve("missions/cessna/mission.xml"), DemoWind.parse("calm"), 1));
     try (RunningSystem running = RunningSystem.start(SystemFile.read(file), options)) {
       clock.advance(Clock.micros(5.0));
       assertThat(running.isRunning()).isTrue();

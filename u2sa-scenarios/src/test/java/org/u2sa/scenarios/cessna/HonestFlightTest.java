@@ -10,7 +10,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.flightgear.link.EmbeddedStart;
 import org.u2sa.flightgear.link.Simulator;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -20,8 +19,6 @@ import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.schema.U2SAData;
-import org.u2sa.mission.Mission;
-import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.estimate.EstimateErrors;
 import org.u2sa.scenarios.estimate.EstimateErrors.Quantity;
 import org.u2sa.scenarios.estimate.EstimateErrors.Truth;
@@ -97,9 +94,7 @@ class HonestFlightTest {
             .override("MissionManager", "MISSION", mission.toString())
             .override("Simulator", "MISSION", mission.toString())
             .override("Simulator", "LINK", "embedded");
-    DemoWind.ofSeed(seed).applyTo(options);
-    AircraftSensors.attach(
-        options, EmbeddedStart.of(Mission.load(mission)), seed, Surroundings.none());
+    options.devices(TroubledFlight.devices(mission, DemoWind.ofSeed(seed), seed));
     SystemFile system = SystemFile.read(home.resolve("config/cessna/system-fused.xml"));
     try (RunningSystem running = RunningSystem.start(system, options)) {
       Comparison comparison =

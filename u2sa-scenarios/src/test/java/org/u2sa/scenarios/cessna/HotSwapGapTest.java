@@ -94,7 +94,7 @@ class HotSwapGapTest {
             .override("MissionManager", "MISSION", mission)
             .override("Simulator", "MISSION", mission)
             .override("Simulator", "LINK", "embedded");
-    DemoWind.parse("8@200").applyTo(options);
+    options.devices(TroubledFlight.devices(Path.of(mission), DemoWind.parse("8@200"), 2));
     SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
     try (RunningSystem running = RunningSystem.start(system, options)) {
       Observer observer =

@@ -16,7 +16,10 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.contract.ServiceAction;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.mission.Mission;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.cessna.FlightWitness.Moment;
+import org.u2sa.sim.file.VehicleDevices;
 import org.u2sa.testkit.Repository;
 
 /**
@@ -45,13 +48,20 @@ final class TroubledFlight implements AutoCloseable {
             .override("MissionManager", "MISSION", mission)
             .override("Simulator", "MISSION", mission)
             .override("Simulator", "LINK", "embedded");
-    DemoWind.parse(wind).applyTo(options);
+    options.devices(devices(Path.of(mission), DemoWind.parse(wind), seed));
     SystemFile system = SystemFile.read(root.resolve("config/cessna/system.xml"));
     running = RunningSystem.start(system, changed.apply(options));
     witness =
         new FlightWitness(
             running.contextFor(XmlConfiguration.inMemory("FlightWitness", Map.of())), HOME);
     witness.start();
+  }
+
+  /** Devices of the Cessna at the home of a mission. */
+  static VehicleDevices devices(Path mission, DemoWind wind, long seed) {
+    System.setProperty("u2sa.home", Repository.root().toString());
+    RunPlan.Start start = CessnaDemo.onRunway(Mission.load(mission));
+    return CessnaDemo.placed(start, wind.wind(seed), seed).devices();
   }
 
   /** On the runway, in the wind of the seed. */

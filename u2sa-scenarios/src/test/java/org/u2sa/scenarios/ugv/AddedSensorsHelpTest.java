@@ -99,8 +99,9 @@ class AddedSensorsHelpTest {
     if (drive.nowS() < SETTLED_S || state.x().isEmpty() || state.psi().isEmpty()) {
       return;
     }
-    VehicleTruth truth = drive.world.truth();
-    Geodetic there = drive.world.world().plane().at(truth.position().x(), truth.position().y(), 0);
+    VehicleTruth truth = drive.vehicle.truth();
+    Geodetic there =
+        drive.vehicle.world().plane().at(truth.position().x(), truth.position().y(), 0);
     Geodetic said = new Geodetic(state.x().getAsDouble(), state.y().getAsDouble(), 0.0);
     Point apart = there.enuOf(said);
     errors.position().add(Math.hypot(apart.x(), apart.y()));

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -14,11 +15,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.mission.Mission;
-import org.u2sa.scenarios.run.RunPlans;
+import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.testkit.Repository;
 
@@ -48,14 +48,9 @@ class AddedSensorsTest {
         UTF_8);
     Mission mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
     System.setProperty("u2sa.home", Repository.root().toString());
-    UgvWorld world =
-        new UgvWorld(
-            RunPlans.start(mission),
-            VehicleKind.DIFFERENTIAL,
-            GpsGrade.SURVEY,
-            1,
-            Hazards.none(),
-            DriveConditions.usual());
+    VehicleTrial vehicle =
+        UgvDrive.vehicle(
+            mission, new UgvDrive.Scene(1, GpsGrade.SURVEY, Hazards.none(), List.of()));
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -63,8 +58,8 @@ class AddedSensorsTest {
             .logDirectory(directory)
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", true)
-            .making(IoioService.class, context -> new IoioService(context, world.connection()));
-    options.devices(world.devices(1));
+            .devices(vehicle.devices());
+    vehicle.inLockstep(options, "");
     return RunningSystem.start(SystemFile.read(file), options);
   }
 

@@ -47,9 +47,9 @@ class HonestDriveTest {
   }
 
   private static Truth truth(UgvDrive drive) {
-    VehicleTruth truth = drive.world.truth();
+    VehicleTruth truth = drive.vehicle.truth();
     Geodetic place =
-        drive.world.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
+        drive.vehicle.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
     return new Truth(place, truth.headingRad(), truth.speedMps());
   }
 

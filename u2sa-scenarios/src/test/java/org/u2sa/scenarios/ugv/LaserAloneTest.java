@@ -67,7 +67,7 @@ class LaserAloneTest {
       Mission mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
       Random chance = new Random(seed);
       Point from = Point.ORIGIN;
-      Geodetic origin = drive.world.world().plane().at(0.0, 0.0, 0.0);
+      Geodetic origin = drive.vehicle.world().plane().at(0.0, 0.0, 0.0);
       for (int leg = 0; leg < LEGS; leg++) {
         Waypoint next = (Waypoint) mission.goals().get(leg);
         Point to = origin.enuOf(new Geodetic(next.x().getAsDouble(), next.y().getAsDouble(), 0.0));
@@ -76,7 +76,7 @@ class LaserAloneTest {
         drive.driveUntil("leg " + done, () -> drive.operator.goalsDone() >= done, ENOUGH_S);
         from = to;
       }
-      assertThat(drive.world.contacts()).isZero();
+      assertThat(drive.contacts()).isZero();
       return drive.walkers;
     }
   }

@@ -12,6 +12,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.device.LidarSensor;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.testkit.Repository;
 import org.u2sa.world.xml.WorldFile;
@@ -36,13 +37,14 @@ class LaserLossTest {
             new UgvDrive.Scene(1, GpsGrade.SURVEY, Hazards.none(), WorldFile.load(world).objects()),
             true,
             options -> {
-              options.making(LidarSensor.class, context -> new LidarSensor(context, laser()));
+              options.making(
+                  LidarSensor.class, context -> new LidarSensor(context, laser(context)));
               more.accept(options);
             });
   }
 
   /** It repeats its last scan while it is lost, as {@link LaserScanner} demands. */
-  private LaserScanner laser() {
+  private LaserScanner laser(ServiceContext context) {
     return new LaserScanner() {
       private LaserScanner real; // the simulated one exists after the start
       private Optional<Scan> last = Optional.empty();
@@ -50,7 +52,7 @@ class LaserLossTest {
       @Override
       public Optional<Scan> read(long micros) {
         if (drive != null && !silent) {
-          real = real == null ? drive.world.laser(1) : real;
+          real = real == null ? drive.laser(context) : real;
           last = real.read(micros);
         }
         return last;
@@ -78,15 +80,15 @@ class LaserLossTest {
   }
 
   private double speedMps() {
-    return Math.abs(drive.world.state().forwardMps());
+    return Math.abs(drive.state().forwardMps());
   }
 
   private void expectStandingFor(double seconds) throws InterruptedException {
     drive.driveUntil("stands", () -> speedMps() < 0.01, STANDS_WITHIN_S);
-    double there = drive.world.state().northM();
+    double there = drive.state().northM();
     drive.drive(seconds);
-    assertThat(drive.world.state().northM() - there).isBetween(-0.05, 0.05);
-    assertThat(drive.world.contacts()).isZero();
+    assertThat(drive.state().northM() - there).isBetween(-0.05, 0.05);
+    assertThat(drive.contacts()).isZero();
   }
 
   @Test
@@ -126,7 +128,7 @@ class LaserLossTest {
     silent = true;
     start(options -> {});
     drive.drive(20.0);
-    assertThat(drive.world.state().northM()).isBetween(-2.0, 2.0);
+    assertThat(drive.state().northM()).isBetween(-2.0, 2.0);
     assertThat(speedMps()).isLessThan(0.01);
     assertThat(drive.operator.armed()).isFalse();
   }

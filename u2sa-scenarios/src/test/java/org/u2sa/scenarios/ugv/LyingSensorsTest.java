@@ -123,7 +123,7 @@ class LyingSensorsTest {
     }
 
     private VehicleTruth truth() {
-      return drive[0].world.truth();
+      return drive[0].vehicle.truth();
     }
 
     @Override
@@ -136,7 +136,7 @@ class LyingSensorsTest {
         device =
             new SimulatedGps(
                 new GpsParameters(rateHz, 0.0, 0.016, 0.012, 60.0, 1.5, 0.03, 0.0, 1.0, 16, 4),
-                drive[0].world.world().plane(),
+                drive[0].vehicle.world().plane(),
                 new NoiseStreams(77),
                 () -> lied(added, truth()),
                 () -> false);
@@ -169,7 +169,7 @@ class LyingSensorsTest {
     if (drive[0] == null) {
       return SimulatedImu.readingOf(AT_REST);
     }
-    Orientation o = SimulatedImu.readingOf(drive[0].world.truth());
+    Orientation o = SimulatedImu.readingOf(drive[0].vehicle.truth());
     return new Orientation(
         o.measuredAtMicros(),
         o.rollRad(),

@@ -75,7 +75,7 @@ class SensorLossTest {
         .as(what + " " + drive.misses())
         .isLessThan(farthestM);
     assertThat(drive.operator.action()).isEqualTo(FailsafeAction.CONTINUE);
-    assertThat(drive.world.contacts()).isZero();
+    assertThat(drive.contacts()).isZero();
   }
 
   private void requireKilledLoop(String services, double farthestM) throws Exception {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.launch.LaunchOptions;
@@ -14,7 +15,6 @@ import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.device.CompassSensor;
 import org.u2sa.device.GpsSensor;
-import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Geodetic;
@@ -22,6 +22,7 @@ import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.RunPlans;
+import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.device.SimulatedCompass;
 import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.ground.GroundState;
@@ -47,7 +48,7 @@ class SeparateSensorsTest {
   @TempDir Path directory;
 
   private final LockstepClock clock = new LockstepClock();
-  private UgvWorld world;
+  private VehicleTrial vehicle;
 
   private RunningSystem start(String sensors) throws IOException {
     Path ugv = Repository.root().resolve("config/ugv");
@@ -79,14 +80,9 @@ class SeparateSensorsTest {
             this::truth,
             CompassModel.Disturbance::none);
     System.setProperty("u2sa.home", Repository.root().toString());
-    world =
-        new UgvWorld(
-            start,
-            VehicleKind.DIFFERENTIAL,
-            GpsGrade.SURVEY,
-            1,
-            Hazards.none(),
-            DriveConditions.usual());
+    vehicle =
+        UgvDrive.vehicle(
+            mission, new UgvDrive.Scene(1, GpsGrade.SURVEY, Hazards.none(), List.of()));
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -98,14 +94,14 @@ class SeparateSensorsTest {
             .override("IoioService", "GPS TX PIN", -1)
             .override("IoioService", "COMPASS RX PIN", -1)
             .override("IoioService", "COMPASS TX PIN", -1)
-            .making(IoioService.class, context -> new IoioService(context, world.connection()))
             .making(GpsSensor.class, context -> new GpsSensor(context, gps))
             .making(CompassSensor.class, context -> new CompassSensor(context, compass));
+    vehicle.inLockstep(options, "");
     return RunningSystem.start(SystemFile.read(file), options);
   }
 
   private VehicleTruth truth() {
-    return world.truth();
+    return vehicle.truth();
   }
 
   private String log(String service) {
@@ -135,10 +131,10 @@ class SeparateSensorsTest {
   @Test
   void gpsWithoutCompass_standsAndTheEstimatorSaysWhy() throws Exception {
     try (RunningSystem running = start(GPS)) {
-      GroundState began = world.state();
+      GroundState began = vehicle.board().state();
       clock.advance(Clock.micros(15.0));
       assertThat(running.isRunning()).isTrue();
-      assertThat(world.state().eastM()).isEqualTo(began.eastM());
+      assertThat(vehicle.board().state().eastM()).isEqualTo(began.eastM());
     }
     assertThat(log("StateEstimator"))
         .contains("state lacks psi: no source of heading on sensed-state (heard: GpsSensor)");

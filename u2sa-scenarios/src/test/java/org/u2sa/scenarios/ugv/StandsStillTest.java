@@ -78,7 +78,7 @@ class StandsStillTest {
   @Test
   void emergencyStop_turningOnTheSpot_standsAndStays() throws InterruptedException, IOException {
     try (UgvDrive drive = start(Hazards.none())) {
-      drive.driveUntil("turns", () -> Math.abs(drive.world.state().yawRateRadPerS()) > 0.9, 60.0);
+      drive.driveUntil("turns", () -> Math.abs(drive.state().yawRateRadPerS()) > 0.9, 60.0);
       drive.operator.say(Channels.EMERGENCY_STOP, emergencyStop());
       Stop stop = drive.stop(5.0);
       report("emergency stop in a turn", stop);
@@ -92,7 +92,7 @@ class StandsStillTest {
   void board_losesPower_standsUntilItIsBack() throws InterruptedException, IOException {
     try (UgvDrive drive = start(Hazards.none())) {
       drive.driveAtFullSpeed();
-      drive.world.cable().power(false);
+      drive.vehicle.cable().power(false);
       Stop stop = drive.stop(5.0);
       report("board without power", stop);
 
@@ -101,8 +101,8 @@ class StandsStillTest {
       assertThat(stop.wayM()).isLessThan(COASTED_M);
       drive.requireStanding(20.0);
 
-      drive.world.cable().power(true);
-      drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 10.0);
+      drive.vehicle.cable().power(true);
+      drive.driveUntil("drives on", () -> drive.state().forwardMps() > 0.5, 10.0);
     }
   }
 
@@ -164,7 +164,7 @@ class StandsStillTest {
       drive.requireStanding(15.0);
       assertThat(drive.operator.action()).isEqualTo(FailsafeAction.HOLD);
       assertThat(drive.operator.causes()).anyMatch(cause -> cause.startsWith("position"));
-      drive.driveUntil("drives on", () -> drive.world.state().forwardMps() > 0.5, 20.0);
+      drive.driveUntil("drives on", () -> drive.state().forwardMps() > 0.5, 20.0);
       assertThat(drive.operator.action()).isEqualTo(FailsafeAction.CONTINUE);
     }
   }

@@ -99,7 +99,7 @@ class SwapWhileDrivingTest {
     assertThat(Collections.max(drive.misses())).as("%s", drive.misses()).isLessThan(FARTHEST_M);
     assertThat(leaps.largestM).as("leap of the state").isLessThan(LARGEST_LEAP_M);
     assertThat(drive.operator.action()).isEqualTo(FailsafeAction.CONTINUE);
-    assertThat(drive.world.contacts()).isZero();
+    assertThat(drive.contacts()).isZero();
   }
 
   /** In small steps, so that it is noticed where waypoints are passed. */

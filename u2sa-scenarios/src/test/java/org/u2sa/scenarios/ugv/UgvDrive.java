@@ -2,6 +2,7 @@ package org.u2sa.scenarios.ugv;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
@@ -10,7 +11,7 @@ import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.device.LidarSensor;
-import org.u2sa.drivers.ioio.IoioService;
+import org.u2sa.device.port.LaserScanner;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
@@ -19,11 +20,16 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Mission;
+import org.u2sa.report.score.RunPlan;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.Hazards;
+import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.testkit.Repository;
 
@@ -38,7 +44,7 @@ final class UgvDrive implements AutoCloseable {
   private final RunningSystem running;
   private final Mission mission;
   private final List<Double> misses = new ArrayList<>();
-  final UgvWorld world;
+  final VehicleTrial vehicle;
   final Walkers walkers = new Walkers(); // whom the laser sees besides the obstacles
   final TestOperator operator;
 
@@ -69,15 +75,7 @@ final class UgvDrive implements AutoCloseable {
     System.setProperty("u2sa.home", Repository.root().toString());
     long seed = scene.seed();
     mission = Mission.load(Repository.root().resolve("missions/ugv/loop.xml"));
-    world =
-        new UgvWorld(
-            RunPlans.start(mission),
-            VehicleKind.DIFFERENTIAL,
-            scene.receiver(),
-            seed,
-            scene.hazards(),
-            DriveConditions.usual(),
-            scene.obstacles());
+    vehicle = vehicle(mission, scene);
     LaunchOptions options =
         new LaunchOptions()
             .clock(clock)
@@ -85,17 +83,52 @@ final class UgvDrive implements AutoCloseable {
             .logDirectory(logs)
             .override("CommunicationManager", "BROKER", "none")
             .override("SafetyManager", "ARM AT START", armAtStart)
-            .making(IoioService.class, context -> new IoioService(context, world.connection()))
             .making(
                 LidarSensor.class,
-                context ->
-                    new LidarSensor(context, walkers.seenBy(world.laser(seed), world::truth)));
-    options.devices(world.devices(seed));
+                context -> new LidarSensor(context, walkers.seenBy(laser(context), vehicle::truth)))
+            .devices(vehicle.devices());
+    vehicle.inLockstep(options, "");
     more.accept(options);
     running = RunningSystem.start(SystemFile.read(system), options);
     operator =
         new TestOperator(running.contextFor(XmlConfiguration.inMemory("TestOperator", Map.of())));
     operator.start();
+  }
+
+  /** The vehicle of a scene at the home of a mission, behind its board. */
+  static VehicleTrial vehicle(Mission mission, Scene scene) {
+    RunPlan.Start start = RunPlans.start(mission);
+    Map<String, String> grade = new LinkedHashMap<>();
+    grade.put("gps/@preset", scene.receiver().preset());
+    grade.put("ioio/gps/@preset", scene.receiver().preset());
+    VehicleTrial placed =
+        VehicleTrial.behindBoard(
+            VehicleFile.load(config().resolve("vehicle.xml"), grade),
+            VehicleTrial.at(start).with(scene.obstacles()),
+            Point.ORIGIN,
+            start.headingRad(),
+            scene.hazards(),
+            scene.seed());
+    placed.devices().noise("LidarSensor", new NoiseStreams(scene.seed()));
+    return placed;
+  }
+
+  /** The vehicle's laser. */
+  LaserScanner laser(ServiceContext context) {
+    return vehicle
+        .devices()
+        .device(LaserScanner.class, "LidarSensor", context.configuration(), context.clock())
+        .orElseThrow();
+  }
+
+  /** The true state, with the rotating parts. */
+  GroundState state() {
+    return vehicle.board().state();
+  }
+
+  /** How often the vehicle has touched something. */
+  int contacts() {
+    return vehicle.board().contacts().size();
   }
 
   /** Where the vehicle's files are. */
@@ -120,8 +153,8 @@ final class UgvDrive implements AutoCloseable {
   private void noteMisses() {
     while (misses.size() < Math.min(operator.goalsDone(), mission.goals().size())) {
       Waypoint reached = (Waypoint) mission.goals().get(misses.size());
-      VehicleTruth truth = world.truth();
-      Geodetic here = world.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
+      VehicleTruth truth = vehicle.truth();
+      Geodetic here = vehicle.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
       Point to =
           here.enuOf(new Geodetic(reached.x().getAsDouble(), reached.y().getAsDouble(), 0.0));
       misses.add(Math.hypot(to.x(), to.y()));
@@ -135,7 +168,7 @@ final class UgvDrive implements AutoCloseable {
   void drive(double seconds) throws InterruptedException {
     clock.advance(Clock.micros(seconds));
     noteMisses();
-    walkers.look(world.truth());
+    walkers.look(vehicle.truth());
   }
 
   /** Fails if it does not come to that. */
@@ -154,7 +187,7 @@ final class UgvDrive implements AutoCloseable {
                 + " "
                 + operator.causes()
                 + ", "
-                + world.state());
+                + state());
       }
       drive(LOOK_S);
     }
@@ -162,16 +195,16 @@ final class UgvDrive implements AutoCloseable {
 
   /** Until it is on its way to the first waypoint at full speed. */
   void driveAtFullSpeed() throws InterruptedException {
-    driveUntil("drives", () -> world.state().forwardMps() > 0.95, 20.0);
+    driveUntil("drives", () -> state().forwardMps() > 0.95, 20.0);
   }
 
   private boolean moves() {
-    return TruthObserver.moves(world.truth());
+    return TruthObserver.moves(vehicle.truth());
   }
 
   /** Whether neither motor is driven. */
   boolean motorsOff() {
-    DriveCommand motors = world.motors();
+    DriveCommand motors = vehicle.board().command();
     return !drives(motors.first()) && !drives(motors.second());
   }
 
@@ -185,7 +218,7 @@ final class UgvDrive implements AutoCloseable {
   /** Measures from now on how long it takes and how far it gets until it stands. */
   Stop stop(double atMostS) throws InterruptedException {
     double from = nowS();
-    GroundState began = world.state();
+    GroundState began = state();
     driveUntil("motors off", this::motorsOff, atMostS);
     double motorsOffS = nowS() - from;
     double movedS = nowS();
@@ -193,10 +226,10 @@ final class UgvDrive implements AutoCloseable {
       drive(LOOK_S);
       movedS = moves() ? nowS() : movedS;
       if (movedS - from > atMostS) {
-        throw new AssertionError("does not stand after " + atMostS + " s: " + world.state());
+        throw new AssertionError("does not stand after " + atMostS + " s: " + state());
       }
     }
-    GroundState ended = world.state();
+    GroundState ended = state();
     return new Stop(
         motorsOffS,
         movedS - from,
@@ -205,16 +238,15 @@ final class UgvDrive implements AutoCloseable {
 
   /** Fails if it moves in that time. */
   void requireStanding(double forS) throws InterruptedException {
-    GroundState began = world.state();
+    GroundState began = state();
     for (double end = nowS() + forS; nowS() < end; ) {
       drive(LOOK_S);
       if (moves() || !motorsOff()) {
         throw new AssertionError(
-            "moved at " + nowS() + " s: " + world.state() + ", " + world.motors());
+            "moved at " + nowS() + " s: " + state() + ", " + vehicle.board().command());
       }
     }
-    double way =
-        Math.hypot(world.state().eastM() - began.eastM(), world.state().northM() - began.northM());
+    double way = Math.hypot(state().eastM() - began.eastM(), state().northM() - began.northM());
     if (way > 0.02) {
       throw new AssertionError("crept " + way + " m in " + forS + " s");
     }

@@ -35,6 +35,9 @@ public final class Cessna172 implements SimulatedVehicle {
   /** Internal integration rate [1/s]. */
   public static final int TICKS_PER_SECOND = 120;
 
+  /** Names of its controls. */
+  public static final List<String> CONTROLS = ControlInputs.NAMES;
+
   /** Collision outline: nose, wing tips and tail, from wheels to fin. */
   private static final Footprint FOOTPRINT =
       new Footprint(
@@ -55,6 +58,7 @@ public final class Cessna172 implements SimulatedVehicle {
   private final World world;
   private final WindField wind;
   private final FlightDynamics dynamics;
+  private final Footprint footprint;
   private final RungeKutta integrator = new RungeKutta(FlightDynamics.SIZE);
   private final double[] rate = new double[FlightDynamics.SIZE];
   private final double[] s;
@@ -64,11 +68,13 @@ public final class Cessna172 implements SimulatedVehicle {
   private ControlInputs held = ControlInputs.neutral();
   private boolean crashed;
 
-  private Cessna172(double[] start, World world, boolean engineRunning, double flaps) {
+  private Cessna172(
+      double[] start, World world, FlightDynamics dynamics, Footprint footprint, double flaps) {
     this.s = start;
     this.world = Objects.requireNonNull(world, "world");
     this.wind = world.windAround(Airframe.SPAN_M);
-    this.dynamics = new FlightDynamics(new PistonEngine(engineRunning));
+    this.dynamics = dynamics;
+    this.footprint = footprint;
     this.flapPosition = flaps;
     surround(1.0 / TICKS_PER_SECOND);
     prepare(held);
@@ -83,8 +89,33 @@ public final class Cessna172 implements SimulatedVehicle {
 
   /** Creates an aircraft on its wheels at the start's elevation, over the given terrain. */
   public static Cessna172 onRunway(RunwayStart start, World world, boolean engineRunning) {
-    double[] s = InitialState.standing(start, engineRunning);
-    return new Cessna172(s, world, engineRunning, 0.0);
+    return new Cessna172(
+        InitialState.standing(start, engineRunning),
+        world,
+        new FlightDynamics(new PistonEngine(engineRunning)),
+        FOOTPRINT,
+        0.0);
+  }
+
+  /**
+   * Creates an aircraft of another loading on its wheels.
+   *
+   * @param massKg mass, up to about the maximum take-off mass of 1088.6 kg, for which its gear is
+   * @param inertia moments of inertia in roll, pitch and yaw [kg m²]
+   */
+  public static Cessna172 onRunway(
+      RunwayStart start,
+      World world,
+      boolean engineRunning,
+      double massKg,
+      Point inertia,
+      Footprint footprint) {
+    return new Cessna172(
+        InitialState.standing(start, engineRunning),
+        world,
+        new FlightDynamics(new PistonEngine(engineRunning), massKg, inertia),
+        footprint,
+        0.0);
   }
 
   /** Creates an airborne aircraft above level ground. */
@@ -97,7 +128,8 @@ public final class Cessna172 implements SimulatedVehicle {
   /** Creates an airborne aircraft; its airspeed is relative to the steady wind at its position. */
   public static Cessna172 inFlight(FlightStart start, World world) {
     double[] s = InitialState.flying(start, world.wind());
-    return new Cessna172(s, world, start.engineRpm() > 0.0, start.flaps());
+    FlightDynamics dynamics = new FlightDynamics(new PistonEngine(start.engineRpm() > 0.0));
+    return new Cessna172(s, world, dynamics, FOOTPRINT, start.flaps());
   }
 
   /**
@@ -270,9 +302,26 @@ public final class Cessna172 implements SimulatedVehicle {
         crashed ? Point.ORIGIN : Point.of(rate[VE], rate[VN], -rate[VD]));
   }
 
+  /**
+   * {@inheritDoc} With gusts, by which its motion through the air differs from that over ground.
+   */
+  @Override
+  public Point air() {
+    AircraftMotion motion = state();
+    double alongPlaneMps = motion.trueAirspeedMps() * StrictMath.cos(motion.sideslipRad());
+    Point throughAir = // forward, left, down
+        Point.of(
+            alongPlaneMps * StrictMath.cos(motion.angleOfAttackRad()),
+            -motion.trueAirspeedMps() * StrictMath.sin(motion.sideslipRad()),
+            alongPlaneMps * StrictMath.sin(motion.angleOfAttackRad()));
+    VehicleTruth truth = truth();
+    Point ned = truth.attitude().nedOf(throughAir);
+    return truth.velocity().minus(Point.of(ned.y(), ned.x(), -ned.z()));
+  }
+
   @Override
   public Footprint footprint() {
-    return FOOTPRINT;
+    return footprint;
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.u2sa.sim.aircraft;
 
 import org.u2sa.messages.frame.Gravity;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.gear.Wheel;
 import org.u2sa.sim.motion.BodyAttitude;
@@ -38,6 +39,10 @@ final class FlightDynamics implements RungeKutta.Motion {
   private static final double SLOWEST2 =
       100.0; // angle-of-attack rate is ignored below 10 m/s [m²/s²]
 
+  private final double massKg;
+  private final double ixx;
+  private final double iyy;
+  private final double izz;
   final Aerodynamics aero = new Aerodynamics();
   final Propeller propeller = new Propeller();
   final PistonEngine engine;
@@ -61,7 +66,19 @@ final class FlightDynamics implements RungeKutta.Motion {
   double loadFactor = 1.0;
 
   FlightDynamics(PistonEngine engine) {
+    this(engine, Airframe.MASS_KG, Point.of(Airframe.IXX, Airframe.IYY, Airframe.IZZ));
+  }
+
+  /**
+   * @param massKg mass [kg]
+   * @param inertia moments of inertia in roll, pitch and yaw [kg m²]
+   */
+  FlightDynamics(PistonEngine engine, double massKg, Point inertia) {
     this.engine = engine;
+    this.massKg = massKg;
+    ixx = inertia.x();
+    iyy = inertia.y();
+    izz = inertia.z();
   }
 
   @Override
@@ -136,9 +153,9 @@ final class FlightDynamics implements RungeKutta.Motion {
     double forceN = gn + attitude.north(fx, fy, fz);
     double forceE = ge + attitude.east(fx, fy, fz);
     double forceD = gd + attitude.down(fx, fy, fz);
-    double accN = forceN / Airframe.MASS_KG;
-    double accE = forceE / Airframe.MASS_KG;
-    double accD = forceD / Airframe.MASS_KG;
+    double accN = forceN / massKg;
+    double accE = forceE / massKg;
+    double accD = forceD / massKg;
     loadFactor = -attitude.below(accN, accE, accD) / Gravity.STANDARD_MPS2;
     accD += Gravity.STANDARD_MPS2;
 
@@ -176,9 +193,9 @@ final class FlightDynamics implements RungeKutta.Motion {
     rate[Q0 + 2] = 0.5 * (q0 * wy + q3 * wx - q1 * wz);
     rate[Q0 + 3] = 0.5 * (q0 * wz + q1 * wy - q2 * wx);
 
-    rate[P] = (mx + (Airframe.IYY - Airframe.IZZ) * q * r) / Airframe.IXX;
-    rate[Q] = (my + (Airframe.IZZ - Airframe.IXX) * p * r) / Airframe.IYY;
-    rate[R] = (mz + (Airframe.IXX - Airframe.IYY) * p * q) / Airframe.IZZ;
+    rate[P] = (mx + (iyy - izz) * q * r) / ixx;
+    rate[Q] = (my + (izz - ixx) * p * r) / iyy;
+    rate[R] = (mz + (ixx - iyy) * p * q) / izz;
     rate[SHAFT] = (engineTorque - propeller.torqueNm()) / Propeller.INERTIA_KG_M2;
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.DoubleSupplier;
 import org.u2sa.device.port.Device;
 import org.u2sa.sim.motion.Arguments;
 
@@ -24,6 +25,8 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   private int seen;
   private double lost;
   private Random losses = new Random(0);
+  private double failsAtS = Double.POSITIVE_INFINITY;
+  private DoubleSupplier vehicleTimeS = () -> 0.0;
   private volatile boolean isPlugged = true;
   private volatile int connections = 1;
 
@@ -58,6 +61,17 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
     losses = random;
   }
 
+  /**
+   * Unplugs the device for good at a time.
+   *
+   * @param timeS time of the vehicle [s]; infinite for never
+   * @param vehicleS current time of the vehicle [s]
+   */
+  public final void failAt(double timeS, DoubleSupplier vehicleS) {
+    failsAtS = timeS;
+    vehicleTimeS = vehicleS;
+  }
+
   /** Whether the next measurement is lost. */
   boolean isDropped() {
     return lost > 0.0 && losses.nextDouble() < lost;
@@ -81,6 +95,9 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
 
   @Override
   public final Optional<R> read(long nowMicros) {
+    if (failsAtS < Double.POSITIVE_INFINITY && vehicleTimeS.getAsDouble() >= failsAtS) {
+      plug(false);
+    }
     if (!isPlugged || connections != seen) {
       seen = isPlugged ? connections : seen;
       underWay.clear();

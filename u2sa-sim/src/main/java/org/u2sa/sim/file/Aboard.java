@@ -1,9 +1,15 @@
 package org.u2sa.sim.file;
 
+import java.util.List;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.ground.GroundState;
+import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
+import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
@@ -14,6 +20,7 @@ import org.u2sa.sim.world.World;
  * @param truth current state of the vehicle
  * @param air current velocity of the air around the vehicle: east, north, up [m/s]
  * @param wheels current state of a ground vehicle's wheels
+ * @param traffic other vehicles now
  * @param streams the device's own random numbers
  */
 record Aboard(
@@ -21,7 +28,27 @@ record Aboard(
     Supplier<VehicleTruth> truth,
     Supplier<Point> air,
     Supplier<GroundState> wheels,
+    Supplier<List<SimulatedTraffic.Other>> traffic,
     NoiseStreams streams) {
+
+  /**
+   * What the devices of a running vehicle work with.
+   *
+   * @param nowMicros time of the run [µs]
+   */
+  static Aboard of(
+      RunningVehicle run,
+      LongSupplier nowMicros,
+      Supplier<List<SimulatedTraffic.Other>> traffic,
+      NoiseStreams streams) {
+    return new Aboard(
+        run.vehicle().world(),
+        () -> run.at(nowMicros.getAsLong()),
+        () -> run.read(nowMicros.getAsLong(), SimulatedVehicle::air),
+        () -> run.read(nowMicros.getAsLong(), vehicle -> ((GroundVehicle) vehicle).state()),
+        traffic,
+        streams);
+  }
 
   /** Current state of a sensor on the vehicle. */
   Supplier<VehicleTruth> at(Mount mount) {

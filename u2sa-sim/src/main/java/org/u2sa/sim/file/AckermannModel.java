@@ -1,6 +1,7 @@
 package org.u2sa.sim.file;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ground.AckermannParameters;
 import org.u2sa.sim.ground.AckermannVehicle;
@@ -11,6 +12,7 @@ import org.u2sa.sim.world.World;
 
 /** A driven rear axle and steered front wheels; the reference point is below the rear axle. */
 record AckermannModel(AckermannParameters parameters, Footprint footprint) implements GroundModel {
+  private static final String STEERING = "STEERING";
 
   static AckermannModel read(FileElement file, Body body) {
     AckermannParameters parameters =
@@ -41,7 +43,14 @@ record AckermannModel(AckermannParameters parameters, Footprint footprint) imple
 
   @Override
   public List<String> actuators() {
-    return List.of("THROTTLE", "STEERING");
+    return List.of("THROTTLE", STEERING);
+  }
+
+  @Override
+  public OptionalDouble travelRad(String actuator) {
+    return actuator.equals(STEERING)
+        ? OptionalDouble.of(parameters.steerMaxRad())
+        : OptionalDouble.empty();
   }
 
   @Override

@@ -15,6 +15,12 @@ final class AircraftParts {
 
   /** The body, whose reference point has to be its centre of gravity. */
   static MassProperties mass(FileElement file, Body body) {
+    requireAtGravityCentre(file, body);
+    double product = file.number("productOfInertia", "kg m^2", -1e6, 1e6, 0.0);
+    return file.made(() -> new MassProperties(body.massKg(), body.inertia(), product));
+  }
+
+  static void requireAtGravityCentre(FileElement file, Body body) {
     if (body.gravityCentre().distance() > 0.0) {
       throw file.xml()
           .error(
@@ -22,8 +28,6 @@ final class AircraftParts {
                   + body.gravityCentre()
                   + " m; expected none: an aircraft's reference point is its centre of gravity");
     }
-    double product = file.number("productOfInertia", "kg m^2", -1e6, 1e6, 0.0);
-    return file.made(() -> new MassProperties(body.massKg(), body.inertia(), product));
   }
 
   static List<LandingLeg> legs(FileElement file) {

@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.ControlSurface;
@@ -116,7 +117,7 @@ record FixedWingModel(
               () ->
                   new ControlSurface(
                       each.xml().attribute("name"),
-                      each.number("travel", "rad", 0.0, Math.PI / 2.0),
+                      each.number("travel", "rad", 0.001, Math.PI / 2.0),
                       each.number("lag", "s", 0.005, 10.0),
                       each.number("elevator", "1", -1.0, 1.0, 0.0),
                       each.number("aileron", "1", -1.0, 1.0, 0.0),
@@ -170,6 +171,14 @@ record FixedWingModel(
   @Override
   public double lowest(String actuator) {
     return actuator.equals(propeller.name()) ? 0.0 : -1.0;
+  }
+
+  @Override
+  public OptionalDouble travelRad(String actuator) {
+    return surfaces.stream()
+        .filter(each -> each.name().equals(actuator))
+        .mapToDouble(ControlSurface::travelRad)
+        .findFirst();
   }
 
   @Override

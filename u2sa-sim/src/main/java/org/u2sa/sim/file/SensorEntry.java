@@ -14,6 +14,7 @@ import org.u2sa.sim.device.SimulatedDevice;
  *     sensor of its own, each with its own noise
  * @param delayS extra delay [s]
  * @param lost share of readings lost, 0…1
+ * @param failsAtS time of the vehicle at which it fails for good [s]; infinite for never
  * @param variables values of the services' variables that follow from the sensor
  * @param maker makes the device
  */
@@ -23,6 +24,7 @@ record SensorEntry(
     Optional<String> service,
     double delayS,
     double lost,
+    double failsAtS,
     Map<String, Double> variables,
     Maker maker) {
   /** Makes a device for a vehicle. */
@@ -35,6 +37,7 @@ record SensorEntry(
   SimulatedDevice<?> make(Aboard vehicle) {
     SimulatedDevice<?> device = maker.make(vehicle);
     device.degrade(delayS, lost, vehicle.streams().of("losses"));
+    device.failAt(failsAtS, () -> vehicle.truth().get().timeS());
     return device;
   }
 }

@@ -19,6 +19,7 @@ import org.u2sa.device.port.PitotTube;
 import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.device.port.Sonar;
+import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.device.port.WheelEncoder;
 
@@ -57,6 +58,8 @@ final class SensorKinds {
     kinds.put("pointScanner", new Kind(PointScanner.class, false, SightSensors::pointScanner));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
+    kinds.put(
+        "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));
     kinds.put("camera", new Kind(Camera.class, false, SightSensors::camera));
     return kinds;
   }
@@ -94,6 +97,7 @@ final class SensorKinds {
     Optional<String> service = sensor.xml().optionalAttribute("service");
     double delay = kind.isDelayed ? 0.0 : sensor.number("delay", "s", 0.0, 5.0, 0.0);
     double lost = kind.isDelayed ? 0.0 : sensor.number("dropouts", "1", 0.0, 1.0, 0.0);
+    double failsAt = sensor.number("failsAt", "s", 0.0, 1e9, Double.POSITIVE_INFINITY);
     Reader reader = sensor.made(() -> kind.reader.apply(sensor));
     Map<String, Double> variables = new LinkedHashMap<>(reader.variables());
     if (kind.port == WheelEncoder.class) {
@@ -106,6 +110,6 @@ final class SensorKinds {
     }
     sensor.end();
     return new SensorEntry(
-        sensor.xml().name(), kind.port, service, delay, lost, variables, reader.maker());
+        sensor.xml().name(), kind.port, service, delay, lost, failsAt, variables, reader.maker());
   }
 }

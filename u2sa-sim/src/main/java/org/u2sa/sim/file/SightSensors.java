@@ -5,11 +5,13 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedCamera;
 import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.device.SimulatedPointScanner;
 import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.device.SimulatedSonar;
+import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.World;
@@ -144,6 +146,20 @@ final class SightSensors {
               vehicle.streams(),
               () -> sight.get().distanceM(0.0, 1.0, 0.0));
         });
+  }
+
+  static SensorKinds.Reader trafficReceiver(FileElement file) {
+    SensorErrors errors = StateSensors.errors(file, "m");
+    double reach = file.positive("reach", "m", 1e6);
+    return new SensorKinds.Reader(
+        vehicle ->
+            new SimulatedTraffic(
+                errors,
+                reach,
+                vehicle.world().plane(),
+                vehicle.streams(),
+                () -> vehicle.truth().get().position(),
+                vehicle.traffic()));
   }
 
   static SensorKinds.Reader camera(FileElement file) {

@@ -148,7 +148,7 @@ final class StateSensors {
                 () -> vehicle.wheels().get().rightWheelRad()));
   }
 
-  private static SensorErrors errors(FileElement file, String unit) {
+  static SensorErrors errors(FileElement file, String unit) {
     return new SensorErrors(
         file.number("rate", "Hz", 0.1, 10_000.0),
         file.number("delay", "s", 0.0, 60.0),

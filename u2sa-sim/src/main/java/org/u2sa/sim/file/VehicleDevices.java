@@ -1,25 +1,29 @@
 package org.u2sa.sim.file;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.MotorController;
+import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.DeviceSource;
 import org.u2sa.sim.device.SimulatedMotors;
+import org.u2sa.sim.device.SimulatedTraffic;
+import org.u2sa.sim.device.VehicleServo;
 import org.u2sa.sim.device.VehicleThruster;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
-import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
@@ -37,6 +41,8 @@ public final class VehicleDevices implements DeviceSource {
   private final VehicleFile file;
   private final RunningVehicle run;
   private final long seed;
+  private Supplier<List<SimulatedTraffic.Other>> traffic = List::of;
+  private final Map<String, NoiseStreams> noise = new HashMap<>(); // by service
 
   /**
    * @param run the vehicle of the file, in its world
@@ -48,14 +54,32 @@ public final class VehicleDevices implements DeviceSource {
     this.seed = seed;
   }
 
+  /** Tells traffic receivers what moves around the vehicle. */
+  public VehicleDevices traffic(Supplier<List<SimulatedTraffic.Other>> around) {
+    traffic = around;
+    return this;
+  }
+
+  /** Gives a service's sensor these random numbers instead of those of its own. */
+  public VehicleDevices noise(String service, NoiseStreams streams) {
+    noise.put(service, streams);
+    return this;
+  }
+
   @Override
   public <D> Optional<D> device(
       Class<D> port, String service, XmlConfiguration variables, Clock clock) {
     if (port == Thruster.class) {
       return Optional.of(port.cast(thruster(service, variables)));
     }
+    if (port == Servo.class) {
+      return Optional.of(port.cast(servo(service, variables)));
+    }
     if (port == MotorController.class) {
       return Optional.of(port.cast(motors(service, variables, clock)));
+    }
+    if (port == VehicleRun.class && run instanceof VehicleRun.Readers readers) {
+      return Optional.of(port.cast(readers.owned()));
     }
     return SensorKinds.isKnown(port)
         ? Optional.of(port.cast(sensor(port, service, variables, clock)))
@@ -91,13 +115,7 @@ public final class VehicleDevices implements DeviceSource {
     for (Map.Entry<String, Double> each : entry.variables().entrySet()) {
       unlessStated(service, each.getKey(), each.getValue());
     }
-    return entry.make(
-        new Aboard(
-            run.vehicle().world(),
-            () -> run.at(clock.micros()),
-            () -> run.read(clock.micros(), SimulatedVehicle::air),
-            wheels(clock),
-            streams(name)));
+    return entry.make(Aboard.of(run, clock::micros, () -> traffic.get(), streams(name)));
   }
 
   private BadInputException none(String service, String port) {
@@ -117,7 +135,9 @@ public final class VehicleDevices implements DeviceSource {
   }
 
   private NoiseStreams streams(String service) {
-    return new NoiseStreams(new NoiseStreams(seed).of("sensor " + service).nextLong());
+    return noise.containsKey(service)
+        ? noise.get(service)
+        : new NoiseStreams(new NoiseStreams(seed).of("sensor " + service).nextLong());
   }
 
   private Supplier<GroundState> wheels(Clock clock) {
@@ -126,12 +146,24 @@ public final class VehicleDevices implements DeviceSource {
 
   private Thruster thruster(String service, XmlConfiguration variables) {
     String name = stated(variables, ACTUATOR_NAME).orElse(service);
-    if (file.model().medium() != VehicleModel.Medium.GROUND
-        && file.model().actuators().contains(name)
+    VehicleModel model = file.model();
+    if (model.actuators().contains(name)
+        && model.travelRad(name).isEmpty()
+        && model.wheels().isEmpty()
         && run instanceof VehicleRun commanded) {
       return new VehicleThruster(commanded, name);
     }
     throw none(service, "Thruster \"" + name + "\"");
+  }
+
+  private Servo servo(String service, XmlConfiguration variables) {
+    String name = stated(variables, ACTUATOR_NAME).orElse(service);
+    OptionalDouble travel = file.model().travelRad(name);
+    if (travel.isPresent() && run instanceof VehicleRun commanded) {
+      unlessStated(variables, "TRAVEL", travel.getAsDouble());
+      return new VehicleServo(commanded, name, travel.getAsDouble(), file.model().lowest(name));
+    }
+    throw none(service, "Servo \"" + name + "\"");
   }
 
   private MotorController motors(String name, XmlConfiguration service, Clock clock) {

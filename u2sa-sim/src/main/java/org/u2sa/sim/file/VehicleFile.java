@@ -12,7 +12,9 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.ground.MiniMolle;
+import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
@@ -165,6 +167,12 @@ public final class VehicleFile {
                     origin + ": has no IOIO board, which IoioService needs; expected <ioio>"));
     return entry.make(
         world, ((GroundModel) model).make(world, start, headingRad, seed), hazards, seed);
+  }
+
+  /** Creates a vehicle at rest, as services and observers of a run share it. */
+  public RunningVehicle running(World world, Point start, double headingRad, long seed) {
+    VehicleRun run = new VehicleRun(make(world, start, headingRad, seed));
+    return model.isSteppedByOwner() ? run.readers() : run;
   }
 
   /** Creates a vehicle at rest; see {@link VehicleModel#make}. */

@@ -1,13 +1,12 @@
 package org.u2sa.sim.file;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.LongSupplier;
 import org.u2sa.sim.device.SerialInstrument;
-import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
-import org.u2sa.sim.vehicle.SimulatedVehicle;
 
 /** The sensors of a vehicle file that speak a protocol on a serial line. */
 public final class VehicleInstruments {
@@ -26,11 +25,10 @@ public final class VehicleInstruments {
     for (SensorEntry entry : file.sensors()) {
       String name = entry.kind() + entry.service().map(service -> "-" + service).orElse("");
       Aboard aboard =
-          new Aboard(
-              run.vehicle().world(),
-              () -> run.at(nowMicros.getAsLong()),
-              () -> run.read(nowMicros.getAsLong(), SimulatedVehicle::air),
-              () -> run.read(nowMicros.getAsLong(), vehicle -> ((GroundVehicle) vehicle).state()),
+          Aboard.of(
+              run,
+              nowMicros,
+              List::of,
               new NoiseStreams(new NoiseStreams(seed).of("sensor " + name).nextLong()));
       entry.make(aboard).serial().ifPresent(instrument -> all.put(name, instrument));
     }

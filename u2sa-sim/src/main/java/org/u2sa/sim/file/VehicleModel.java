@@ -2,6 +2,7 @@ package org.u2sa.sim.file;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.World;
@@ -37,12 +38,22 @@ public interface VehicleModel {
     return false;
   }
 
+  /** Whether one service, which commands all of it, alone advances it: sensors must not. */
+  default boolean isSteppedByOwner() {
+    return false;
+  }
+
   /** Names of its actuators, as in commands. */
   List<String> actuators();
 
   /** Lowest command of an actuator: −1, or 0 if it turns one way only. */
   default double lowest(String actuator) {
     return -1.0;
+  }
+
+  /** Angle of a servo at full command [rad]; empty if the actuator is none. */
+  default OptionalDouble travelRad(String actuator) {
+    return OptionalDouble.empty();
   }
 
   /** Its wheels; empty if it has none to count. */

@@ -20,6 +20,7 @@ final class VehicleModels {
     kinds.put("vessel", VesselModel::read);
     kinds.put("multirotor", MultirotorModel::read);
     kinds.put("fixedWing", FixedWingModel::read);
+    kinds.put("cessna172", Cessna172Model::read);
     return kinds;
   }
 

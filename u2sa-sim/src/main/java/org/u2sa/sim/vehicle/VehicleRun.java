@@ -109,6 +109,49 @@ public final class VehicleRun implements RunningVehicle {
     expiries.put(actuator, untilMicros);
   }
 
+  /**
+   * The vehicle for readers that must not advance it, because one service alone does: they get its
+   * latest state.
+   */
+  public Readers readers() {
+    return new Readers(this);
+  }
+
+  private synchronized VehicleTruth latest() {
+    return truth;
+  }
+
+  private synchronized <T> T latest(Function<SimulatedVehicle, T> property) {
+    return property.apply(vehicle);
+  }
+
+  /**
+   * A vehicle that only its owner advances.
+   *
+   * @param owned for the owner
+   */
+  public record Readers(VehicleRun owned) implements RunningVehicle {
+    @Override
+    public VehicleTruth at(long nowMicros) {
+      return owned.latest();
+    }
+
+    @Override
+    public <T> T read(long nowMicros, Function<SimulatedVehicle, T> property) {
+      return owned.latest(property);
+    }
+
+    @Override
+    public SimulatedVehicle vehicle() {
+      return owned.vehicle();
+    }
+
+    @Override
+    public List<ContactWatch.Contact> contacts() {
+      return owned.contacts();
+    }
+  }
+
   @Override
   public SimulatedVehicle vehicle() {
     return vehicle;

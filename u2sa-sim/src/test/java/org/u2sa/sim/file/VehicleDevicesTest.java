@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -12,8 +13,8 @@ import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.MotorController;
+import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Thruster;
-import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
@@ -21,6 +22,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 class VehicleDevicesTest {
+  /** A device that vehicle files do not know. */
+  private interface Winch extends Device<Device.Reading> {}
+
   private final LockstepClock clock = new LockstepClock();
 
   private VehicleRun run(VehicleFile file) {
@@ -66,7 +70,7 @@ class VehicleDevicesTest {
   void device_portOfNoVehicleFile_isLeftToTheConfiguration() {
     VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
 
-    assertThat(device(file, TrafficReceiver.class, "TrafficSensor", variables())).isEmpty();
+    assertThat(device(file, Winch.class, "Winch", variables())).isEmpty();
   }
 
   @Test
@@ -79,6 +83,26 @@ class VehicleDevicesTest {
     assertThat(device(file, GpsReceiver.class, "Rover", variables())).isPresent();
     assertThatThrownBy(() -> device(file, GpsReceiver.class, "GpsSensor", variables()))
         .hasMessageContaining("<gps service=\"Rover\">");
+  }
+
+  @Test
+  void read_afterTheSensorsFailure_isDisconnected() throws InterruptedException {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.sixWheels()
+                .replace(
+                    "<gps preset=\"survey\"/>",
+                    "<gps preset=\"survey\"><failsAt unit=\"s\">2</failsAt></gps>"));
+    GpsReceiver receiver = device(file, GpsReceiver.class, "GpsSensor", variables()).orElseThrow();
+    receiver.read(0L);
+    clock.runUntil(() -> false, 1_900_000L);
+    receiver.read(1_900_000L);
+    boolean before = receiver.isConnected();
+    clock.runUntil(() -> false, 2_000_000L);
+    receiver.read(2_000_000L);
+
+    assertThat(before).isTrue();
+    assertThat(receiver.isConnected()).isFalse();
   }
 
   @Test
@@ -107,6 +131,23 @@ class VehicleDevicesTest {
 
     assertThat(driving).isGreaterThan(0.5);
     assertThat(run.at(10_000_000L).speedMps()).isCloseTo(0.0, within(0.05));
+  }
+
+  @Test
+  void device_servo_deflectsItsSurfaceAndKnowsItsTravel() throws Exception {
+    VehicleFile file = VehicleFile.load(Path.of("../config/ugv/vehicle-ackermann.xml"));
+    VehicleRun run = run(file);
+    VehicleDevices devices = new VehicleDevices(file, run, 1);
+    XmlConfiguration open = variables();
+    Servo steering = devices.device(Servo.class, "STEERING", open, clock).orElseThrow();
+    run.command(0L, "THROTTLE", 0.5);
+    steering.turn(0.4189);
+    steering.read(0L);
+
+    assertThat(open.overrides()).containsEntry("TRAVEL", 0.4189);
+    assertThat(run.at(2_000_000L).rates().z()).isGreaterThan(0.5);
+    assertThatThrownBy(() -> devices.device(Thruster.class, "STEERING", variables(), clock))
+        .hasMessageContaining("needs a Thruster \"STEERING\"");
   }
 
   @Test

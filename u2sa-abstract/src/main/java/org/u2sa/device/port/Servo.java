@@ -1,0 +1,23 @@
+package org.u2sa.device.port;
+
+import java.util.OptionalDouble;
+
+/** A servo, which turns a control surface, a rudder or a camera to an angle and holds it. */
+public interface Servo extends Device<Servo.Position> {
+  /**
+   * What the servo reports.
+   *
+   * @param angleRad its angle, positive as commanded [rad]; empty if it does not measure it
+   */
+  record Position(long measuredAtMicros, OptionalDouble angleRad) implements Reading {}
+
+  /**
+   * Sets the angle, which holds until the next one.
+   *
+   * @param angleRad from the middle of its travel [rad]
+   */
+  void turn(double angleRad);
+
+  /** Releases the servo without moving it, for a successor. */
+  void leave();
+}

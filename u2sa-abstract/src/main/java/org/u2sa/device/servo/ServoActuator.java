@@ -1,0 +1,155 @@
+package org.u2sa.device.servo;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import org.u2sa.device.DeviceReader;
+import org.u2sa.device.Devices;
+import org.u2sa.device.SlewLimit;
+import org.u2sa.device.port.Servo;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
+import org.u2sa.service.CommandedActuators;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+import org.u2sa.service.actuator.ActuatorOwner;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Actuator service of one servo, such as that of an elevator, a rudder or a gimbal's axis (thesis
+ * 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators, its announcement.
+ *
+ * <p>Without commands, and at an emergency stop, it goes to its neutral angle.
+ */
+public final class ServoActuator extends PeriodicService implements ActuatorOwner {
+  private static final double STEPS_PER_S = 50.0;
+  private static final double FULL_PERCENT = 100.0;
+  private static final double TIMEOUT_S = 1.0; // without news of a connected servo
+  private static final String SLEW = "SLEW";
+
+  private static final Devices.Usual USUAL =
+      new Devices.Usual("servo", "SERVO", "MAESTRO", "serial:/dev/ttyACM0?baud=115200");
+
+  private record Variables(
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Name to which commands are addressed, unique in the system; empty: the service's name.")
+          String actuatorName,
+      @Variable(ifAbsentText = "false")
+          @Description("Whether a positive command turns it backwards.")
+          boolean reversed,
+      @Variable(unit = "%", min = -100, max = 0, ifAbsent = -100)
+          @Description("Minimum command; 0 for one that turns one way, such as flaps.")
+          double minimum,
+      @Variable(unit = "rad", min = 0.01, max = 2.0 * Math.PI, ifAbsent = Math.PI / 6.0)
+          @Description("Angle by which a command of 100 % turns it from the neutral angle.")
+          double travel,
+      @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
+          @Description("Angle without commands: the trim.")
+          double neutralAngle,
+      @Variable(unit = "rad", min = -2.0 * Math.PI, max = 0, ifAbsent = -2.0 * Math.PI)
+          @Description("Smallest angle that its linkage allows.")
+          double minimumAngle,
+      @Variable(unit = "rad", min = 0, max = 2.0 * Math.PI, ifAbsent = 2.0 * Math.PI)
+          @Description("Largest angle that its linkage allows.")
+          double maximumAngle,
+      @Variable(unit = "rad/s", min = 0.01, max = 1_000, ifAbsent = 10)
+          @Description("Maximum rate; also of the way to the neutral angle.")
+          double rateLimit) {}
+
+  private final Variables variables;
+  private final String actuatorName;
+  private final CommandedActuators commands;
+  private final SlewLimit slew;
+  private final Servo servo;
+  private final DeviceReader<Servo.Position> reader;
+
+  /** Launcher constructor: opens the configured servo. */
+  public ServoActuator(ServiceContext context) {
+    this(context, Optional.empty());
+  }
+
+  /** Uses the given servo, e.g. a simulated one. */
+  public ServoActuator(ServiceContext context, Servo servo) {
+    this(context, Optional.of(servo));
+  }
+
+  private ServoActuator(ServiceContext context, Optional<Servo> made) {
+    super(context, ServiceRole.ACTUATOR, "ServoActuator", STEPS_PER_S);
+    servo = Devices.open(Servo.class, USUAL, context, getServiceName(), made);
+    variables = settings(Variables.class).get(); // after the device, which may know the travel
+    actuatorName = variables.actuatorName().isEmpty() ? getServiceName() : variables.actuatorName();
+    commands = new CommandedActuators(this, Set.of(actuatorName), () -> {});
+    slew = new SlewLimit(percentPerS());
+    reader = new DeviceReader<>(this, "the servo", servo, TIMEOUT_S);
+  }
+
+  private double percentPerS() {
+    return FULL_PERCENT * variables.rateLimit() / variables.travel();
+  }
+
+  @Override
+  protected void begin() {
+    commands.announce(actuators());
+  }
+
+  @Override
+  public List<ActuatorAnnouncement> actuators() {
+    return List.of(
+        new ActuatorAnnouncement()
+            .actuatorName(actuatorName)
+            .minimum(variables.minimum())
+            .maximum(FULL_PERCENT)
+            .rateLimit(percentPerS())
+            .effect(
+                String.format(
+                    Locale.ROOT,
+                    "turns by %.1f deg at 100 %%",
+                    Math.toDegrees(variables.travel()))));
+  }
+
+  @Override
+  protected void step(double nowS) {
+    long now = clock().micros();
+    OptionalDouble commanded = commands.percentage(actuatorName);
+    servo.turn(angleRad(slew.towards(commanded.orElse(0.0), now)));
+    reader.next(now);
+    commands.available(servo.isConnected() ? FULL_PERCENT : 0.0);
+    commands.step(nowS);
+  }
+
+  private double angleRad(double percent) {
+    double sign = variables.reversed() ? -1.0 : 1.0;
+    double angle = variables.neutralAngle() + sign * variables.travel() * percent / FULL_PERCENT;
+    return Math.max(variables.minimumAngle(), Math.min(variables.maximumAngle(), angle));
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    commands.handOver(state);
+    state.number(SLEW, slew.percent());
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    commands.takeOver(state);
+    state.number(SLEW).ifPresent(slew::goOnFrom);
+  }
+
+  @Override
+  protected void releaseToSuccessor() {
+    servo.leave();
+  }
+
+  @Override
+  protected void release() {
+    commands.withdraw();
+    servo.turn(angleRad(0.0));
+    servo.read(clock().micros());
+    servo.close();
+  }
+}
