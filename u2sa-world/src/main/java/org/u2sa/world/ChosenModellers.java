@@ -1,5 +1,6 @@
 package org.u2sa.world;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -7,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeSet;
+import java.util.function.Function;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.grid.GridModeller;
@@ -29,12 +31,17 @@ final class ChosenModellers {
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
 
-  ChosenModellers(Configurator configuration) {
+  /**
+   * @param configuration configuration of the World Modeler, in which all modellers declare their
+   *     variables
+   * @param files finds a file named in the configuration
+   */
+  ChosenModellers(Configurator configuration, Function<String, Path> files) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));
     GridModeller grid = new GridModeller(configuration);
     all.put(GRID, grid);
-    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid));
+    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files));
     all.put(LANDMARKS, new LandmarkModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));

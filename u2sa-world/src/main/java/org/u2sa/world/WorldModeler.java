@@ -47,7 +47,7 @@ public final class WorldModeler extends PeriodicService {
 
   private final ServiceContext context;
   private final Settings<WorldVariables> settings = settings(WorldVariables.class);
-  private final ChosenModellers modellers = new ChosenModellers(this);
+  private final ChosenModellers modellers;
   private final PoseHistory poses = new PoseHistory();
   private final Arrivals arrivals = new Arrivals();
   private final Relevance relevance = new Relevance();
@@ -63,6 +63,7 @@ public final class WorldModeler extends PeriodicService {
   public WorldModeler(ServiceContext context) {
     super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
     this.context = context;
+    modellers = new ChosenModellers(this, context.configuration()::resolve);
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
     known = known();
@@ -357,6 +358,11 @@ public final class WorldModeler extends PeriodicService {
   private void publishGrid(OccupancyGrid grid, long micros) {
     grid.timestamp(micros);
     publish(Channels.GRID, grid);
+  }
+
+  @Override
+  protected void release() {
+    modellers.working().values().forEach(Modeller::end);
   }
 
   @Override

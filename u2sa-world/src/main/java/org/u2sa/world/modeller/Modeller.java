@@ -69,6 +69,9 @@ public interface Modeller {
     return List.of();
   }
 
+  /** Saves what is to be kept, when the World Modeler stops. */
+  default void end() {}
+
   /** Counters, for the health report. */
   String remark();
 

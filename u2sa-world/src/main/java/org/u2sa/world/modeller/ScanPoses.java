@@ -17,19 +17,6 @@ public record ScanPoses(Sighting first, Optional<StateInformation> last) {
     return new ScanPoses(sighting, Optional.empty());
   }
 
-<<<<<<< HEAD
-=======
-  /** Sighting at the time of the first beam. */
-  public Sighting first() {
-    return first;
-  }
-
-  /** Vehicle state at the time of the last beam; empty: as at the first. */
-  public Optional<StateInformation> last() {
-    return last;
-  }
-
->>>>>>> f268bac9 (Match scans with a map of scans, close loops, and correct the state by it)
   /** Sensor pose at a fraction [0…1] of the scan. */
   public SensorPose at(RangeScan scan, double share) {
     Optional<StateInformation> vehicle =

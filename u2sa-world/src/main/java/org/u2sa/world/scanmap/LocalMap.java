@@ -9,6 +9,8 @@ import java.util.List;
  */
 final class LocalMap {
   static final double CELL = 0.1; // [m]
+  private static final int BLOCK = 8; // cells
+  static final double BLOCK_M = BLOCK * CELL;
 
   private static final int STAMP = 3; // radius of the likelihood around a surface [cells]
   private static final double STAMP_SIGMA = 1.3; // [cells]
@@ -18,6 +20,8 @@ final class LocalMap {
   private final int side;
   private final int[] index;
   private final byte[] likelihood;
+  private final int blocks;
+  private final byte[] bounds; // per block of cells, see bound
   private final byte[] stamp = new byte[(2 * STAMP + 1) * (2 * STAMP + 1)];
   private double left;
   private double bottom;
@@ -31,6 +35,8 @@ final class LocalMap {
     side = (int) Math.ceil(2.0 * reach / CELL);
     index = new int[side * side];
     likelihood = new byte[side * side];
+    blocks = side / BLOCK + 1;
+    bounds = new byte[blocks * blocks];
     for (int i = -STAMP; i <= STAMP; i++) {
       for (int k = -STAMP; k <= STAMP; k++) {
         double value =
@@ -63,6 +69,7 @@ final class LocalMap {
     for (int k = 0; k < used; k++) {
       stamp(meanX(k), meanY(k));
     }
+    bound();
   }
 
   private void enter(double x, double y, double nx, double ny) {
@@ -97,6 +104,37 @@ final class LocalMap {
             (byte) Math.max(likelihood[at], stamp[(i + STAMP) * width + k + STAMP]);
       }
     }
+  }
+
+  /** Each block's bound is the largest likelihood in it and in the three blocks above and right. */
+  private void bound() {
+    Arrays.fill(bounds, (byte) 0);
+    for (int row = 0; row < side; row++) {
+      for (int column = 0; column < side; column++) {
+        byte value = likelihood[row * side + column];
+        if (value > 0) {
+          int at = row / BLOCK * blocks + column / BLOCK;
+          bounds[at] = (byte) Math.max(bounds[at], value);
+        }
+      }
+    }
+    for (int row = 0; row < blocks; row++) {
+      for (int column = 0; column < blocks; column++) {
+        int at = row * blocks + column;
+        int right = column + 1 < blocks ? at + 1 : at;
+        int above = row + 1 < blocks ? blocks : 0;
+        int most = Math.max(bounds[at], bounds[right]);
+        bounds[at] = (byte) Math.max(most, Math.max(bounds[at + above], bounds[right + above]));
+      }
+    }
+  }
+
+  /** Largest likelihood of an echo there or up to {@link #BLOCK_M} farther along both axes. */
+  int bound(double x, double y) {
+    double column = (x - left) / BLOCK_M;
+    double row = (y - bottom) / BLOCK_M;
+    boolean inside = column >= 0.0 && row >= 0.0 && column < blocks && row < blocks;
+    return inside ? bounds[(int) row * blocks + (int) column] : 0;
   }
 
   private int cell(double x, double y) {

@@ -21,20 +21,22 @@ final class LoopSearch {
   private static final double MAX_TURN = 0.5; // [rad]
   private static final double NEIGHBOURS_M = 6.0; // way before and after the candidate
   private static final double JOINED_M = 4.0; // way of the newest scans, matched together
-  private static final double MIN_SHARE = 0.7;
-  private static final double MIN_SCORE = 0.55;
+  private static final double MIN_SHARE = 0.55;
+  private static final double MIN_SCORE = 0.45;
   private static final double MAX_SIGMA_M = 0.15;
   private static final double AGREE_M = 0.35;
   private static final double AGREE_RAD = 0.06;
   private static final double PENDING_WAY_M = 5.0;
-  private static final double PAUSE_M = 3.0; // way after a closure without another
+  private static final double STEP_M = 0.7; // way between searches
+  private static final double PAUSE_M = 3.0; // way after a closure without another to the same visit
   private static final int MIN_POINTS = 60;
-  private static final int CANDIDATES = 2;
+  private static final int CANDIDATES = 3;
 
   private final LocalMap map;
   private final ScanMatcher matcher = new ScanMatcher();
   private final List<Closure> pending = new ArrayList<>();
-  private double closedWay = Double.NEGATIVE_INFINITY; // way at the newest confirmed closure
+  private double searchedWay = Double.NEGATIVE_INFINITY;
+  private final List<Closure> confirmed = new ArrayList<>();
   private long tried;
 
   LoopSearch(double reach) {
@@ -46,12 +48,12 @@ final class LoopSearch {
     int newest = keys.size() - 1;
     KeyScan now = keys.get(newest);
     pending.removeIf(each -> now.way() - keys.get(each.to()).way() > PENDING_WAY_M);
-    if (now.way() - closedWay < PAUSE_M) {
+    if (now.way() - searchedWay < STEP_M) {
       return List.of();
     }
+    searchedWay = now.way();
     double sigma = Matrix3.largestSigma(covariance);
     double radius = Math.min(MAX_RADIUS_M, BASE_RADIUS_M + SIGMAS * sigma);
-    if (System.getProperty("dbg") != null) System.err.printf("way %.1f sigma %.2f radius %.2f rot %.3f tried %d%n", now.way(), sigma, radius, Math.sqrt(covariance[8]), tried);
     double turn = Math.min(MAX_TURN, 0.1 + SIGMAS * Math.sqrt(covariance[8]));
     List<Integer> near = new ArrayList<>();
     for (int i = 0; i < newest; i++) {
@@ -62,18 +64,31 @@ final class LoopSearch {
     }
     near.sort(
         Comparator.comparingDouble(i -> keys.get(i).pose().distance(now.pose())));
-    List<Closure> found = new ArrayList<>();
-    List<Integer> taken = new ArrayList<>();
+    List<Integer> visits = new ArrayList<>(); // the nearest key scan of each visit
     for (int candidate : near) {
       double way = keys.get(candidate).way();
-      if (taken.size() >= CANDIDATES
-          || taken.stream().anyMatch(i -> Math.abs(keys.get(i).way() - way) < NEIGHBOURS_M)) {
-        continue;
+      if (visits.stream().noneMatch(i -> Math.abs(keys.get(i).way() - way) < NEIGHBOURS_M)) {
+        visits.add(candidate);
       }
-      taken.add(candidate);
+    }
+    visits.removeIf(each -> isClosed(keys, each));
+    visits.sort(null); // the oldest first: its place has drifted least
+    List<Closure> found = new ArrayList<>();
+    for (int candidate : visits.subList(0, Math.min(CANDIDATES, visits.size()))) {
       closure(keys, candidate, radius, turn).ifPresent(each -> confirm(keys, each, found));
     }
     return found;
+  }
+
+  /** Whether the loop to that visit has just been closed. */
+  private boolean isClosed(List<KeyScan> keys, int candidate) {
+    double way = keys.get(keys.size() - 1).way();
+    return confirmed.stream()
+        .anyMatch(
+            each ->
+                way - keys.get(each.to()).way() < PAUSE_M
+                    && Math.abs(keys.get(each.from()).way() - keys.get(candidate).way())
+                        < NEIGHBOURS_M);
   }
 
   private void confirm(List<KeyScan> keys, Closure closure, List<Closure> found) {
@@ -82,7 +97,9 @@ final class LoopSearch {
         found.add(other);
         found.add(closure);
         pending.remove(other);
-        closedWay = keys.get(closure.to()).way();
+        confirmed.add(closure);
+        confirmed.removeIf(
+            each -> keys.get(closure.to()).way() - keys.get(each.to()).way() > PAUSE_M);
         return;
       }
     }

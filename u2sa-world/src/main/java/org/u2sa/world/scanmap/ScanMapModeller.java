@@ -1,13 +1,19 @@
 package org.u2sa.world.scanmap;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.world.grid.GridModeller;
 import org.u2sa.world.modeller.MapFrame;
@@ -34,6 +40,8 @@ public final class ScanMapModeller implements Modeller {
   private final GridModeller grid;
   private final PoseHistory locals = new PoseHistory();
   private final List<StateInformation> corrections = new ArrayList<>();
+  private final Function<String, Path> files;
+  private MapFile.Contents saved; // of MAP FILE; null without
   private MapFrame frame = MapFrame.BODY;
   private ScanMap map;
   private Pose2 lastWay; // of the previous scan, in the axes of local-state or the state
@@ -44,8 +52,11 @@ public final class ScanMapModeller implements Modeller {
   /**
    * @param configuration the World Modeler's
    * @param grid grid to keep
+   * @param files finds a file named in the configuration
    */
-  public ScanMapModeller(Configurator configuration, GridModeller grid) {
+  public ScanMapModeller(
+      Configurator configuration, GridModeller grid, Function<String, Path> files) {
+    this.files = files;
     settings = configuration.settings(ScanMapVariables.class);
     gridSettings = configuration.settings(GridModeller.Variables.class);
     this.grid = grid;
@@ -124,12 +135,51 @@ public final class ScanMapModeller implements Modeller {
             isTold
                 ? Matrix3.ofSigmas(sigma, sigma, Math.toRadians(now.mapStartPsiSigma()))
                 : PlanarFrame.covariance(vehicle),
-            List.of());
+            saved(plane, vehicle));
+    if (saved != null) {
+      rebuild(plane, vehicle);
+    }
+  }
+
+  /** Key scans of MAP FILE, at their places in this map. */
+  private List<KeyScan> saved(PlanarFrame plane, StateInformation vehicle) {
+    if (saved == null) {
+      return List.of();
+    }
+    MapFrame other = saved.frame();
+    if (!other.frame().equals(frame.frame())) {
+      throw new BadInputException(
+          settings.get().mapFile() + " is in " + other.frame() + ", the state in " + frame.frame());
+    }
+    List<KeyScan> keys = new ArrayList<>();
+    for (MapFile.Saved each : saved.scans()) {
+      Point place = Point.of(each.pose().x(), each.pose().y(), frame.vehicle(Optional.of(vehicle)).z());
+      Point here = frame.metres(other.point(place));
+      Pose2 pose = new Pose2(here.x(), here.y(), each.pose().theta());
+      Sighting sighting =
+          new Sighting(lastMicros, frame, Optional.of(plane.moved(vehicle, pose)));
+      ScanPoses still = ScanPoses.still(sighting);
+      keys.add(new KeyScan(pose, points(each.scan(), still, pose), each.scan(), 0.0));
+    }
+    return keys;
+  }
+
+  @Override
+  public void end() {
+    String file = settings.get().saveMap();
+    if (file.isEmpty() || map == null || saved != null) {
+      return;
+    }
+    try {
+      MapFile.write(files.apply(file), frame, map.keys());
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot save the map: " + e.getMessage(), e);
+    }
   }
 
   private void tellStart(long micros) {
     double[] start = settings.get().start();
-    if (start.length == 0 || !settings.get().correctState()) {
+    if (start.length == 0) {
       return;
     }
     double sigma = settings.get().mapStartSigma();
@@ -183,6 +233,8 @@ public final class ScanMapModeller implements Modeller {
 
   @Override
   public void enter(MapFrame newFrame, Sighting now) {
+    String file = settings.get().mapFile();
+    saved = file.isEmpty() ? null : saved == null ? MapFile.read(files.apply(file)) : saved;
     frame = newFrame;
     map = null;
     lastWay = null;

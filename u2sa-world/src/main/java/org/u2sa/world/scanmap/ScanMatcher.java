@@ -19,6 +19,7 @@ final class ScanMatcher {
 
   private static final double COARSE_M = 0.2;
   private static final double FINE_M = 0.1;
+  private static final double WIDE_M = 1.2; // a larger window is searched by bounds
   private static final double COARSE_RAD = 0.035;
   private static final double FINE_RAD = 0.0125;
   private static final int SEARCHED_POINTS = 90;
@@ -55,8 +56,72 @@ final class ScanMatcher {
   /** The pose of the highest likelihood in a window. */
   Pose2 searched(
       LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
-    Pose2 coarse = best(map, scan, guess, windowM, windowRad, COARSE_M, COARSE_RAD);
+    Pose2 coarse =
+        windowM > WIDE_M
+            ? bounded(map, scan, guess, windowM, windowRad)
+            : best(map, scan, guess, windowM, windowRad, COARSE_M, COARSE_RAD);
     return best(map, scan, coarse, COARSE_M, COARSE_RAD, FINE_M, FINE_RAD);
+  }
+
+  /**
+   * Best pose of a large window: squares of the size of a block in the order of their bounds, until
+   * no bound is above the best pose found (branch and bound; Hess et al., ICRA 2016).
+   */
+  private static Pose2 bounded(
+      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
+    int turns = (int) Math.ceil(windowRad / COARSE_RAD);
+    int squares = (int) Math.ceil(windowM / LocalMap.BLOCK_M);
+    int every = Math.max(1, scan.count / SEARCHED_POINTS);
+    int points = (scan.count + every - 1) / every;
+    double[][] px = new double[2 * turns + 1][points];
+    double[][] py = new double[2 * turns + 1][points];
+    int side = 2 * squares;
+    long[] order = new long[(2 * turns + 1) * side * side];
+    for (int turn = 0; turn <= 2 * turns; turn++) {
+      double theta = guess.theta() + (turn - turns) * COARSE_RAD;
+      double c = StrictMath.cos(theta);
+      double s = StrictMath.sin(theta);
+      for (int p = 0; p < points; p++) {
+        px[turn][p] = guess.x() + c * scan.x[p * every] - s * scan.y[p * every];
+        py[turn][p] = guess.y() + s * scan.x[p * every] + c * scan.y[p * every];
+      }
+      for (int square = 0; square < side * side; square++) {
+        double dx = (square / side - squares) * LocalMap.BLOCK_M;
+        double dy = (square % side - squares) * LocalMap.BLOCK_M;
+        long sum = 0;
+        for (int p = 0; p < points; p++) {
+          sum += map.bound(px[turn][p] + dx, py[turn][p] + dy);
+        }
+        int number = turn * side * side + square;
+        order[number] = -sum << 32 | number;
+      }
+    }
+    java.util.Arrays.sort(order);
+    int fine = (int) Math.round(LocalMap.BLOCK_M / COARSE_M);
+    Pose2 best = guess;
+    long most = -1;
+    for (long each : order) {
+      if (-(each >> 32) <= most) {
+        break;
+      }
+      int number = (int) each;
+      int turn = number / (side * side);
+      int square = number % (side * side);
+      for (int i = 0; i < fine * fine; i++) {
+        double dx = (square / side - squares) * LocalMap.BLOCK_M + i / fine * COARSE_M;
+        double dy = (square % side - squares) * LocalMap.BLOCK_M + i % fine * COARSE_M;
+        long sum = 0;
+        for (int p = 0; p < points; p++) {
+          sum += map.likelihood(px[turn][p] + dx, py[turn][p] + dy);
+        }
+        if (sum > most) {
+          most = sum;
+          double theta = guess.theta() + (turn - turns) * COARSE_RAD;
+          best = new Pose2(guess.x() + dx, guess.y() + dy, Pose2.wrapped(theta));
+        }
+      }
+    }
+    return best;
   }
 
   private static Pose2 best(
