@@ -241,8 +241,7 @@ class SimulateTest {
   }
 
   @Test
-  void simulate_sameWithoutCorrections_missesItsWaypoints()
-      throws IOException, URISyntaxException {
+  void simulate_sameWithoutCorrections_missesItsWaypoints() throws IOException, URISyntaxException {
     project("indoors");
     String world = folder.resolve("world.xml").toString();
     CommandLineRun run =

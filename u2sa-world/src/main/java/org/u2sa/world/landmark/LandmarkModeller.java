@@ -60,8 +60,7 @@ public final class LandmarkModeller implements Modeller {
       if (serves && placed.isPresent() && !each.uid().isEmpty()) {
         Point place = frame.metres(placed.get().center());
         landmarks.put(
-            each.uid(),
-            Landmark.known(each.uid(), each.objectType(), place, now.landmarkSigma()));
+            each.uid(), Landmark.known(each.uid(), each.objectType(), place, now.landmarkSigma()));
       }
     }
   }
@@ -92,8 +91,10 @@ public final class LandmarkModeller implements Modeller {
         frd.motion()
             .sigma()
             .orElse(Point.of(now.sightingSigma(), now.sightingSigma(), now.sightingSigma()));
-    double c = frd.center().x() / Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
-    double s = frd.center().y() / Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
+    double c =
+        frd.center().x() / Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
+    double s =
+        frd.center().y() / Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
     double along = c * c * sigma.x() * sigma.x() + s * s * sigma.y() * sigma.y();
     double across = s * s * sigma.x() * sigma.x() + c * c * sigma.y() * sigma.y();
     Point origin = frame.vehicle(sighting.vehicle());
@@ -162,9 +163,7 @@ public final class LandmarkModeller implements Modeller {
       }
     }
     boolean isClear = least < settings.get().landmarkGate() && second > AMBIGUOUS * least;
-    return isClear && second > settings.get().landmarkGate()
-        ? Optional.of(best)
-        : Optional.empty();
+    return isClear && second > settings.get().landmarkGate() ? Optional.of(best) : Optional.empty();
   }
 
   private void learn(ObjectDescription object, Point at, double placed, double own) {
@@ -181,7 +180,8 @@ public final class LandmarkModeller implements Modeller {
             .anyMatch(
                 each ->
                     object.uid().isEmpty()
-                        && at.distanceTo(each.place()) < 6.0 * Math.sqrt(placed + own + each.variance()));
+                        && at.distanceTo(each.place())
+                            < 6.0 * Math.sqrt(placed + own + each.variance()));
     if (!isNear) { // else it may be that one
       String name = object.uid().isEmpty() ? "seen " + landmarks.size() : object.uid();
       landmarks.put(name, Landmark.seen(name, object.objectType(), at, placed, own));

@@ -39,8 +39,7 @@ final class LocalMap {
     bounds = new byte[blocks * blocks];
     for (int i = -STAMP; i <= STAMP; i++) {
       for (int k = -STAMP; k <= STAMP; k++) {
-        double value =
-            FULL * StrictMath.exp(-(i * i + k * k) / (2.0 * STAMP_SIGMA * STAMP_SIGMA));
+        double value = FULL * StrictMath.exp(-(i * i + k * k) / (2.0 * STAMP_SIGMA * STAMP_SIGMA));
         stamp[(i + STAMP) * (2 * STAMP + 1) + k + STAMP] = (byte) Math.round(value);
       }
     }
@@ -100,8 +99,7 @@ final class LocalMap {
     for (int i = Math.max(-STAMP, -row); i <= STAMP && row + i < side; i++) {
       for (int k = Math.max(-STAMP, -column); k <= STAMP && column + k < side; k++) {
         int at = (row + i) * side + column + k;
-        likelihood[at] =
-            (byte) Math.max(likelihood[at], stamp[(i + STAMP) * width + k + STAMP]);
+        likelihood[at] = (byte) Math.max(likelihood[at], stamp[(i + STAMP) * width + k + STAMP]);
       }
     }
   }

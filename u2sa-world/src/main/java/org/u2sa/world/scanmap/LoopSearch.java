@@ -28,7 +28,8 @@ final class LoopSearch {
   private static final double AGREE_RAD = 0.06;
   private static final double PENDING_WAY_M = 5.0;
   private static final double STEP_M = 0.7; // way between searches
-  private static final double PAUSE_M = 3.0; // way after a closure without another to the same visit
+  private static final double PAUSE_M =
+      3.0; // way after a closure without another to the same visit
   private static final int MIN_POINTS = 60;
   private static final int CANDIDATES = 3;
 
@@ -43,7 +44,9 @@ final class LoopSearch {
     map = new LocalMap(reach + MAX_RADIUS_M);
   }
 
-  /** Searches for a visit before the newest key scan's; returns closures that confirm each other. */
+  /**
+   * Searches for a visit before the newest key scan's; returns closures that confirm each other.
+   */
   List<Closure> search(List<KeyScan> keys, double[] covariance) {
     int newest = keys.size() - 1;
     KeyScan now = keys.get(newest);
@@ -62,8 +65,7 @@ final class LoopSearch {
         near.add(i);
       }
     }
-    near.sort(
-        Comparator.comparingDouble(i -> keys.get(i).pose().distance(now.pose())));
+    near.sort(Comparator.comparingDouble(i -> keys.get(i).pose().distance(now.pose())));
     List<Integer> visits = new ArrayList<>(); // the nearest key scan of each visit
     for (int candidate : near) {
       double way = keys.get(candidate).way();
@@ -116,8 +118,7 @@ final class LoopSearch {
         && Math.abs(Pose2.wrapped(here.theta() - there.theta())) < AGREE_RAD;
   }
 
-  private Optional<Closure> closure(
-      List<KeyScan> keys, int candidate, double radius, double turn) {
+  private Optional<Closure> closure(List<KeyScan> keys, int candidate, double radius, double turn) {
     tried++;
     int newest = keys.size() - 1;
     KeyScan now = keys.get(newest);
@@ -158,8 +159,7 @@ final class LoopSearch {
     Pose2 early = keys.get(candidate).pose();
     double[] information = Matrix3.rotated(match.information(), -early.theta());
     return Optional.of(
-        new Closure(
-            candidate, newest, match.pose().from(early), Matrix3.times(information, 0.25)));
+        new Closure(candidate, newest, match.pose().from(early), Matrix3.times(information, 0.25)));
   }
 
   /** Number of places compared so far. */

@@ -100,9 +100,7 @@ final class MapFile {
       throws IOException, MalformedMessageException {
     Pose2 pose = new Pose2(in.readDouble(), in.readDouble(), in.readDouble());
     int length = in.readInt();
-    if (!Double.isFinite(pose.x() + pose.y() + pose.theta())
-        || length < 0
-        || length > MAX_BYTES) {
+    if (!Double.isFinite(pose.x() + pose.y() + pose.theta()) || length < 0 || length > MAX_BYTES) {
       throw new IOException("a scan of " + length + " bytes at " + pose);
     }
     U2SAData scan = codec.decode(RangeScan.TYPE.chain(), in.readNBytes(length));

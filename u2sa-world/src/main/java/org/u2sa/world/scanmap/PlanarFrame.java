@@ -53,8 +53,7 @@ final class PlanarFrame {
   /** The same state at another pose. */
   StateInformation moved(StateInformation vehicle, Pose2 pose) {
     StateInformation state = vehicle.in(map.frame()).copy();
-    Point metres =
-        Point.of(pose.x(), pose.y(), map.vehicle(Optional.of(vehicle)).z());
+    Point metres = Point.of(pose.x(), pose.y(), map.vehicle(Optional.of(vehicle)).z());
     Point place = map.point(metres);
     return state.x(place.x()).y(place.y()).psi(psi(pose));
   }

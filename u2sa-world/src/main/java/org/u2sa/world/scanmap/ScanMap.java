@@ -94,8 +94,7 @@ final class ScanMap {
         Math.min(MAX_SEARCH_M, MIN_SEARCH_M + SEARCH_SIGMAS * Matrix3.largestSigma(known));
     double windowRad =
         Math.min(MAX_SEARCH_RAD, MIN_SEARCH_RAD + SEARCH_SIGMAS * Math.sqrt(known[8]));
-    ScanMatcher.Match match =
-        matcher.match(local, points, predicted, prior, windowM, windowRad);
+    ScanMatcher.Match match = matcher.match(local, points, predicted, prior, windowM, windowRad);
     boolean isMatched = fits(match, predicted, windowM);
     if (!isMatched) {
       match = matcher.match(local, points, predicted, prior, MAX_SEARCH_M, MAX_SEARCH_RAD);
@@ -152,8 +151,7 @@ final class ScanMap {
     Pose2 off = pose.from(newestKey().pose());
     return keys.size() < MAX_KEYS
         && (Math.hypot(off.x(), off.y()) >= tuning.keyDistance()
-            || Math.abs(off.theta()) 
-                >= Math.toRadians(tuning.keyTurn()));
+            || Math.abs(off.theta()) >= Math.toRadians(tuning.keyTurn()));
   }
 
   /** Adds a key scan; returns whether it closed a loop. */
@@ -176,8 +174,7 @@ final class ScanMap {
       return false;
     }
     for (LoopSearch.Closure each : found) {
-      graph.add(
-          new PoseGraph.Edge(each.from(), each.to(), each.step(), each.information(), true));
+      graph.add(new PoseGraph.Edge(each.from(), each.to(), each.step(), each.information(), true));
     }
     closures += found.size();
     double[] relative = graph.optimise();
@@ -199,7 +196,8 @@ final class ScanMap {
 
   private double[] noise(double metres, double turn) {
     double along = tuning.wayNoise() * metres + 0.005;
-    double angle = tuning.turnNoise() * turn + Math.toRadians(tuning.headingNoise()) * metres + 0.002;
+    double angle =
+        tuning.turnNoise() * turn + Math.toRadians(tuning.headingNoise()) * metres + 0.002;
     return Matrix3.ofSigmas(along, along, angle);
   }
 

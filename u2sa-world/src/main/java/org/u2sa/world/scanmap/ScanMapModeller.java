@@ -153,11 +153,11 @@ public final class ScanMapModeller implements Modeller {
     }
     List<KeyScan> keys = new ArrayList<>();
     for (MapFile.Saved each : saved.scans()) {
-      Point place = Point.of(each.pose().x(), each.pose().y(), frame.vehicle(Optional.of(vehicle)).z());
+      Point place =
+          Point.of(each.pose().x(), each.pose().y(), frame.vehicle(Optional.of(vehicle)).z());
       Point here = frame.metres(other.point(place));
       Pose2 pose = new Pose2(here.x(), here.y(), each.pose().theta());
-      Sighting sighting =
-          new Sighting(lastMicros, frame, Optional.of(plane.moved(vehicle, pose)));
+      Sighting sighting = new Sighting(lastMicros, frame, Optional.of(plane.moved(vehicle, pose)));
       ScanPoses still = ScanPoses.still(sighting);
       keys.add(new KeyScan(pose, points(each.scan(), still, pose), each.scan(), 0.0));
     }
@@ -202,15 +202,11 @@ public final class ScanMapModeller implements Modeller {
   private void enter(RangeScan scan, ScanPoses poses, PlanarFrame plane, Pose2 pose) {
     Sighting first = poses.first();
     StateInformation vehicle = first.vehicle().orElseThrow();
-    Sighting placed =
-        new Sighting(first.micros(), frame, Optional.of(plane.moved(vehicle, pose)));
+    Sighting placed = new Sighting(first.micros(), frame, Optional.of(plane.moved(vehicle, pose)));
     Optional<StateInformation> last =
         poses
             .last()
-            .map(
-                end ->
-                    plane.moved(
-                        end, pose.times(plane.pose(end).from(plane.pose(vehicle)))));
+            .map(end -> plane.moved(end, pose.times(plane.pose(end).from(plane.pose(vehicle)))));
     grid.scan(scan, new ScanPoses(placed, last));
   }
 

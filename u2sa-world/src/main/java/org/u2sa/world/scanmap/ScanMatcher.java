@@ -48,14 +48,18 @@ final class ScanMatcher {
    * @param windowRad how far to turn [rad]
    */
   Match match(
-      LocalMap map, ScanPoints scan, Pose2 guess, double[] prior, double windowM, double windowRad) {
+      LocalMap map,
+      ScanPoints scan,
+      Pose2 guess,
+      double[] prior,
+      double windowM,
+      double windowRad) {
     Pose2 start = windowM > 0.0 ? searched(map, scan, guess, windowM, windowRad) : guess;
     return refined(map, scan, start, guess, prior);
   }
 
   /** The pose of the highest likelihood in a window. */
-  Pose2 searched(
-      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
+  Pose2 searched(LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
     Pose2 coarse =
         windowM > WIDE_M
             ? bounded(map, scan, guess, windowM, windowRad)
@@ -186,11 +190,7 @@ final class ScanMatcher {
       double dt = Pose2.wrapped(guess.theta() - pose.theta());
       double[] g = new double[3];
       for (int i = 0; i < 3; i++) {
-        g[i] =
-            scale * fit.g[i]
-                + prior[i * 3] * dx
-                + prior[i * 3 + 1] * dy
-                + prior[i * 3 + 2] * dt;
+        g[i] = scale * fit.g[i] + prior[i * 3] * dx + prior[i * 3 + 1] * dy + prior[i * 3 + 2] * dt;
       }
       double[] inverse = Matrix3.inverse(h);
       double[] d = new double[3];

@@ -7,8 +7,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 class PoseGraphTest {
-  private static final double[] STEP =
-      Matrix3.inverse(Matrix3.ofSigmas(0.05, 0.05, 0.02));
+  private static final double[] STEP = Matrix3.inverse(Matrix3.ofSigmas(0.05, 0.05, 0.02));
   private static final int SIDE = 20;
 
   /** Four sides of a square, driven twice, with steps that err. */

@@ -32,8 +32,7 @@ final class Room {
   private void outline(double... corners) {
     for (int i = 0; i < corners.length; i += 2) {
       int next = (i + 2) % corners.length;
-      walls.add(
-          new double[] {corners[i], corners[i + 1], corners[next], corners[next + 1]});
+      walls.add(new double[] {corners[i], corners[i + 1], corners[next], corners[next + 1]});
     }
   }
 

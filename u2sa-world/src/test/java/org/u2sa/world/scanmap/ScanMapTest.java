@@ -33,7 +33,8 @@ class ScanMapTest {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
     ScanMapModeller modeller =
         new ScanMapModeller(configuration, new GridModeller(configuration), folder::resolve);
-    modeller.enter(MapFrame.of(state(Pose2.ORIGIN, 0L)), new Sighting(0L, MapFrame.BODY, Optional.empty()));
+    modeller.enter(
+        MapFrame.of(state(Pose2.ORIGIN, 0L)), new Sighting(0L, MapFrame.BODY, Optional.empty()));
     return modeller;
   }
 
@@ -57,25 +58,23 @@ class ScanMapTest {
     for (int i = 0; i < 120; i++) {
       double angle = 2.0 * Math.PI * i / 60.0;
       Pose2 truth =
-          new Pose2(
-              4.0 + 1.5 * Math.sin(angle), 3.0 - 1.5 * Math.cos(angle), Pose2.wrapped(angle));
+          new Pose2(4.0 + 1.5 * Math.sin(angle), 3.0 - 1.5 * Math.cos(angle), Pose2.wrapped(angle));
       Pose2 step = before == null ? Pose2.ORIGIN : truth.from(before);
       told =
           told == null
               ? truth
-              : told.times(new Pose2(step.x() * (1.0 + drift), step.y(), step.theta() * (1.0 + drift)));
+              : told.times(
+                  new Pose2(step.x() * (1.0 + drift), step.y(), step.theta() * (1.0 + drift)));
       before = truth;
       long micros = 1_000_000L + i * 100_000L;
       RangeScan scan = Room.furnished().scan(truth, REACH, 0.01, random);
       scan.timestamp(micros);
       Sighting sighting =
-          new Sighting(
-              micros, MapFrame.of(state(told, micros)), Optional.of(state(told, micros)));
+          new Sighting(micros, MapFrame.of(state(told, micros)), Optional.of(state(told, micros)));
       modeller.scan(scan, ScanPoses.still(sighting));
       for (StateInformation each : modeller.corrections()) {
         errors.add(
-            Math.hypot(
-                each.x().orElseThrow() - truth.x(), each.y().orElseThrow() - truth.y()));
+            Math.hypot(each.x().orElseThrow() - truth.x(), each.y().orElseThrow() - truth.y()));
       }
     }
     return errors;

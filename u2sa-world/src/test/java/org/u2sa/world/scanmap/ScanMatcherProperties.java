@@ -55,7 +55,9 @@ class ScanMatcherProperties {
       LocalMap map = map(Room.furnished(), random);
       Pose2 truth =
           new Pose2(
-              3.0 + 0.4 * random.nextGaussian(), 2.5 + 0.4 * random.nextGaussian(), random.nextGaussian());
+              3.0 + 0.4 * random.nextGaussian(),
+              2.5 + 0.4 * random.nextGaussian(),
+              random.nextGaussian());
       ScanPoints scan = Room.furnished().points(truth, REACH, NOISE, random);
       ScanMatcher.Match match = matcher.match(map, scan, truth, WEAK, 0.3, 0.1);
       Pose2 pose = match.pose();
@@ -79,8 +81,7 @@ class ScanMatcherProperties {
     Pose2 inMap = new Pose2(0.0, 0.0, 0.1 + direction); // the corridor points anywhere
     ScanPoints points = Room.corridor().points(inRoom, 10.0, NOISE, random);
     map.build(List.of(new KeyScan(inMap, points, null, 0.0)), inMap);
-    ScanPoints scan =
-        Room.corridor().points(new Pose2(0.3, 0.9, 0.1), 10.0, NOISE, random);
+    ScanPoints scan = Room.corridor().points(new Pose2(0.3, 0.9, 0.1), 10.0, NOISE, random);
     double[] prior = Matrix3.inverse(Matrix3.ofSigmas(0.5, 0.5, 0.1));
 
     ScanMatcher.Match match = matcher.match(map, scan, inMap, prior, 0.0, 0.0);
