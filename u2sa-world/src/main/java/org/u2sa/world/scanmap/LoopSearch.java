@@ -31,7 +31,7 @@ final class LoopSearch {
   private static final double PAUSE_M =
       3.0; // way after a closure without another to the same visit
   private static final int MIN_POINTS = 60;
-  private static final int CANDIDATES = 3;
+  private static final int CANDIDATES = 2;
 
   private final LocalMap map;
   private final ScanMatcher matcher = new ScanMatcher();

@@ -7,8 +7,8 @@ import java.util.List;
 /**
  * Poses joined by relative poses, and their most likely values by sparse Gauss-Newton (Grisetti,
  * Kümmerle, Stachniss and Burgard, "A tutorial on graph-based SLAM", IEEE ITS Magazine 2, 2010).
- * The first pose stays. Closures are weighted by dynamic covariance scaling (Agarwal et al., ICRA
- * 2013), so that a wrong one cannot tear the map.
+ * The first pose stays. Errors count linearly beyond three standard deviations (Huber's loss), so
+ * that one wrong match or closure takes the contradiction upon itself instead of bending the rest.
  */
 final class PoseGraph {
   /**
@@ -22,9 +22,9 @@ final class PoseGraph {
    */
   record Edge(int from, int to, Pose2 step, double[] information, boolean isClosure) {}
 
-  private static final int STEPS = 12;
+  private static final int STEPS = 30;
   private static final double DONE = 1e-4;
-  private static final double TRUSTED_SQUARE = 15.0; // of a closure's error in sigmas
+  private static final double TRUSTED_SIGMAS = 3.0; // beyond, an error counts linearly
   private static final int N = 3;
 
   private final List<Pose2> poses = new ArrayList<>();
@@ -144,11 +144,7 @@ final class PoseGraph {
     double dy = b.y() - a.y();
     double[] ja = {-c, -s, -s * dx + c * dy, s, -c, -c * dx - s * dy, 0.0, 0.0, -1.0};
     double[] jb = {c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0};
-    double scale = 1.0;
-    if (edge.isClosure()) {
-      double share = Math.min(1.0, 2.0 * TRUSTED_SQUARE / (TRUSTED_SQUARE + square(edge)));
-      scale = share * share;
-    }
+    double scale = Math.min(1.0, TRUSTED_SIGMAS / Math.sqrt(Math.max(1e-12, square(edge))));
     double[] information = Matrix3.times(edge.information(), scale);
     Pose2 off = error(edge);
     double[] e = {off.x(), off.y(), off.theta()};
