@@ -215,6 +215,9 @@ final class CarmenDrift {
       frame = MapFrame.of(state);
       map.enter(frame, new Sighting(micros, frame, Optional.of(state)));
     }
+    if (state.psi().isEmpty() || state.x().isEmpty()) {
+      return; // lost, without a map
+    }
     long began = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
     ScanPoses poses = ScanPoses.still(new Sighting(micros, frame, Optional.of(state)));
     if (isMapped) {

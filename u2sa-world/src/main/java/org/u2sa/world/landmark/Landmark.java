@@ -8,6 +8,8 @@ import org.u2sa.messages.frame.Point;
  */
 final class Landmark {
   private static final int HITS = 6; // sightings whose mean is its place
+  private static final double CORRELATION_S = 20.0; // while which the vehicle drifts by as much
+  private static final double SHORTEST_S = 0.05;
   private static final double TOO_FAR_SIGMAS = 4.0;
 
   final String uid;
@@ -18,7 +20,6 @@ final class Landmark {
   private double sightingVariance;
   private int hits;
   private long learntMicros;
-  private int uses;
   private long usedMicros = Long.MIN_VALUE;
 
   private Landmark(String uid, String type, boolean isKnown, Point place, double variance) {
@@ -86,17 +87,18 @@ final class Landmark {
 
   /**
    * Records a use and returns the variance [m²] that the place contributes to the measurement. The
-   * nth use of a learnt landmark counts 1/(n(n+1)), so that all together tell no more about the
-   * vehicle than its place is known, until a pause lets it count again.
+   * place's error stays the same, so all uses within two correlation times together tell no more
+   * about the vehicle than one (Brown and Hwang, 3rd ed., section 5.3).
    *
    * @param shared landmarks learnt, which have the vehicle's error in common
    */
-  double use(long micros, int shared, long pauseMicros) {
+  double use(long micros, int shared) {
     if (isKnown) {
       return variance;
     }
-    uses = usedMicros == Long.MIN_VALUE || micros - usedMicros > pauseMicros ? 1 : uses + 1;
+    double since = usedMicros == Long.MIN_VALUE ? CORRELATION_S : (micros - usedMicros) * 1e-6;
     usedMicros = micros;
-    return variance() * uses * (uses + 1.0) * Math.max(1, shared);
+    double repeats = 1.0 + 2.0 * CORRELATION_S / Math.max(SHORTEST_S, since);
+    return variance() * repeats * Math.max(1, shared);
   }
 }

@@ -121,7 +121,7 @@ public final class LandmarkModeller implements Modeller {
     Point nose = frame.mapFromFrd(sighting.vehicle()).times(Point.of(1.0, 0.0, 0.0));
     double bearing = StrictMath.atan2(level.y(), level.x()) - StrictMath.atan2(nose.y(), nose.x());
     double clockwise = frame.up() > 0.0 ? -bearing : bearing;
-    double own = known.use(sighting.micros(), learnt, RETURN_MICROS);
+    double own = known.use(sighting.micros(), learnt);
     Point place = frame.point(known.place());
     LandmarkSighting measured =
         new LandmarkSighting()

@@ -23,7 +23,7 @@ final class PoseGraph {
   record Edge(int from, int to, Pose2 step, double[] information, boolean isClosure) {}
 
   private static final int STEPS = 30;
-  private static final double DONE = 1e-4;
+  private static final double DONE = 1e-3;
   private static final double TRUSTED_SIGMAS = 3.0; // beyond, an error counts linearly
   private static final int N = 3;
 

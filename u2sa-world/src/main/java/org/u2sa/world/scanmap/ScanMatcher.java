@@ -35,6 +35,9 @@ final class ScanMatcher {
   /** Neighbouring beams hit the same part of a wall: this many count as one. */
   private static final double BEAMS_ALIKE = 8.0;
 
+  /** Squared error of a surface's direction [rad²]. */
+  private static final double DIRECTION_NOISE = 0.01;
+
   private static final double DONE_M = 1e-4;
   private static final double DONE_RAD = 1e-5;
   private static final double FULL = 100.0;
@@ -205,7 +208,7 @@ final class ScanMatcher {
     fit.take(map, scan, pose, NARROW_CELLS);
     sigma = Math.max(MIN_SIGMA_M, fit.rms());
     double[] information = Matrix3.times(fit.h, 1.0 / (sigma * sigma * BEAMS_ALIKE));
-    double share = scan.count == 0 ? 0.0 : fit.near / (double) scan.count;
+    double share = fit.told == 0 ? 0.0 : fit.near / (double) fit.told;
     return new Match(pose, information, share, score(map, scan, pose));
   }
 
@@ -229,6 +232,7 @@ final class ScanMatcher {
     private double squares;
     private double weights;
     private int supported;
+    private int told; // echoes that can support the match
     private int near;
 
     void take(LocalMap map, ScanPoints scan, Pose2 pose, int reach) {
@@ -237,10 +241,15 @@ final class ScanMatcher {
       squares = 0.0;
       weights = 0.0;
       supported = 0;
+      told = 0;
       near = 0;
       double c = StrictMath.cos(pose.theta());
       double s = StrictMath.sin(pose.theta());
       for (int i = 0; i < scan.count; i++) {
+        if (scan.loose[i]) {
+          continue;
+        }
+        told++;
         double ax = c * scan.x[i] - s * scan.y[i];
         double ay = s * scan.x[i] + c * scan.y[i];
         double nx = c * scan.nx[i] - s * scan.ny[i];
@@ -253,9 +262,10 @@ final class ScanMatcher {
         double ox = map.meanX(at) - pose.x() - ax;
         double oy = map.meanY(at) - pose.y() - ay;
         double length = map.normalLength(at);
-        if (length > 0.3) {
-          double mx = map.normalX(at) / length;
-          double my = map.normalY(at) / length;
+        boolean isMapped = length > 0.3;
+        if (isMapped || !Double.isNaN(nx)) {
+          double mx = isMapped ? map.normalX(at) / length : nx;
+          double my = isMapped ? map.normalY(at) / length : ny;
           double off = row(mx, my, ax, ay, mx * ox + my * oy, 1.0);
           near += Math.abs(off) < NEAR_M ? 1 : 0;
         } else {
@@ -265,6 +275,31 @@ final class ScanMatcher {
           near += Math.hypot(ox, oy) < NEAR_M ? 1 : 0;
         }
       }
+      discount();
+    }
+
+    /**
+     * Takes away what the noise of the surfaces' directions pretends to tell along the direction in
+     * which the echoes tell least, as along a corridor.
+     */
+    private void discount() {
+      double mean = (h[0] + h[4]) / 2.0;
+      double half = Math.hypot((h[0] - h[4]) / 2.0, h[1]);
+      double most = mean + half;
+      double least = Math.max(0.0, mean - half);
+      double told = Math.max(0.0, least - DIRECTION_NOISE * most);
+      double factor = least > 0.0 ? Math.sqrt(told / least) - 1.0 : 0.0;
+      double angle = StrictMath.atan2(2.0 * h[1], h[0] - h[4]) / 2.0 + Math.PI / 2.0; // least
+      double c = StrictMath.cos(angle);
+      double s = StrictMath.sin(angle);
+      double[] scale = {
+        1.0 + factor * c * c, factor * c * s, 0.0, factor * c * s, 1.0 + factor * s * s, 0.0, 0.0,
+        0.0, 1.0
+      };
+      System.arraycopy(Matrix3.sandwich(scale, h), 0, h, 0, h.length);
+      double x = scale[0] * g[0] + scale[1] * g[1];
+      g[1] = scale[3] * g[0] + scale[4] * g[1];
+      g[0] = x;
     }
 
     private double row(double nx, double ny, double ax, double ay, double off, double factor) {

