@@ -144,7 +144,9 @@ public final class LandmarkModeller implements Modeller {
     if (named != null && !object.uid().isEmpty()) {
       return Optional.of(named);
     }
-    boolean hasName = !object.uid().isEmpty() && settings.get().types().isEmpty();
+    boolean hasName = // else the sensor numbers what it sees
+        !object.uid().isEmpty()
+            && (settings.get().types().isEmpty() || settings.get().learnLandmarks());
     Landmark best = null;
     double least = Double.POSITIVE_INFINITY;
     double second = Double.POSITIVE_INFINITY;

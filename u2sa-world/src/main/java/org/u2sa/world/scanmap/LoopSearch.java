@@ -21,8 +21,8 @@ final class LoopSearch {
   private static final double MAX_TURN = 0.5; // [rad]
   private static final double NEIGHBOURS_M = 6.0; // way before and after the candidate
   private static final double JOINED_M = 4.0; // way of the newest scans, matched together
-  private static final double MIN_SHARE = 0.55;
-  private static final double MIN_SCORE = 0.45;
+  private static final double MIN_SHARE = 0.7;
+  private static final double MIN_SCORE = 0.55;
   private static final double MAX_SIGMA_M = 0.15;
   private static final double AGREE_M = 0.35;
   private static final double AGREE_RAD = 0.06;

@@ -36,7 +36,7 @@ final class ScanMatcher {
   private static final double BEAMS_ALIKE = 8.0;
 
   /** Squared error of a surface's direction [rad²]. */
-  private static final double DIRECTION_NOISE = 0.01;
+  private static final double DIRECTION_NOISE = 0.004;
 
   private static final double DONE_M = 1e-4;
   private static final double DONE_RAD = 1e-5;
