@@ -152,11 +152,10 @@ final class Replay {
 
   private void object(String source, String uid, long micros, double[] n) {
     Estimate estimate = filter.at(micros);
-    if (!estimate.hasPosition() || !estimate.hasHeading()) {
-      return;
-    }
     StateInformation vehicle = EstimateWriter.write(estimate);
-    Sighting sighting = new Sighting(micros, frame == null ? MapFrame.of(vehicle) : frame, Optional.of(vehicle));
+    boolean isPlaced = estimate.hasPosition() && estimate.hasHeading();
+    Sighting sighting =
+        new Sighting(micros, frame == null ? MapFrame.of(vehicle) : frame, isPlaced ? Optional.of(vehicle) : Optional.empty());
     if (frame == null) {
       frame = sighting.frame();
       landmarks.enter(frame, sighting);

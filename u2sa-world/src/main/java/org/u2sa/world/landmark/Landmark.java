@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Point;
  */
 final class Landmark {
   private static final int HITS = 6; // sightings whose mean is its place
-  private static final double CORRELATION_S = 20.0; // while which the vehicle drifts by as much
+  private static final double CORRELATION_S = 5.0; // while which the vehicle drifts by as much
   private static final double SHORTEST_S = 0.05;
   private static final double TOO_FAR_SIGMAS = 4.0;
 

@@ -53,11 +53,9 @@ public final class LandmarkModeller implements Modeller {
     told = List.copyOf(objects);
     landmarks.values().removeIf(Landmark::isKnown);
     LandmarkVariables now = settings.get();
-    Set<String> types = now.types();
     for (ObjectDescription each : objects) {
-      boolean serves = types.isEmpty() || types.contains(each.objectType());
       Optional<ObjectDescription> placed = frame.placed(each, Optional.empty());
-      if (serves && placed.isPresent() && !each.uid().isEmpty()) {
+      if (serves(each) && placed.isPresent() && !each.uid().isEmpty()) {
         Point place = frame.metres(placed.get().center());
         landmarks.put(
             each.uid(), Landmark.known(each.uid(), each.objectType(), place, now.landmarkSigma()));
@@ -67,14 +65,80 @@ public final class LandmarkModeller implements Modeller {
 
   @Override
   public void objects(List<ObjectDescription> seen, Sighting sighting) {
-    if (sighting.vehicle().isEmpty()) {
-      return;
-    }
     for (ObjectDescription each : seen) {
       if (each.referenceFrame().isBody()) {
-        object(each, sighting);
+        if (sighting.vehicle().isPresent()) {
+          object(each, sighting);
+        } else {
+          named(each, sighting.micros());
+        }
       }
     }
+  }
+
+  /**
+   * A vehicle that has lost its place still knows what a landmark with a UID is; it counts as
+   * level.
+   */
+  private void named(ObjectDescription object, long micros) {
+    ObjectDescription frd = object.in(ReferenceFrame.BODY_FRD, null);
+    double range = Math.hypot(frd.x(), frd.y());
+    Optional<ObjectDescription> known =
+        told.stream()
+            .filter(each -> !each.uid().isEmpty() && each.uid().equals(object.uid()))
+            .filter(each -> !each.referenceFrame().isBody() && serves(each))
+            .findFirst();
+    if (known.isEmpty() || range < NEAREST_M) {
+      unknown++;
+      return;
+    }
+    double own = settings.get().landmarkSigma() * settings.get().landmarkSigma();
+    Errors errors = errors(frd);
+    LandmarkSighting measured =
+        measured(
+            Point.of(known.get().x(), known.get().y(), 0.0),
+            range,
+            StrictMath.atan2(frd.y(), frd.x()),
+            errors,
+            own);
+    publish(measured, known.get().referenceFrame(), object.sensorName(), micros);
+  }
+
+  /** Variances of a sighting along and across the line of sight [m²]. */
+  private record Errors(double along, double across) {}
+
+  private Errors errors(ObjectDescription frd) {
+    double usual = settings.get().sightingSigma();
+    Point sigma = frd.motion().sigma().orElse(Point.of(usual, usual, usual));
+    double range = Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
+    double c = frd.center().x() / range;
+    double s = frd.center().y() / range;
+    return new Errors(
+        c * c * sigma.x() * sigma.x() + s * s * sigma.y() * sigma.y(),
+        s * s * sigma.x() * sigma.x() + c * c * sigma.y() * sigma.y());
+  }
+
+  private static LandmarkSighting measured(
+      Point place, double range, double clockwise, Errors errors, double placeVariance) {
+    return new LandmarkSighting()
+        .landmarkX(place.x())
+        .landmarkY(place.y())
+        .range(range)
+        .rangeSigma(Math.sqrt(errors.along() + placeVariance))
+        .bearing(Math.IEEEremainder(clockwise, 2.0 * Math.PI))
+        .bearingSigma(Math.sqrt(errors.across() + placeVariance) / range);
+  }
+
+  private void publish(
+      LandmarkSighting measured, ReferenceFrame where, String sensor, long micros) {
+    measured.referenceFrame(where).sensorName(SOURCE + " " + sensor).timestamp(micros);
+    corrections.add(measured);
+    used++;
+  }
+
+  private boolean serves(ObjectDescription object) {
+    Set<String> types = settings.get().types();
+    return types.isEmpty() || types.contains(object.objectType());
   }
 
   private void object(ObjectDescription object, Sighting sighting) {
@@ -87,31 +151,23 @@ public final class LandmarkModeller implements Modeller {
     if (range < NEAREST_M) {
       return;
     }
-    Point sigma =
-        frd.motion()
-            .sigma()
-            .orElse(Point.of(now.sightingSigma(), now.sightingSigma(), now.sightingSigma()));
-    double c =
-        frd.center().x() / Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
-    double s =
-        frd.center().y() / Math.max(NEAREST_M, Math.hypot(frd.center().x(), frd.center().y()));
-    double along = c * c * sigma.x() * sigma.x() + s * s * sigma.y() * sigma.y();
-    double across = s * s * sigma.x() * sigma.x() + c * c * sigma.y() * sigma.y();
+    Errors errors = errors(frd);
+    double largest = Math.max(errors.along(), errors.across());
     Point origin = frame.vehicle(sighting.vehicle());
     Point at = Point.of(origin.x() + level.x(), origin.y() + level.y(), 0.0);
     double turned = range * vehicle.number(StateField.PSI_SIGMA).orElse(0.0);
     double x = vehicle.number(StateField.X_SIGMA).orElse(0.0);
     double y = vehicle.number(StateField.Y_SIGMA).orElse(0.0);
     double placed = Math.max(x * x, y * y) + turned * turned; // by the vehicle's pose
-    Optional<Landmark> landmark = landmark(object, at, placed + Math.max(along, across));
+    Optional<Landmark> landmark = landmark(object, at, placed + largest);
     if (landmark.isEmpty()) {
       unknown++;
-      learn(object, at, placed, Math.max(along, across));
+      learn(object, at, placed, largest);
       return;
     }
     Landmark known = landmark.get();
     if (!known.isLearnt()) {
-      known.learn(at, placed, Math.max(along, across), sighting.micros());
+      known.learn(at, placed, largest, sighting.micros());
       learnt += known.isLearnt() ? 1 : 0;
       return;
     }
@@ -123,20 +179,11 @@ public final class LandmarkModeller implements Modeller {
     double clockwise = frame.up() > 0.0 ? -bearing : bearing;
     double own = known.use(sighting.micros(), learnt);
     Point place = frame.point(known.place());
-    LandmarkSighting measured =
-        new LandmarkSighting()
-            .landmarkX(place.x())
-            .landmarkY(place.y())
-            .range(range)
-            .rangeSigma(Math.sqrt(along + own))
-            .bearing(Math.IEEEremainder(clockwise, 2.0 * Math.PI))
-            .bearingSigma(Math.sqrt(across + own) / range);
-    measured
-        .referenceFrame(frame.frame())
-        .sensorName(SOURCE + " " + object.sensorName())
-        .timestamp(sighting.micros());
-    corrections.add(measured);
-    used++;
+    publish(
+        measured(place, range, clockwise, errors, own),
+        frame.frame(),
+        object.sensorName(),
+        sighting.micros());
   }
 
   private Optional<Landmark> landmark(ObjectDescription object, Point at, double variance) {

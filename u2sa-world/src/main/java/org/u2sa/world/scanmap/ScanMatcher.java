@@ -293,8 +293,15 @@ final class ScanMatcher {
       double c = StrictMath.cos(angle);
       double s = StrictMath.sin(angle);
       double[] scale = {
-        1.0 + factor * c * c, factor * c * s, 0.0, factor * c * s, 1.0 + factor * s * s, 0.0, 0.0,
-        0.0, 1.0
+        1.0 + factor * c * c,
+        factor * c * s,
+        0.0,
+        factor * c * s,
+        1.0 + factor * s * s,
+        0.0,
+        0.0,
+        0.0,
+        1.0
       };
       System.arraycopy(Matrix3.sandwich(scale, h), 0, h, 0, h.length);
       double x = scale[0] * g[0] + scale[1] * g[1];

@@ -114,6 +114,24 @@ class LandmarkModellerTest {
       LandmarkSighting sighting = (LandmarkSighting) modeller.corrections().get(0);
       information += 1.0 / Math.pow(sighting.rangeSigma().orElseThrow(), 2.0);
     }
-    assertThat(Math.sqrt(1.0 / information)).isGreaterThan(0.15);
+    assertThat(Math.sqrt(1.0 / information)).isGreaterThan(0.12);
+  }
+
+  @Test
+  void objects_vehicleWithoutState_publishesWhatHasAKnownUid() {
+    LandmarkModeller modeller = modeller(false);
+    modeller.known(List.of(buoy("red", 3.0, 4.0)), at(0L));
+    modeller.enter(MapFrame.BODY, new Sighting(5L, MapFrame.BODY, Optional.empty()));
+
+    modeller.objects(
+        List.of(seen("red", 4.0, 3.0), seen("", 4.0, 3.0)),
+        new Sighting(5L, MapFrame.BODY, Optional.empty()));
+
+    List<StateInformation> corrections = modeller.corrections();
+    assertThat(corrections).hasSize(1);
+    LandmarkSighting sighting = (LandmarkSighting) corrections.get(0);
+    assertThat(sighting.referenceFrame()).isEqualTo(ReferenceFrame.LOCAL_NED);
+    assertThat(sighting.landmarkX()).hasValue(3.0);
+    assertThat(sighting.bearing().getAsDouble()).isCloseTo(-Math.atan2(3.0, 4.0), within(1e-9));
   }
 }
