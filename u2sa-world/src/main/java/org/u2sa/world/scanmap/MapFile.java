@@ -103,7 +103,9 @@ final class MapFile {
     if (!Double.isFinite(pose.x() + pose.y() + pose.theta()) || length < 0 || length > MAX_BYTES) {
       throw new IOException("a scan of " + length + " bytes at " + pose);
     }
-    U2SAData scan = codec.decode(RangeScan.TYPE.chain(), in.readNBytes(length));
+    byte[] bytes = new byte[length];
+    in.readFully(bytes);
+    U2SAData scan = codec.decode(RangeScan.TYPE.chain(), bytes);
     if (!(scan instanceof RangeScan range) || !range.referenceFrame().isBody()) {
       throw new IOException("a scan that is none, or not in a frame of the vehicle");
     }
