@@ -63,7 +63,7 @@ record ScanMapVariables(
   }
 
   private static double[] numbers(String text) {
-    if (text.isBlank()) {
+    if (text.trim().isEmpty()) {
       return new double[0];
     }
     String[] parts = text.trim().split("\\s+");
