@@ -7,6 +7,7 @@ dict(name, metric, value, goal): value is a number or a text, goal is "≥ 95", 
     carmen    *.log.gz                                github.com/acschaefer/ple, data/carmen
     landmarks MRCLAM_Dataset*                         as mrclam: the object map
     mrclam    MRCLAM_Dataset*                         github.com/ericguerrero/MUSI-lab-session-1, data
+    scanmap   *.log.gz in carmen; carmen-raw/mit-csail.clf of github.com/HobbySingh/Graph-SLAM, 2d_lidar_slam/data, if there
     px4       *.ulg                                   github.com/PX4/pyulog, test
     smartloc  as scripts/estimator/smartloc.py says   github.com/TUC-ProAut/libRSF, datasets/smartLoc
 """
@@ -23,6 +24,7 @@ DATA = {
     "carmen": ("world/carmen.py", "carmen", "*.log.gz", "github.com/acschaefer/ple, data/carmen"),
     "landmarks": ("world/landmarks.py", "mrclam", "MRCLAM_Dataset*", "github.com/ericguerrero/MUSI-lab-session-1, data"),
     "mrclam": ("estimator/mrclam.py", "mrclam", "MRCLAM_Dataset*", "github.com/ericguerrero/MUSI-lab-session-1, data"),
+    "scanmap": ("world/scanmap.py", "carmen", "*.log.gz", "github.com/acschaefer/ple, data/carmen"),
     "px4": ("estimator/px4.py", "px4", "*.ulg", "github.com/PX4/pyulog, test"),
     "smartloc": ("estimator/smartloc.py", "smartloc", "*", "github.com/TUC-ProAut/libRSF, datasets/smartLoc"),
 }

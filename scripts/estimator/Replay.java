@@ -4,7 +4,9 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.u2sa.estimation.fusion.ErrorStateFilter;
 import org.u2sa.estimation.fusion.Estimate;
@@ -13,10 +15,17 @@ import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.MeasurementReader;
 import org.u2sa.estimation.fusion.MotionDomain;
 import org.u2sa.estimation.measurement.UsualSigmas;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.estimation.EstimateWriter;
+import org.u2sa.world.landmark.LandmarkModeller;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.Sighting;
 
 /**
  * Runs the fusing State Estimator's filter over a recording that recordings.py wrote: Replay DOMAIN
@@ -27,6 +36,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * I micros source wx wy wz fx fy fz       an InertialMeasurement in BODY_FRD
  * M micros source mx my mz declination σ  a magnetometer, tilt-compensated here
  * L micros source x y range bearing σr σb a landmark of known place, seen; LOCAL_ENU
+ * O micros source uid range bearing σr σb an object, seen; the World Modeler's LANDMARKS recognises it
+ * K micros uid x y                        that object's place is known beforehand; LOCAL_ENU
  * </pre>
  */
 final class Replay {
@@ -36,6 +47,13 @@ final class Replay {
   private final MeasurementReader reader = new MeasurementReader(UsualSigmas.ORDINARY);
   private final Measurement measurement = new Measurement();
   private final Map<String, StateField> fields = new TreeMap<>();
+
+  private final LandmarkModeller landmarks =
+      new LandmarkModeller(
+          XmlConfiguration.inMemory(
+              "replay", Map.of("LANDMARK TYPES", "landmark", "LEARN LANDMARKS", true, "LANDMARK SIGMA", 0.02)));
+  private final List<ObjectDescription> known = new java.util.ArrayList<>();
+  private MapFrame frame;
 
   private Replay(FilterTuning tuning) {
     filter = new ErrorStateFilter(tuning);
@@ -64,13 +82,13 @@ final class Replay {
     System.err.printf(
         Locale.ROOT, "%d measurements, %.1f µs each%n", count, (System.nanoTime() - began) / 1e3 / count);
     replay.filter.sources().at(replay.filter.micros()).forEach(each -> System.err.println(each.text()));
-    System.err.println("reset " + replay.filter.resets());
+    System.err.println("reset " + replay.filter.resets() + "; " + replay.landmarks.remark());
   }
 
   private void fuse(String[] w) {
     long micros = Long.parseLong(w[1]);
     double[] n = new double[w.length];
-    for (int i = 3; i < w.length && !w[0].equals("S"); i++) {
+    for (int i = w[0].equals("O") ? 4 : 3; i < w.length && !w[0].equals("S"); i++) {
       n[i] = Double.parseDouble(w[i]);
     }
     switch (w[0]) {
@@ -90,6 +108,13 @@ final class Replay {
         break;
       case "M":
         magnetometer(w[2], micros, n);
+        break;
+      case "K":
+        ObjectDescription object = new ObjectDescription().uid(w[2]).objectType("landmark");
+        known.add(object.referenceFrame(ReferenceFrame.LOCAL_ENU).x(n[3]).y(n[4]));
+        break;
+      case "O":
+        object(w[2], w[3], micros, n);
         break;
       case "L":
         landmark(w[2], micros, n);
@@ -123,6 +148,31 @@ final class Replay {
     double bearing = -n[6]; // counter-clockwise in the recording
     measurement.begin(source, micros).sighting(n[5], bearing, n[7], n[8]).ofLocal(n[4], n[3]);
     filter.add(measurement);
+  }
+
+  private void object(String source, String uid, long micros, double[] n) {
+    Estimate estimate = filter.at(micros);
+    StateInformation vehicle = EstimateWriter.write(estimate);
+    boolean isPlaced = estimate.hasPosition() && estimate.hasHeading();
+    Sighting sighting =
+        new Sighting(micros, frame == null ? MapFrame.of(vehicle) : frame, isPlaced ? Optional.of(vehicle) : Optional.empty());
+    if (frame == null) {
+      frame = sighting.frame();
+      landmarks.enter(frame, sighting);
+      landmarks.known(
+          known.stream().map(each -> each.in(ReferenceFrame.LOCAL_NED, null)).collect(java.util.stream.Collectors.toList()), sighting);
+    }
+    ObjectDescription seen =
+        new ObjectDescription().uid(uid).objectType("landmark").sensorName(source).referenceFrame(ReferenceFrame.BODY_FLU);
+    double c = Math.cos(n[5]);
+    double s = Math.sin(n[5]);
+    seen.x(n[4] * c).y(n[4] * s);
+    double across = n[4] * n[7];
+    seen.motion().sigma(Point.of(Math.hypot(n[6] * c, across * s), Math.hypot(n[6] * s, across * c), 0.1));
+    landmarks.objects(List.of(seen), sighting);
+    for (StateInformation each : landmarks.corrections()) {
+      filter.add(reader.read(each, measurement));
+    }
   }
 
   private static String text(Estimate e) {

@@ -228,6 +228,21 @@ def judged(t, truth, stamp, x, y, psi, variance):
     return rms(off), math.degrees(rms(turned)), 100 * np.mean(off < 3 * np.sqrt(at(t, stamp, variance)))
 
 
+def as_objects(lines, is_known):
+    """The same lines with landmarks as objects that the World Modeler recognises, or learns where it first sees them."""
+    places, out = {}, []
+    for line in lines:
+        w = line.split()
+        if w[0] == "L":
+            uid = places.setdefault((w[3], w[4]), "landmark%d" % len(places))
+            out.append(" ".join(["O", w[1], w[2], uid, *w[5:]]))
+        else:
+            out.append(line)
+    first = lines[0].split()[1]
+    known = ["K %s %s %s %s" % (first, uid, x, y) for (x, y), uid in places.items()]
+    return (known if is_known else []) + out
+
+
 def mrclam(java, folder, work):
     """Prints a table, and returns for each robot what judged() says of the filter and of the textbook filter."""
     answers = []
@@ -248,7 +263,13 @@ def mrclam(java, folder, work):
         own = judged(t, truth, stamp, ours[:, 5], ours[:, 4], math.pi / 2 - ours[:, 12], ours[:, 13] ** 2 + ours[:, 14] ** 2)
         judge = unicycle.track(lines)
         other = judged(t, truth, judge[:, 0], judge[:, 1], judge[:, 2], judge[:, 3], judge[:, 4] + judge[:, 5])
-        answers.append((own, other))
+        variants = []
+        for name, text in (("none", [line for line in lines if line[0] != "L"]), ("known", as_objects(lines, True)),
+                           ("learnt", as_objects(lines, False))):
+            track, _ = replay(java, "GROUND", text, work, "%s-%d-%s" % (folder.name, robot, name))
+            variants.append(judged(t, truth, track[:, 0] / 1e6, track[:, 5], track[:, 4], math.pi / 2 - track[:, 12],
+                                   track[:, 13] ** 2 + track[:, 14] ** 2))
+        answers.append((own, other, *variants))
         print("| %d | %.0f | %.2f m | %.3f m | %.2f m | %.3f m | %.1f° | %.0f %% | %.3f m | %.1f° | %.0f %% |" % (
             robot, (end - start) / 60, dead_reckoning(odometry, truth, start, end, t), ape(t, ref, est),
             np.hypot(east - x, north - y).max(), rpe(t, ref, est, psi, own_psi, 5.0), own[1], own[2], *other))

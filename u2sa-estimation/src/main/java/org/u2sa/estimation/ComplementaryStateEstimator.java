@@ -9,6 +9,7 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -110,6 +111,9 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   @Override
   protected Optional<StateInformation> estimate(StateInformation sensed) {
+    if (sensed instanceof LandmarkSighting) {
+      return Optional.empty(); // needs a filter
+    }
     if (isFromTheFuture(sensed)) { // would make all later measurements look too old
       return Optional.empty();
     }

@@ -2,6 +2,7 @@ package org.u2sa.estimation;
 
 import java.util.Collection;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
@@ -27,9 +28,14 @@ final class OwnFields {
     return state.copy();
   }
 
-  /** Whether a sensor has fields of its own; angular rates and specific forces do not count. */
+  /**
+   * Whether a sensor has additional fields. Angular rates, specific forces and landmarks do not
+   * count: they are not part of a state.
+   */
   static boolean isRicher(StateInformation sensor) {
-    return sensor.getClass() != StateInformation.class && !(sensor instanceof InertialMeasurement);
+    return sensor.getClass() != StateInformation.class
+        && !(sensor instanceof InertialMeasurement)
+        && !(sensor instanceof LandmarkSighting);
   }
 
   private static <T extends StateInformation> StateInformation of(

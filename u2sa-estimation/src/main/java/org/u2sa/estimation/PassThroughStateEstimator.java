@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
@@ -57,6 +58,9 @@ public final class PassThroughStateEstimator extends StateEstimator {
 
   @Override
   protected Optional<StateInformation> estimate(StateInformation sensed) {
+    if (sensed instanceof LandmarkSighting) {
+      return Optional.empty(); // needs a filter
+    }
     Optional<StateInformation> state = measurements.with(sensed);
     state.ifPresent(each -> completeness.look(each, measurements.all()));
     return state;

@@ -3,6 +3,7 @@ package org.u2sa.estimation;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -37,7 +38,25 @@ final class Plausibility {
         return Optional.of(text(field.fieldName(), value, limit, isDegrees ? "deg" : field.unit()));
       }
     }
+    if (sensed instanceof LandmarkSighting seen) {
+      return objection(seen);
+    }
     return sensed instanceof InertialMeasurement inertial ? objection(inertial) : Optional.empty();
+  }
+
+  private static Optional<String> objection(LandmarkSighting m) {
+    OptionalDouble[] metres = {m.range(), m.rangeSigma(), m.landmarkX(), m.landmarkY()};
+    for (OptionalDouble each : metres) {
+      if (Math.abs(each.orElse(0.0)) > MAX_M) {
+        return Optional.of(text("a landmark", each, MAX_M, "m"));
+      }
+    }
+    for (OptionalDouble each : new OptionalDouble[] {m.bearing(), m.bearingSigma()}) {
+      if (Math.abs(each.orElse(0.0)) > MAX_RAD) {
+        return Optional.of(text("a bearing", each, MAX_RAD, "rad"));
+      }
+    }
+    return Optional.empty();
   }
 
   private static Optional<String> objection(InertialMeasurement m) {

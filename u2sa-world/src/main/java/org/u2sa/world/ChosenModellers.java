@@ -1,5 +1,6 @@
 package org.u2sa.world;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -7,28 +8,41 @@ import java.util.List;
 import java.util.Map;
 import java.util.ServiceLoader;
 import java.util.TreeSet;
+import java.util.function.Function;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.grid.GridModeller;
+import org.u2sa.world.landmark.LandmarkModeller;
 import org.u2sa.world.modeller.MapFrame;
 import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.ModellerProvider;
 import org.u2sa.world.modeller.Sighting;
 import org.u2sa.world.object.ObjectMapModeller;
+import org.u2sa.world.scanmap.ScanMapModeller;
 
 /** The modellers currently selected by MODELLERS, out of all available ones. */
 final class ChosenModellers {
   static final String REACTIVE = "REACTIVE";
   static final String OBJECTS = "OBJECTS";
   static final String GRID = "GRID";
+  static final String SCAN_MAP = "SCAN MAP";
+  static final String LANDMARKS = "LANDMARKS";
 
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
 
-  ChosenModellers(Configurator configuration) {
+  /**
+   * @param configuration configuration of the World Modeler, in which all modellers declare their
+   *     variables
+   * @param files finds a file named in the configuration
+   */
+  ChosenModellers(Configurator configuration, Function<String, Path> files) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));
-    all.put(GRID, new GridModeller(configuration));
+    GridModeller grid = new GridModeller(configuration);
+    all.put(GRID, grid);
+    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files));
+    all.put(LANDMARKS, new LandmarkModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));
     }
@@ -60,7 +74,16 @@ final class ChosenModellers {
       throw new IllegalArgumentException(
           "MODELLERS: REACTIVE and OBJECTS would both publish the same objects; expected one");
     }
+    if (names.contains(GRID) && names.contains(SCAN_MAP)) {
+      throw new IllegalArgumentException(
+          "MODELLERS: GRID and SCAN MAP would both publish the grid; expected one");
+    }
     return names;
+  }
+
+  /** Whether one of them measures the vehicle's state. */
+  static boolean measureState(Collection<String> names) {
+    return names.contains(SCAN_MAP) || names.contains(LANDMARKS);
   }
 
   /**

@@ -35,7 +35,8 @@ import org.u2sa.world.xml.WorldFile;
 /**
  * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's
  * state at its measurement time, to the {@link Modeller}s selected by MODELLERS, and publishes
- * their results at RATE. In: sensed-objects, scans, state, goals. Out: objects, grid.
+ * their results at RATE. In: sensed-objects, scans, state, goals; local-state, if a modeller
+ * measures the state. Out: objects, grid; sensed-state, if a modeller measures the state.
  *
  * <p>Without a vehicle state it works in BODY (thesis 4.3.2) and switches frames when a state
  * arrives.
@@ -46,7 +47,7 @@ public final class WorldModeler extends PeriodicService {
 
   private final ServiceContext context;
   private final Settings<WorldVariables> settings = settings(WorldVariables.class);
-  private final ChosenModellers modellers = new ChosenModellers(this);
+  private final ChosenModellers modellers;
   private final PoseHistory poses = new PoseHistory();
   private final Arrivals arrivals = new Arrivals();
   private final Relevance relevance = new Relevance();
@@ -56,11 +57,13 @@ public final class WorldModeler extends PeriodicService {
   private List<ObjectDescription> known;
   private long knownMicros; // start time of the motion of the file's moving objects
   private long heardStateMicros; // run clock, not the state's timestamp
+  private boolean isMeasuring; // has registered for what modellers that measure the state need
   private long gridDueMicros = Long.MIN_VALUE;
 
   public WorldModeler(ServiceContext context) {
     super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
     this.context = context;
+    modellers = new ChosenModellers(this, context.configuration()::resolve);
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
     known = known();
@@ -118,6 +121,11 @@ public final class WorldModeler extends PeriodicService {
       throw new ConfigurationException(e.getMessage(), e);
     }
     modellers.working().keySet().forEach(name -> remark(name, ""));
+    if (ChosenModellers.measureState(names) && !isMeasuring) {
+      isMeasuring = true;
+      registerPublisher(Channels.SENSED_STATE);
+      subscribe(Channels.LOCAL_STATE, this::onLocalState);
+    }
     modellers
         .choose(names, frame, now())
         .forEach(modeller -> modeller.known(placed(), known(now())));
@@ -165,6 +173,10 @@ public final class WorldModeler extends PeriodicService {
     if (!frame.takes(state)) {
       enter(MapFrame.of(state));
     }
+  }
+
+  private void onLocalState(StateInformation local) {
+    modellers.working().values().forEach(modeller -> modeller.local(local));
   }
 
   private void enter(MapFrame next) {
@@ -218,6 +230,9 @@ public final class WorldModeler extends PeriodicService {
             ? micros
             : Math.max(poses.newestMicros(), micros - settings.get().waitMicros());
     place(arrivals.upTo(placeable));
+    for (Modeller modeller : modellers.working().values()) {
+      modeller.corrections().forEach(measured -> publish(Channels.SENSED_STATE, measured));
+    }
     publish(micros);
   }
 
@@ -334,13 +349,20 @@ public final class WorldModeler extends PeriodicService {
   private List<String> awaited(long micros) {
     WorldVariables now = settings.get();
     boolean needsScans =
-        now.world().isEmpty() && modellers.working().containsKey(ChosenModellers.GRID);
+        now.world().isEmpty()
+            && (modellers.working().containsKey(ChosenModellers.GRID)
+                || modellers.working().containsKey(ChosenModellers.SCAN_MAP));
     return sensors.silent(now.expected(), needsScans, micros, now.silentMicros());
   }
 
   private void publishGrid(OccupancyGrid grid, long micros) {
     grid.timestamp(micros);
     publish(Channels.GRID, grid);
+  }
+
+  @Override
+  protected void release() {
+    modellers.working().values().forEach(Modeller::end);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.u2sa.estimation.measurement;
 
 import java.util.OptionalDouble;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -53,6 +54,10 @@ public final class MeasurementReader {
    */
   public Measurement read(StateInformation message, Measurement to) {
     to.begin(message.sensorName(), message.timestamp().orElseThrow());
+    if (message instanceof LandmarkSighting seen) {
+      readLandmark(seen, to);
+      return to;
+    }
     ReferenceFrame frame = message.referenceFrame();
     if (frame.isBody()) {
       readBody(message.in(ReferenceFrame.BODY_FRD), to);
@@ -150,6 +155,32 @@ public final class MeasurementReader {
       if (value.isPresent()) {
         to.set(quantity, i, value.getAsDouble(), sigma(s, sigmas[i], ifAbsent));
       }
+    }
+  }
+
+  private void readLandmark(LandmarkSighting seen, Measurement to) {
+    boolean isWhole =
+        seen.landmarkX().isPresent()
+            && seen.landmarkY().isPresent()
+            && seen.range().isPresent()
+            && seen.bearing().isPresent();
+    ReferenceFrame frame = seen.referenceFrame();
+    if (!isWhole || frame.isBody() || frame.isEarth() && !frame.equals(ReferenceFrame.GLOBAL)) {
+      throw new IllegalArgumentException(
+          "names no landmark with place in GLOBAL or a local frame, range and bearing");
+    }
+    to.sighting(
+        seen.range().getAsDouble(),
+        seen.bearing().getAsDouble(),
+        honest(seen.rangeSigma(), usual.position(), MIN_SIGMA),
+        honest(seen.bearingSigma(), usual.attitude(), MIN_ANGLE));
+    double x = seen.landmarkX().getAsDouble();
+    double y = seen.landmarkY().getAsDouble();
+    if (frame.equals(ReferenceFrame.GLOBAL)) {
+      to.ofPlace(y, x);
+    } else {
+      boolean isNorthFirst = frame.equals(ReferenceFrame.LOCAL_NED);
+      to.ofLocal(isNorthFirst ? x : y, isNorthFirst ? y : x);
     }
   }
 

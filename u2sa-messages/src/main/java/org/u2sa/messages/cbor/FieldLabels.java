@@ -47,7 +47,8 @@ public final class FieldLabels {
       timeStep trajectory left bottom resolution columns rows cells goal planner cost within
       pointed mission finished sequence failsafe elapsed began resumable file now outcome
       angle format data heightAboveGround calibratedAirspeed engineRpm weightOnWheels
-      engineStarting crashed phase navigating bank pitch altitude airspeed awaited
+      engineStarting crashed phase navigating bank pitch altitude airspeed awaited landmarkX
+      landmarkY range rangeSigma bearing bearingSigma
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -5,6 +5,7 @@ import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
@@ -116,6 +117,7 @@ public final class StandardTypes implements MessageTypeProvider {
           BatteryState.TYPE,
           RangeScan.TYPE,
           InertialMeasurement.TYPE,
+          LandmarkSighting.TYPE,
           Polygon.TYPE,
           PolyLine.TYPE,
           MovingSphere.TYPE,

@@ -3,6 +3,7 @@ package org.u2sa.messages.schema;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.contract.Condition;
@@ -56,6 +57,7 @@ final class GoldenFormat3 {
                     new RangeScan.Beam(-0.015625, OptionalDouble.of(2.5)))));
     golden.add("RangeScan-empty", new RangeScan().sensorName("Laser").maxRange(12.0));
     golden.add("InertialMeasurement", inertial());
+    golden.add("LandmarkSighting", sighting());
     golden.add(
         "EmergencyStop-named",
         new EmergencyStop().active(true).operator("anna").reason("smoke").stopId("anna 1"));
@@ -83,6 +85,19 @@ final class GoldenFormat3 {
             .commandsObeyed(1_000)
             .commandsRefused(3)
             .refusedSubscriptions("goal-commands,stop"));
+  }
+
+  private static LandmarkSighting sighting() {
+    LandmarkSighting seen =
+        new LandmarkSighting()
+            .landmarkX(12.5)
+            .landmarkY(-3.25)
+            .range(4.75)
+            .rangeSigma(0.125)
+            .bearing(-0.5)
+            .bearingSigma(0.0625);
+    seen.sensorName("Landmarks").referenceFrame(ReferenceFrame.LOCAL_NED);
+    return seen;
   }
 
   private static InertialMeasurement inertial() {

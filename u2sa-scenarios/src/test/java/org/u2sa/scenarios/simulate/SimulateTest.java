@@ -220,4 +220,35 @@ class SimulateTest {
     assertThat(wrong.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(wrong.err()).contains("<mass>: 0.0 kg: expected above 0");
   }
+
+  /** Wheels that slip, a laser, and nothing else: no GPS, compass or gyroscope. */
+  @Test
+  void simulate_scanMapWithoutGps_completesItsMissionAndRepeatsItToTheByte()
+      throws IOException, URISyntaxException {
+    project("indoors");
+    String world = folder.resolve("world.xml").toString();
+    CommandLineRun first = simulate("one", "--seed", "3", "--world", world);
+    CommandLineRun second = simulate("two", "--seed", "3", "--world", world);
+
+    assertThat(first.exitCode()).as(first.out() + first.err()).isEqualTo(ExitCode.DONE);
+    assertThat(second.exitCode()).isEqualTo(ExitCode.DONE);
+    assertThat(folder.resolve("one/track.csv"))
+        .hasSameBinaryContentAs(folder.resolve("two/track.csv"));
+    JsonNode summary = summary("one");
+    assertThat(summary.get("goalsCompleted").asInt()).isEqualTo(8);
+    assertThat(summary.get("positionErrorMaxM").asDouble()).isLessThan(0.3);
+    assertThat(summary.get("stateWithin3Sigma").asDouble()).isGreaterThan(0.9);
+  }
+
+  @Test
+  void simulate_sameWithoutCorrections_missesItsWaypoints() throws IOException, URISyntaxException {
+    project("indoors");
+    String world = folder.resolve("world.xml").toString();
+    CommandLineRun run =
+        simulate(
+            "out", "--seed", "3", "--world", world, "--set", "WorldModeler:CORRECT STATE=false");
+
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.FAILED);
+    assertThat(summary("out").get("positionErrorMaxM").asDouble()).isGreaterThan(1.0);
+  }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -56,6 +57,20 @@ public interface Modeller {
   default Optional<OccupancyGrid> grid(Sighting now) {
     return Optional.empty();
   }
+
+  /** Processes a dead-reckoned state of local-state, which never jumps. */
+  default void local(StateInformation state) {}
+
+  /**
+   * Measurements of the vehicle's state that the map has yielded since the last call, with source
+   * and time; the World Modeler publishes them on sensed-state.
+   */
+  default List<StateInformation> corrections() {
+    return List.of();
+  }
+
+  /** Saves what is to be kept, when the World Modeler stops. */
+  default void end() {}
 
   /** Counters, for the health report. */
   String remark();

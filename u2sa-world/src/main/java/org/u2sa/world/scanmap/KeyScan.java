@@ -1,0 +1,43 @@
+package org.u2sa.world.scanmap;
+
+import org.u2sa.messages.RangeScan;
+
+/** A scan kept in the map, at a pose that loop closures move. */
+final class KeyScan {
+  private final ScanPoints points;
+  private final RangeScan scan;
+  private final double way;
+  private Pose2 pose;
+
+  /**
+   * @param points echoes in the vehicle's axes
+   * @param scan the scan itself, to rebuild the grid from
+   * @param way distance driven until then [m]
+   */
+  KeyScan(Pose2 pose, ScanPoints points, RangeScan scan, double way) {
+    this.pose = pose;
+    this.points = points;
+    this.scan = scan;
+    this.way = way;
+  }
+
+  Pose2 pose() {
+    return pose;
+  }
+
+  void moveTo(Pose2 newPose) {
+    pose = newPose;
+  }
+
+  ScanPoints points() {
+    return points;
+  }
+
+  RangeScan scan() {
+    return scan;
+  }
+
+  double way() {
+    return way;
+  }
+}

@@ -1,0 +1,169 @@
+package org.u2sa.world.scanmap;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Looks for places where the vehicle was before. A candidate has to fit well, not only along one
+ * direction, clearly better than elsewhere in the searched area, and a second one from a later scan
+ * has to agree with it.
+ */
+final class LoopSearch {
+  /** A place found: the newest key scan relative to an earlier one. */
+  record Closure(int from, int to, Pose2 step, double[] information) {}
+
+  private static final double MIN_WAY_M = 12.0; // between two visits
+  private static final double MAX_RADIUS_M = 12.0;
+  private static final double BASE_RADIUS_M = 1.5;
+  private static final double SIGMAS = 3.0;
+  private static final double MAX_TURN = 0.5; // [rad]
+  private static final double NEIGHBOURS_M = 6.0; // way before and after the candidate
+  private static final double JOINED_M = 4.0; // way of the newest scans, matched together
+  private static final double MIN_SHARE = 0.7;
+  private static final double MIN_SCORE = 0.55;
+  private static final double MAX_SIGMA_M = 0.15;
+  private static final double AGREE_M = 0.35;
+  private static final double AGREE_RAD = 0.06;
+  private static final double PENDING_WAY_M = 5.0;
+  private static final double STEP_M = 0.7; // way between searches
+  private static final double PAUSE_M =
+      3.0; // way after a closure without another to the same visit
+  private static final int MIN_POINTS = 60;
+  private static final int CANDIDATES = 2;
+
+  private final LocalMap map;
+  private final ScanMatcher matcher = new ScanMatcher();
+  private final List<Closure> pending = new ArrayList<>();
+  private double searchedWay = Double.NEGATIVE_INFINITY;
+  private final List<Closure> confirmed = new ArrayList<>();
+  private long tried;
+
+  LoopSearch(double reach) {
+    map = new LocalMap(reach + MAX_RADIUS_M);
+  }
+
+  /**
+   * Searches for a visit before the newest key scan's; returns closures that confirm each other.
+   */
+  List<Closure> search(List<KeyScan> keys, double[] covariance) {
+    int newest = keys.size() - 1;
+    KeyScan now = keys.get(newest);
+    pending.removeIf(each -> now.way() - keys.get(each.to()).way() > PENDING_WAY_M);
+    if (now.way() - searchedWay < STEP_M) {
+      return List.of();
+    }
+    searchedWay = now.way();
+    double sigma = Matrix3.largestSigma(covariance);
+    double radius = Math.min(MAX_RADIUS_M, BASE_RADIUS_M + SIGMAS * sigma);
+    double turn = Math.min(MAX_TURN, 0.1 + SIGMAS * Math.sqrt(covariance[8]));
+    List<Integer> near = new ArrayList<>();
+    for (int i = 0; i < newest; i++) {
+      if (now.way() - keys.get(i).way() > MIN_WAY_M
+          && keys.get(i).pose().distance(now.pose()) < radius + 1.0) {
+        near.add(i);
+      }
+    }
+    near.sort(Comparator.comparingDouble(i -> keys.get(i).pose().distance(now.pose())));
+    List<Integer> visits = new ArrayList<>(); // the nearest key scan of each visit
+    for (int candidate : near) {
+      double way = keys.get(candidate).way();
+      if (visits.stream().noneMatch(i -> Math.abs(keys.get(i).way() - way) < NEIGHBOURS_M)) {
+        visits.add(candidate);
+      }
+    }
+    visits.removeIf(each -> isClosed(keys, each));
+    visits.sort(null); // the oldest first: its place has drifted least
+    List<Closure> found = new ArrayList<>();
+    for (int candidate : visits.subList(0, Math.min(CANDIDATES, visits.size()))) {
+      closure(keys, candidate, radius, turn).ifPresent(each -> confirm(keys, each, found));
+    }
+    return found;
+  }
+
+  /** Whether the loop to that visit has just been closed. */
+  private boolean isClosed(List<KeyScan> keys, int candidate) {
+    double way = keys.get(keys.size() - 1).way();
+    return confirmed.stream()
+        .anyMatch(
+            each ->
+                way - keys.get(each.to()).way() < PAUSE_M
+                    && Math.abs(keys.get(each.from()).way() - keys.get(candidate).way())
+                        < NEIGHBOURS_M);
+  }
+
+  private void confirm(List<KeyScan> keys, Closure closure, List<Closure> found) {
+    for (Closure other : pending) {
+      if (other.to() < closure.to() && agree(keys, other, closure)) {
+        found.add(other);
+        found.add(closure);
+        pending.remove(other);
+        confirmed.add(closure);
+        confirmed.removeIf(
+            each -> keys.get(closure.to()).way() - keys.get(each.to()).way() > PAUSE_M);
+        return;
+      }
+    }
+    pending.add(closure);
+  }
+
+  /** Whether two closures say the same of the way between, by the chains at both ends. */
+  private static boolean agree(List<KeyScan> keys, Closure a, Closure b) {
+    Pose2 early = keys.get(b.from()).pose().from(keys.get(a.from()).pose());
+    Pose2 late = keys.get(b.to()).pose().from(keys.get(a.to()).pose());
+    Pose2 there = early.times(b.step());
+    Pose2 here = a.step().times(late);
+    return here.distance(there) < AGREE_M
+        && Math.abs(Pose2.wrapped(here.theta() - there.theta())) < AGREE_RAD;
+  }
+
+  private Optional<Closure> closure(List<KeyScan> keys, int candidate, double radius, double turn) {
+    tried++;
+    int newest = keys.size() - 1;
+    KeyScan now = keys.get(newest);
+    List<KeyScan> around = new ArrayList<>();
+    for (int i = 0; i < newest; i++) {
+      KeyScan key = keys.get(i);
+      if (Math.abs(key.way() - keys.get(candidate).way()) <= NEIGHBOURS_M
+          && now.way() - key.way() > MIN_WAY_M) {
+        around.add(key);
+      }
+    }
+    List<KeyScan> latest = new ArrayList<>();
+    for (int i = newest; i >= 0 && now.way() - keys.get(i).way() <= JOINED_M; i--) {
+      latest.add(keys.get(i));
+    }
+    ScanPoints joined = ScanPoints.joined(latest, now.pose());
+    if (joined.count < MIN_POINTS) {
+      return Optional.empty();
+    }
+    map.build(around, now.pose());
+    Pose2 best = matcher.searched(map, joined, now.pose(), radius, turn);
+    double[] weak = Matrix3.inverse(Matrix3.ofSigmas(5.0, 5.0, 1.0));
+    ScanMatcher.Match match = matcher.match(map, joined, best, weak, 0.0, 0.0);
+    boolean fits = match.share() > MIN_SHARE && match.score() > MIN_SCORE;
+    if (!fits) {
+      return Optional.empty();
+    }
+    double[] known;
+    try {
+      known = Matrix3.inverse(match.information());
+    } catch (ArithmeticException e) {
+      return Optional.empty();
+    }
+    boolean isDefinite = known[0] > 0.0 && known[4] > 0.0 && known[8] > 0.0;
+    if (!isDefinite || Matrix3.largestSigma(known) > MAX_SIGMA_M) {
+      return Optional.empty();
+    }
+    Pose2 early = keys.get(candidate).pose();
+    double[] information = Matrix3.rotated(match.information(), -early.theta());
+    return Optional.of(
+        new Closure(candidate, newest, match.pose().from(early), Matrix3.times(information, 0.25)));
+  }
+
+  /** Number of places compared so far. */
+  long tried() {
+    return tried;
+  }
+}

@@ -1,0 +1,121 @@
+package org.u2sa.world.scanmap;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.GZIPOutputStream;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.WholeFile;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.HandOver;
+import org.u2sa.world.modeller.MapFrame;
+
+/**
+ * A saved map: gzip of a header, the map's frame and anchor, and of each key scan its pose and the
+ * scan as the wire has it.
+ */
+final class MapFile {
+  /** A key scan of a file, not yet placed in a map. */
+  record Saved(Pose2 pose, RangeScan scan) {}
+
+  /** Contents of a file. */
+  record Contents(MapFrame frame, List<Saved> scans) {}
+
+  private static final String HEADER = "U2SA scan map 1";
+  private static final int MAX_SCANS = 20_000;
+  private static final int MAX_BYTES = 1 << 20; // of a scan
+
+  private MapFile() {}
+
+  /** Writes a map; an existing file is replaced as a whole. */
+  static void write(Path file, MapFrame frame, List<KeyScan> keys) throws IOException {
+    MessageCodec codec = new MessageCodec(StandardTypes.registry());
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (DataOutputStream out = new DataOutputStream(new GZIPOutputStream(bytes))) {
+      out.writeUTF(HEADER);
+      out.writeUTF(frame.frame().name());
+      out.writeDouble(frame.anchor().x());
+      out.writeDouble(frame.anchor().y());
+      out.writeDouble(frame.anchor().z());
+      out.writeInt(keys.size());
+      for (KeyScan key : keys) {
+        out.writeDouble(key.pose().x());
+        out.writeDouble(key.pose().y());
+        out.writeDouble(key.pose().theta());
+        byte[] scan = codec.encode(key.scan());
+        out.writeInt(scan.length);
+        out.write(scan);
+      }
+    }
+    Path target = file.toAbsolutePath();
+    Path temporary = Files.createTempFile(target.getParent(), target.getFileName() + ".", ".tmp");
+    try {
+      WholeFile.fillAndRename(temporary, bytes.toByteArray(), target);
+    } finally {
+      Files.deleteIfExists(temporary);
+    }
+  }
+
+  /**
+   * Reads a map.
+   *
+   * @throws BadInputException naming the file and what is wrong with it
+   */
+  static Contents read(Path file) {
+    try (DataInputStream in =
+        new DataInputStream(
+            new BufferedInputStream(new GZIPInputStream(Files.newInputStream(file))))) {
+      String header = in.readUTF();
+      if (!header.equals(HEADER)) {
+        throw new IOException("begins with \"" + header + "\", expected \"" + HEADER + "\"");
+      }
+      MapFrame frame = frame(in.readUTF(), in.readDouble(), in.readDouble(), in.readDouble());
+      int count = in.readInt();
+      if (count < 1 || count > MAX_SCANS) {
+        throw new IOException(count + " scans, expected 1 to " + MAX_SCANS);
+      }
+      MessageCodec codec = new MessageCodec(StandardTypes.registry());
+      List<Saved> scans = new ArrayList<>();
+      for (int i = 0; i < count; i++) {
+        scans.add(saved(in, codec));
+      }
+      return new Contents(frame, scans);
+    } catch (IOException | IllegalArgumentException | MalformedMessageException e) {
+      throw new BadInputException(file + ": no map that can be read: " + e.getMessage());
+    }
+  }
+
+  private static Saved saved(DataInputStream in, MessageCodec codec)
+      throws IOException, MalformedMessageException {
+    Pose2 pose = new Pose2(in.readDouble(), in.readDouble(), in.readDouble());
+    int length = in.readInt();
+    if (!Double.isFinite(pose.x() + pose.y() + pose.theta()) || length < 0 || length > MAX_BYTES) {
+      throw new IOException("a scan of " + length + " bytes at " + pose);
+    }
+    byte[] bytes = new byte[length];
+    in.readFully(bytes);
+    U2SAData scan = codec.decode(RangeScan.TYPE.chain(), bytes);
+    if (!(scan instanceof RangeScan range) || !range.referenceFrame().isBody()) {
+      throw new IOException("a scan that is none, or not in a frame of the vehicle");
+    }
+    return new Saved(pose, range);
+  }
+
+  private static MapFrame frame(String name, double x, double y, double z) {
+    HandOver state = new HandOver(MapFile.class.getName());
+    state.text("MAP FRAME", name);
+    state.number("ANCHOR X", x).number("ANCHOR Y", y).number("ANCHOR Z", z);
+    return MapFrame.takenOver(state).orElseThrow();
+  }
+}

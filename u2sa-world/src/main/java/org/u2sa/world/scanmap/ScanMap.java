@@ -1,0 +1,273 @@
+package org.u2sa.world.scanmap;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.messages.RangeScan;
+
+/**
+ * Map of key scans: finds each scan's pose in it, grows by a key scan now and then, and closes
+ * loops. In the plane, in the axes of the map.
+ */
+final class ScanMap {
+  /**
+   * What the pose of a scan is known to be.
+   *
+   * @param pose of the vehicle in the map
+   * @param covariance of x, y and angle in the map's axes: of the place on the map, the map's own,
+   *     and along directions in which the surroundings look alike that of the way
+   * @param isMatched whether the scan fitted the map; else the pose is the way's
+   * @param isRebuilt whether a loop was closed and all poses have moved
+   */
+  record Located(Pose2 pose, double[] covariance, boolean isMatched, boolean isRebuilt) {}
+
+  private static final double NEAR_M = 12.0; // key scans that a scan is compared with
+  private static final int RECENT = 25; // of these, as long as no loop is closed
+  private static final int CLOSED_RECENTLY = 12; // key scans
+  private static final double SEARCH_SIGMAS = 3.0;
+  private static final double MIN_SEARCH_M = 0.3;
+  private static final double MIN_SEARCH_RAD = 0.25; // odometry may be late while the vehicle turns
+  private static final double MAX_SEARCH_M = 2.0;
+  private static final double MAX_SEARCH_RAD = 0.5;
+  private static final int LOST_SCANS = 3; // so many in a row fit nothing: an unknown area
+  private static final double LOST_FACTOR = 10.0; // on the way's covariance then
+  private static final double OUTSIDE = 1.5; // of the searched window, a match is no match
+  private static final double MAX_SQUARE = 40.0; // of a closure after optimisation
+  private static final int MAX_KEYS = 4000; // 4 km and more; memory of some 60 MB
+
+  private final ScanMapVariables tuning;
+  private final List<KeyScan> keys = new ArrayList<>();
+  private final PoseGraph graph = new PoseGraph();
+  private final ScanMatcher matcher = new ScanMatcher();
+  private final LocalMap local;
+  private final LoopSearch loops;
+  private final boolean isFixed;
+  private final double[] startCovariance;
+  private List<KeyScan> compared = List.of();
+  private Pose2 pose;
+  private double[] covariance;
+  private double[] atNewestKey = new double[9]; // covariance of the newest key scan's pose
+  private double[] sinceKey = new double[9]; // covariance of the way since the newest key scan
+  private Pose2 lastKey; // where the newest key scan, or the last fixed match, was taken
+  private double way;
+  private long matches;
+  private long unmatched;
+  private int unmatchedInARow;
+  private int closures;
+
+  /**
+   * @param start pose of the vehicle in the map
+   * @param startCovariance of that pose
+   * @param saved key scans of a map that stays as it is; empty: the map grows
+   */
+  ScanMap(ScanMapVariables tuning, Pose2 start, double[] startCovariance, List<KeyScan> saved) {
+    this.tuning = tuning;
+    pose = start;
+    covariance = startCovariance;
+    this.startCovariance = startCovariance;
+    isFixed = !saved.isEmpty();
+    keys.addAll(saved);
+    local = new LocalMap(tuning.matchReach() + NEAR_M);
+    loops = new LoopSearch(tuning.matchReach());
+  }
+
+  /**
+   * Finds the pose of a scan.
+   *
+   * @param step way of the vehicle since the scan before, in its axes there
+   */
+  Located locate(ScanPoints points, RangeScan scan, Pose2 step) {
+    double metres = Math.hypot(step.x(), step.y());
+    way += metres;
+    Pose2 predicted = pose.times(step);
+    double[] noise = noise(metres, Math.abs(step.theta()));
+    if (!isFixed && keys.isEmpty()) {
+      pose = predicted;
+      key(points, scan, null);
+      return new Located(pose, covariance, true, false);
+    }
+    sinceKey = Matrix3.propagated(sinceKey, pose, predicted, noise);
+    double[] carried = Matrix3.propagated(covariance, pose, predicted, noise);
+    double[] known = isFixed ? carried : sinceKey;
+    prepare(predicted);
+    double[] prior = Matrix3.inverse(Matrix3.plus(known, Matrix3.ofSigmas(0.01, 0.01, 0.002)));
+    double windowM =
+        Math.min(MAX_SEARCH_M, MIN_SEARCH_M + SEARCH_SIGMAS * Matrix3.largestSigma(known));
+    double windowRad =
+        Math.min(MAX_SEARCH_RAD, MIN_SEARCH_RAD + SEARCH_SIGMAS * Math.sqrt(known[8]));
+    ScanMatcher.Match match = matcher.match(local, points, predicted, prior, windowM, windowRad);
+    boolean isMatched = fits(match, predicted, windowM);
+    if (!isMatched) {
+      match = matcher.match(local, points, predicted, prior, MAX_SEARCH_M, MAX_SEARCH_RAD);
+      isMatched = fits(match, predicted, MAX_SEARCH_M);
+    }
+    if (!isMatched) {
+      unmatched++;
+      pose = predicted;
+      covariance = carried;
+      boolean isNew = !isFixed && ++unmatchedInARow >= LOST_SCANS && isFarFromKey();
+      boolean isRebuilt = // the way alone joins an unknown area
+          isNew
+              && key(
+                  points,
+                  scan,
+                  Matrix3.times(
+                      Matrix3.rotated(sinceKey, -newestKey().pose().theta()), LOST_FACTOR));
+      return new Located(pose, covariance, isRebuilt, isRebuilt);
+    }
+    matches++;
+    unmatchedInARow = 0;
+    double[] after = Matrix3.inverse(Matrix3.plus(match.information(), prior));
+    return isFixed ? onFixed(match.pose(), after) : onGrowing(match.pose(), after, points, scan);
+  }
+
+  private boolean fits(ScanMatcher.Match match, Pose2 predicted, double windowM) {
+    return match.share() >= tuning.minShare()
+        && match.pose().distance(predicted) <= OUTSIDE * windowM;
+  }
+
+  private Located onFixed(Pose2 matched, double[] after) {
+    pose = matched;
+    covariance = after;
+    double own = tuning.mapSigma();
+    double[] shown = Matrix3.plus(after, Matrix3.ofSigmas(own, own, own / NEAR_M));
+    return new Located(pose, shown, true, false);
+  }
+
+  private Located onGrowing(Pose2 matched, double[] after, ScanPoints points, RangeScan scan) {
+    KeyScan newest = newestKey();
+    double[] step = Matrix3.rotated(after, -newest.pose().theta());
+    covariance = Matrix3.propagated(atNewestKey, newest.pose(), matched, step);
+    pose = matched;
+    sinceKey = after;
+    boolean isRebuilt = isFarFromKey() && key(points, scan, step);
+    return new Located(pose, covariance, true, isRebuilt);
+  }
+
+  private KeyScan newestKey() {
+    return keys.get(keys.size() - 1);
+  }
+
+  private boolean isFarFromKey() {
+    Pose2 off = pose.from(newestKey().pose());
+    return keys.size() < MAX_KEYS
+        && (Math.hypot(off.x(), off.y()) >= tuning.keyDistance()
+            || Math.abs(off.theta()) >= Math.toRadians(tuning.keyTurn()));
+  }
+
+  /** Adds a key scan; returns whether it closed a loop. */
+  private boolean key(ScanPoints points, RangeScan scan, double[] stepCovariance) {
+    Pose2 before = keys.isEmpty() ? pose : keys.get(keys.size() - 1).pose();
+    keys.add(new KeyScan(pose, points, scan, way));
+    int number = graph.add(pose);
+    if (number > 0) {
+      double[] information = Matrix3.inverse(stepCovariance);
+      graph.add(new PoseGraph.Edge(number - 1, number, pose.from(before), information, false));
+    }
+    atNewestKey = covariance;
+    sinceKey = new double[9];
+    compared = List.of();
+    if (!tuning.closeLoops() || number == 0) {
+      return false;
+    }
+    List<LoopSearch.Closure> found = loops.search(keys, covariance);
+    if (found.isEmpty()) {
+      return false;
+    }
+    for (LoopSearch.Closure each : found) {
+      graph.add(new PoseGraph.Edge(each.from(), each.to(), each.step(), each.information(), true));
+    }
+    closures += found.size();
+    double[] relative = graph.optimise();
+    int dropped = graph.dropContradicted(MAX_SQUARE);
+    if (dropped > 0) {
+      closures -= dropped;
+      relative = graph.optimise();
+    }
+    for (int i = 0; i < keys.size(); i++) {
+      keys.get(i).moveTo(graph.pose(i));
+    }
+    pose = graph.pose(number);
+    covariance =
+        Matrix3.plus(
+            Matrix3.propagated(startCovariance, graph.pose(0), pose, new double[9]), relative);
+    atNewestKey = covariance;
+    return true;
+  }
+
+  private double[] noise(double metres, double turn) {
+    double along = tuning.wayNoise() * metres + 0.005;
+    double angle =
+        tuning.turnNoise() * turn + Math.toRadians(tuning.headingNoise()) * metres + 0.002;
+    return Matrix3.ofSigmas(along, along, angle);
+  }
+
+  /** Fills the local map with the key scans around, unless they are in it. */
+  private void prepare(Pose2 predicted) {
+    List<KeyScan> chosen = isFixed ? nearFixed(predicted) : nearGrowing(predicted);
+    if (!chosen.equals(compared)) {
+      compared = chosen;
+      local.build(chosen, predicted);
+    }
+  }
+
+  private List<KeyScan> nearFixed(Pose2 predicted) {
+    boolean stays = lastKey != null && lastKey.distance(predicted) < NEAR_M / 8.0;
+    if (stays && !compared.isEmpty()) {
+      return compared;
+    }
+    lastKey = predicted;
+    List<KeyScan> chosen = new ArrayList<>();
+    for (KeyScan key : keys) {
+      if (key.pose().distance(predicted) < NEAR_M) {
+        chosen.add(key);
+      }
+    }
+    return chosen;
+  }
+
+  private List<KeyScan> nearGrowing(Pose2 predicted) {
+    if (!compared.isEmpty()) {
+      return compared; // until the next key scan
+    }
+    int newest = keys.size() - 1;
+    boolean[] taken = new boolean[keys.size()];
+    for (int i = Math.max(0, newest - RECENT); i <= newest; i++) {
+      taken[i] = true;
+    }
+    for (PoseGraph.Edge edge : graph.edges()) {
+      if (edge.isClosure() && edge.to() > newest - CLOSED_RECENTLY) {
+        for (int i = Math.max(0, edge.from() - RECENT / 2);
+            i <= Math.min(newest, edge.from() + RECENT / 2);
+            i++) {
+          taken[i] = true;
+        }
+      }
+    }
+    List<KeyScan> chosen = new ArrayList<>();
+    for (int i = 0; i <= newest; i++) {
+      if (taken[i] && keys.get(i).pose().distance(predicted) < NEAR_M) {
+        chosen.add(keys.get(i));
+      }
+    }
+    return chosen;
+  }
+
+  /** The key scans, at their current poses. */
+  List<KeyScan> keys() {
+    return keys;
+  }
+
+  @Override
+  public String toString() {
+    return matches
+        + " scans matched, "
+        + unmatched
+        + " not, "
+        + keys.size()
+        + " key scans, "
+        + closures
+        + " closures of "
+        + loops.tried()
+        + " tried";
+  }
+}

@@ -1,0 +1,120 @@
+package org.u2sa.world.scanmap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.RangeScan;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.grid.GridModeller;
+import org.u2sa.world.modeller.MapFrame;
+import org.u2sa.world.modeller.ScanPoses;
+import org.u2sa.world.modeller.Sighting;
+
+class ScanMapTest {
+  private static final double REACH = 20.0;
+
+  @TempDir private Path folder;
+  private final Random random = new Random(3);
+
+  private ScanMapModeller modeller(Map<String, Object> variables) {
+    XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
+    ScanMapModeller modeller =
+        new ScanMapModeller(configuration, new GridModeller(configuration), folder::resolve);
+    modeller.enter(
+        MapFrame.of(state(Pose2.ORIGIN, 0L)), new Sighting(0L, MapFrame.BODY, Optional.empty()));
+    return modeller;
+  }
+
+  private static StateInformation state(Pose2 pose, long micros) {
+    StateInformation state =
+        new StateInformation()
+            .sensorName("StateEstimator")
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .x(pose.x())
+            .y(pose.y())
+            .psi(pose.theta());
+    state.timestamp(micros);
+    return state;
+  }
+
+  /** Drives a circle in the room; the states drift. Returns the errors of the corrections [m]. */
+  private List<Double> drive(ScanMapModeller modeller, double drift) {
+    List<Double> errors = new ArrayList<>();
+    Pose2 told = null;
+    Pose2 before = null;
+    for (int i = 0; i < 120; i++) {
+      double angle = 2.0 * Math.PI * i / 60.0;
+      Pose2 truth =
+          new Pose2(4.0 + 1.5 * Math.sin(angle), 3.0 - 1.5 * Math.cos(angle), Pose2.wrapped(angle));
+      Pose2 step = before == null ? Pose2.ORIGIN : truth.from(before);
+      told =
+          told == null
+              ? truth
+              : told.times(
+                  new Pose2(step.x() * (1.0 + drift), step.y(), step.theta() * (1.0 + drift)));
+      before = truth;
+      long micros = 1_000_000L + i * 100_000L;
+      RangeScan scan = Room.furnished().scan(truth, REACH, 0.01, random);
+      scan.timestamp(micros);
+      Sighting sighting =
+          new Sighting(micros, MapFrame.of(state(told, micros)), Optional.of(state(told, micros)));
+      modeller.scan(scan, ScanPoses.still(sighting));
+      for (StateInformation each : modeller.corrections()) {
+        errors.add(
+            Math.hypot(each.x().orElseThrow() - truth.x(), each.y().orElseThrow() - truth.y()));
+      }
+    }
+    return errors;
+  }
+
+  @Test
+  void scan_statesDrift_posesOfTheMapDoNot() {
+    List<Double> errors = drive(modeller(Map.of()), 0.1);
+
+    assertThat(errors).hasSizeGreaterThan(110).allMatch(error -> error < 0.08);
+  }
+
+  @Test
+  void scan_ofAMapSavedBefore_isFoundOnIt() {
+    ScanMapModeller first = modeller(Map.of("SAVE MAP", "room.map"));
+    drive(first, 0.0);
+    first.end();
+
+    ScanMapModeller second = modeller(Map.of("MAP FILE", "room.map"));
+    int keys = first.keys().size();
+    List<Double> errors = drive(second, 0.1);
+
+    assertThat(errors).hasSizeGreaterThan(110).allMatch(error -> error < 0.08);
+    assertThat(second.keys()).hasSize(keys);
+    assertThat(second.grid(new Sighting(0L, MapFrame.BODY, Optional.empty()))).isPresent();
+  }
+
+  @Test
+  void read_damagedFile_saysWhichAndWhy() throws IOException {
+    ScanMapModeller first = modeller(Map.of("SAVE MAP", "room.map"));
+    drive(first, 0.0);
+    first.end();
+    Path file = folder.resolve("room.map");
+    byte[] bytes = Files.readAllBytes(file);
+
+    for (int length = 0; length < bytes.length; length += 1 + bytes.length / 50) {
+      Files.write(file, java.util.Arrays.copyOf(bytes, length));
+      assertThatThrownBy(() -> MapFile.read(file))
+          .isInstanceOf(BadInputException.class)
+          .hasMessageContaining("room.map");
+    }
+  }
+}
