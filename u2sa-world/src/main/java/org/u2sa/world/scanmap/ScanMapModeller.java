@@ -25,8 +25,9 @@ import org.u2sa.world.modeller.Sighting;
 /**
  * Matches each scan with a map of earlier ones and publishes the pose as a measurement for the
  * State Estimator (thesis 4.3.1.2); closes loops and rebuilds the grid from the map. Scans go into
- * the grid at their matched pose. The way between scans is that of local-state, which never jumps;
- * of an estimator without one, that of the state.
+ * the grid at their matched pose, those of further scanners relative to the last one. The way
+ * between scans is that of local-state, which never jumps; of an estimator without one, that of the
+ * state.
  */
 public final class ScanMapModeller implements Modeller {
   /** Name of the measurements' source. */
@@ -47,7 +48,9 @@ public final class ScanMapModeller implements Modeller {
   private Pose2 lastWay; // of the previous scan, in the axes of local-state or the state
   private boolean lastIsLocal;
   private long lastMicros;
-  private String scanner = ""; // the first heard: one scanner carries the map
+  private String scanner = ""; // the first heard: only its scans are matched
+  private Pose2 matched; // of the scan last matched, on the map
+  private Pose2 matchedTold; // the same by the state
 
   /**
    * @param configuration the World Modeler's
@@ -76,11 +79,12 @@ public final class ScanMapModeller implements Modeller {
       grid.scan(scan, poses);
       return;
     }
-    if (!scan.sensorName().equals(scanner)) {
-      return;
-    }
     PlanarFrame plane = new PlanarFrame(frame);
     Pose2 told = plane.pose(vehicle.get());
+    if (!scan.sensorName().equals(scanner)) {
+      enter(scan, poses, plane, map == null ? told : matched.times(told.from(matchedTold)));
+      return;
+    }
     ScanPoints points = points(scan, poses, told);
     Pose2 step = step(plane, told, poses.first().micros());
     if (map == null) {
@@ -90,7 +94,9 @@ public final class ScanMapModeller implements Modeller {
     if (located.isRebuilt()) {
       rebuild(plane, vehicle.get());
     }
-    enter(scan, poses, plane, located.pose());
+    matched = located.pose();
+    matchedTold = told;
+    enter(scan, poses, plane, matched);
     if (located.isMatched() && settings.get().correctState()) {
       double z = frame.vehicle(vehicle).z();
       StateInformation measured = plane.measurement(located.pose(), located.covariance(), z);
