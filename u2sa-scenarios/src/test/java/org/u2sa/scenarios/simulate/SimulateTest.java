@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -130,6 +131,54 @@ class SimulateTest {
 
     assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.FAILED);
     assertThat(summary("out").get("contacts").asInt()).isPositive();
+  }
+
+  @Test
+  void simulate_barrelsSeenByA3dLidarOnly_drivesAroundThemAndUnderABranch()
+      throws IOException, URISyntaxException {
+    project("rover");
+    replace(
+        "system.xml",
+        "  <service class=\"org.u2sa.mission",
+        "  <service class=\"org.u2sa.device.PointCloudSensor\"/>\n"
+            + "  <service class=\"org.u2sa.world.WorldModeler\" configuration=\"WorldModeler.xml\"/>\n"
+            + "  <service class=\"org.u2sa.mission");
+    replace(
+        "vehicle.xml",
+        "</vehicle>",
+        "<pointScanner preset=\"Velodyne VLP-16\"><position>0 0 -1</position></pointScanner></vehicle>");
+    replace("WorldModeler.xml", "\"WORLD\"", "\"MODELLERS\"");
+    replace("WorldModeler.xml", "known.xml", "REACTIVE");
+    replace(
+        "PathPlanner.xml",
+        "</configuration>",
+        "<variable name=\"PLANNER\" type=\"string\" value=\"GRID\"/></configuration>");
+    Path world = folder.resolve("world.xml");
+    Files.writeString(
+        world,
+        "<world>"
+            + barrel(10.0, 54.00005, 0.5)
+            + barrel(10.0001, 54.0001, 0.5)
+            + barrel(10.0002, 54.00005, 3.0)
+            + "</world>");
+
+    CommandLineRun run = simulate("out", "--world", world.toString(), "--seed", "5");
+
+    JsonNode summary = summary("out");
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    assertThat(summary.get("contacts").asInt()).isZero();
+    assertThat(summary.get("waypointsCaptured").asInt()).isEqualTo(3);
+  }
+
+  private static String barrel(double longitudeDeg, double latitudeDeg, double middleM) {
+    return String.format(
+        Locale.ROOT,
+        "<Cylinder><uid>%s %s</uid><x>%s</x><y>%s</y><z>%s</z><radius>0.4</radius><height>1</height></Cylinder>",
+        longitudeDeg,
+        latitudeDeg,
+        longitudeDeg,
+        latitudeDeg,
+        middleM);
   }
 
   @Test
