@@ -18,8 +18,8 @@ import org.u2sa.world.xml.WorldFile;
 
 /** The world of a file, for simulations: objects, environment, movers and zones. */
 public final class SimulatedWorld {
-  private static final double MAP_STEP_S = 1.0;
-  private static final int MAP_STEPS = 3_600;
+  private static final double MAP_STEP_S = 0.5;
+  private static final int MAP_STEPS = 600;
 
   private SimulatedWorld() {}
 
@@ -51,24 +51,30 @@ public final class SimulatedWorld {
     return world.withMovers(movers).withZones(zones);
   }
 
-  /** Objects and movers, for the map and the summary: a mover as the circle around it. */
-  public static Surroundings surroundings(World world) {
+  /**
+   * Objects and movers, for the map and the summary: a mover as the sphere of its horizontal
+   * radius.
+   *
+   * @param limitS longest duration of the run [s]
+   */
+  public static Surroundings surroundings(World world, double limitS) {
+    double step = Math.max(MAP_STEP_S, limitS / MAP_STEPS);
     List<ObjectDescription> all = new ArrayList<>(world.obstacles());
-    world.movers().forEach(mover -> all.add(sphere(mover)));
+    world.movers().forEach(mover -> all.add(sphere(mover, step)));
     return new Surroundings(all, 0.0);
   }
 
-  private static MovingSphere sphere(Mover mover) {
+  private static MovingSphere sphere(Mover mover, double stepS) {
     List<Point> way = new ArrayList<>();
     for (int i = 1; i <= MAP_STEPS; i++) {
-      way.add(mover.at(i * MAP_STEP_S).position());
+      way.add(mover.at(i * stepS).position());
     }
     Point start = mover.at(0.0).position();
     MovingSphere sphere = new MovingSphere().radius(mover.radiusM());
     sphere.uid(mover.uid()).objectType(mover.objectType());
     sphere.referenceFrame(ReferenceFrame.LOCAL_ENU);
     sphere.x(start.x()).y(start.y()).z(start.z());
-    sphere.timeStep(MAP_STEP_S).trajectory(way);
+    sphere.timeStep(stepS).trajectory(way);
     sphere.freeze();
     return sphere;
   }

@@ -97,6 +97,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   private VehicleFile vehicle;
   private int unplaced;
   private RunPlan.Start placed; // of the newest plan
+  private double longestS; // of the newest plan
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -173,7 +174,9 @@ final class SimulateCommand implements Callable<Integer>, Demo {
 
   @Override
   public Surroundings surroundings() {
-    return worldFile == null ? Surroundings.none() : SimulatedWorld.surroundings(world(placed, 0L));
+    return worldFile == null
+        ? Surroundings.none()
+        : SimulatedWorld.surroundings(world(placed, 0L), longestS);
   }
 
   @Override
@@ -203,6 +206,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     placed = at;
     RunPlan plan = RunPlans.placed(profile().domain(), mission, at, world(at, 0L).plane());
     unplaced = mission.goals().size() - plan.waypoints().size();
+    longestS = limitS(plan);
     return plan;
   }
 

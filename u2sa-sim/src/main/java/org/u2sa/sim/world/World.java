@@ -253,6 +253,9 @@ public final class World {
     ObstacleTree.Nearest none =
         new ObstacleTree.Nearest(Math.nextUp(rangeM), null); // includes hits exactly at the range
     ObstacleTree.Nearest hit = tree.isEmpty() ? none : tree.get().nearest(ray, none);
+    if (terrain == Terrain.flat() && water.map(all -> all.depthM(ray.z()) >= 0.0).orElse(false)) {
+      return hit; // in the water: without a terrain of its own the world has no bed
+    }
     double ground = terrain.distanceM(ray, Math.min(rangeM, hit.distanceM()));
     return ground < hit.distanceM() ? new ObstacleTree.Nearest(ground, null) : hit;
   }

@@ -49,7 +49,7 @@ public record Zone(
     }
     List<Point> corners =
         area.points().stream().map(point -> Zone.inWorld(frame, plane, point)).toList();
-    Optional<Surface> surface = element.child("surface").map(EnvironmentElement::surface);
+    Optional<Surface> surface = element.child("surface").map(Zone::surface);
     Kind kind =
         ElementValues.choice(
             element, "kind", Kind.class, surface.isPresent() ? Kind.PATCH : Kind.JUDGE);
@@ -62,6 +62,16 @@ public record Zone(
         corners.stream().mapToDouble(Point::x).toArray(),
         corners.stream().mapToDouble(Point::y).toArray(),
         surface);
+  }
+
+  private static Surface surface(XmlElement element) {
+    try {
+      return EnvironmentElement.surface(element);
+    } catch (BadInputException e) {
+      throw e;
+    } catch (IllegalArgumentException e) {
+      throw element.error(e.getMessage(), e);
+    }
   }
 
   static Point inWorld(ReferenceFrame frame, LocalPlane plane, Point place) {

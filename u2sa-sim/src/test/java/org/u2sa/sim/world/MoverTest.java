@@ -76,6 +76,18 @@ class MoverTest {
   }
 
   @Test
+  void when_moverUnderWater_isHitBySonarRaysWithoutABed() {
+    World sea =
+        PLAIN
+            .with(new Water(0.0, 0.0, 0.0))
+            .withMovers(List.of(mover(walker().z(-3.0), Mover.End.STOP, false)));
+    Ray ray = Ray.of(Point.of(0.0, 0.0, -3.0), Math.PI / 2.0, 0.0);
+
+    assertThat(sea.when(0.0).distanceM(ray, 30.0)).isCloseTo(9.7, within(1e-6));
+    assertThat(sea.distanceM(ray, 30.0)).isInfinite();
+  }
+
+  @Test
   void when_floatingBox_pointsAlongItsWayAndRidesTheWaves() {
     Waves waves = Waves.of(Waves.Spectrum.REGULAR, 1.0, 6.0, 0.3, 0.0, 9L);
     Water water = new Water(0.0, CurrentField.uniform(0.0, 0.0), Optional.of(waves));
