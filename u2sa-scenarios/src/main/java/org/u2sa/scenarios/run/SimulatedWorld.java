@@ -10,8 +10,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.report.score.Surroundings;
 import org.u2sa.sim.world.EnvironmentElement;
-import org.u2sa.sim.world.Mover;
 import org.u2sa.sim.world.MoverElement;
+import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.World;
 import org.u2sa.sim.world.Zone;
 import org.u2sa.world.xml.WorldFile;
@@ -41,7 +41,7 @@ public final class SimulatedWorld {
     if (from.environment().isPresent()) {
       world = EnvironmentElement.apply(from.environment().get(), world, folder, seed);
     }
-    List<Mover> movers = new ArrayList<>();
+    List<ScriptedMover> movers = new ArrayList<>();
     from.movers()
         .forEach(
             each -> movers.add(MoverElement.read(each.element(), each.object(), empty.plane())));
@@ -64,7 +64,7 @@ public final class SimulatedWorld {
     return new Surroundings(all, 0.0);
   }
 
-  private static MovingSphere sphere(Mover mover, double stepS) {
+  private static MovingSphere sphere(ScriptedMover mover, double stepS) {
     List<Point> way = new ArrayList<>();
     for (int i = 1; i <= MAP_STEPS; i++) {
       way.add(mover.at(i * stepS).position());

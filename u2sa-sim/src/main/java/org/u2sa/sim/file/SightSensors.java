@@ -16,8 +16,8 @@ import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.device.SimulatedSonar;
 import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.vehicle.VehicleTruth;
-import org.u2sa.sim.world.Mover;
 import org.u2sa.sim.world.Ray;
+import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.World;
 
 /** Sensors of the surroundings. */
@@ -189,13 +189,13 @@ final class SightSensors {
     double timeS = vehicle.truth().get().timeS();
     List<SimulatedTraffic.Other> all = new ArrayList<>(vehicle.traffic().get());
     vehicle.world().movers().stream()
-        .filter(Mover::hasTransponder)
+        .filter(ScriptedMover::hasTransponder)
         .forEach(mover -> all.add(other(mover, timeS)));
     return all;
   }
 
-  private static SimulatedTraffic.Other other(Mover mover, double timeS) {
-    Mover.State state = mover.at(timeS);
+  private static SimulatedTraffic.Other other(ScriptedMover mover, double timeS) {
+    ScriptedMover.State state = mover.at(timeS);
     return new SimulatedTraffic.Other(
         mover.uid(), mover.objectType(), state.position(), state.velocity());
   }

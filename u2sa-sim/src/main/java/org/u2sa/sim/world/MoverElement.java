@@ -22,17 +22,17 @@ public final class MoverElement {
    * @param object the object in the element, at its start
    * @throws BadInputException naming file, line, element, value and what was expected
    */
-  public static Mover read(XmlElement element, ObjectDescription object, LocalPlane plane) {
+  public static ScriptedMover read(XmlElement element, ObjectDescription object, LocalPlane plane) {
     try {
-      List<Mover.Waypoint> way = new ArrayList<>();
+      List<ScriptedMover.Waypoint> way = new ArrayList<>();
       for (XmlElement child : element.children("waypoint")) {
         way.add(waypoint(child, element, object));
       }
-      return new Mover(
+      return new ScriptedMover(
           object,
           plane,
           way,
-          ElementValues.choice(element, "end", Mover.End.class, Mover.End.STOP),
+          ElementValues.choice(element, "end", ScriptedMover.End.class, ScriptedMover.End.STOP),
           ElementValues.number(element, "delay", "s", 0.0, 1e6, 0.0),
           ElementValues.flag(element, "floats"),
           ElementValues.flag(element, "transponder"));
@@ -43,7 +43,7 @@ public final class MoverElement {
     }
   }
 
-  private static Mover.Waypoint waypoint(
+  private static ScriptedMover.Waypoint waypoint(
       XmlElement child, XmlElement element, ObjectDescription object) {
     child.refuseUnknownAttributes();
     child.refuseText();
@@ -60,7 +60,7 @@ public final class MoverElement {
             ElementValues.number(child, "z", "m", -1e5, 1e5, object.z()));
     XmlElement paced = child.child("speed").isPresent() ? child : element;
     double speed = ElementValues.number(paced, "speed", "m/s", 1e-3, MAX_SPEED_MPS);
-    return new Mover.Waypoint(
+    return new ScriptedMover.Waypoint(
         place, speed, ElementValues.number(child, "wait", "s", 0.0, 1e6, 0.0));
   }
 }

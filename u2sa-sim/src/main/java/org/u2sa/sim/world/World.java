@@ -26,7 +26,7 @@ public final class World {
   private final Script script;
 
   /** What a world file adds to the obstacles. */
-  private record Script(List<Mover> movers, List<Zone> zones, Optional<Sunlight> light) {}
+  private record Script(List<ScriptedMover> movers, List<Zone> zones, Optional<Sunlight> light) {}
 
   /**
    * Nearest hit of a ray.
@@ -122,7 +122,7 @@ public final class World {
   }
 
   /** Copy with movers, which {@link #when} places. */
-  public World withMovers(List<Mover> movers) {
+  public World withMovers(List<ScriptedMover> movers) {
     return with(surface, new Script(List.copyOf(movers), script.zones, script.light));
   }
 
@@ -161,7 +161,7 @@ public final class World {
   }
 
   /** Scripted movers. */
-  public List<Mover> movers() {
+  public List<ScriptedMover> movers() {
     return script.movers;
   }
 

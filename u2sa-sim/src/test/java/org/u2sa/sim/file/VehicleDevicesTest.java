@@ -27,7 +27,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.sim.vehicle.VehicleRun;
-import org.u2sa.sim.world.Mover;
+import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.World;
 
 class VehicleDevicesTest {
@@ -92,8 +92,8 @@ class VehicleDevicesTest {
                     "<radar><rate>1</rate><delay>0</delay><sigma>0</sigma><bias>0</bias><reach>500</reach><angleSigma>0</angleSigma><position>0 0 -1</position></radar>"
                         + "<trafficReceiver><rate>1</rate><delay>0</delay><sigma>0</sigma><bias>0</bias><reach>500</reach></trafficReceiver></vehicle>"));
     World empty = file.emptyWorld();
-    Mover near = mover("near", Point.of(0.0, 60.0, 2.0), empty, true);
-    Mover behindWall = mover("hidden", Point.of(100.0, 0.0, 2.0), empty, false);
+    ScriptedMover near = mover("near", Point.of(0.0, 60.0, 2.0), empty, true);
+    ScriptedMover behindWall = mover("hidden", Point.of(100.0, 0.0, 2.0), empty, false);
     Box wall = new Box();
     wall.length(1.0).width(20.0).height(20.0);
     wall.uid("wall").referenceFrame(ReferenceFrame.LOCAL_ENU).x(50.0).y(0.0);
@@ -114,16 +114,16 @@ class VehicleDevicesTest {
         .containsExactly("near");
   }
 
-  private static Mover mover(String name, Point from, World world, boolean hasTransponder) {
+  private static ScriptedMover mover(String name, Point from, World world, boolean hasTransponder) {
     Sphere body = new Sphere();
     body.radius(1.0).uid(name).referenceFrame(ReferenceFrame.LOCAL_ENU);
     body.x(from.x()).y(from.y()).z(from.z());
     Point to = from.plus(Point.of(0.0, 90.0, 0.0));
-    return new Mover(
+    return new ScriptedMover(
         body,
         world.plane(),
-        List.of(new Mover.Waypoint(to, 3.0, 0.0)),
-        Mover.End.STOP,
+        List.of(new ScriptedMover.Waypoint(to, 3.0, 0.0)),
+        ScriptedMover.End.STOP,
         0.0,
         false,
         hasTransponder);

@@ -19,7 +19,7 @@ import org.u2sa.sim.motion.Arguments;
  * starts at its own position, travels in straight lines at constant speeds, and does not react to
  * anything. Boxes and rectangles point along their course. Immutable.
  */
-public final class Mover {
+public final class ScriptedMover {
   private static final int MAX_WAYPOINTS = 10_000;
   private static final double MAX_SPEED_MPS = 1_000.0;
   private static final double MAX_WAIT_S = 1e6;
@@ -87,7 +87,7 @@ public final class Mover {
    * @throws IllegalArgumentException if the shape or frame is another one, or there are no
    *     waypoints or too many
    */
-  public Mover(
+  public ScriptedMover(
       ObjectDescription object,
       LocalPlane plane,
       List<Waypoint> way,

@@ -14,7 +14,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
 
-class MoverTest {
+class ScriptedMoverTest {
   private static final World PLAIN = World.at(new Geodetic(9.0, 54.0, 0.0));
 
   private static ObjectDescription walker() {
@@ -24,17 +24,18 @@ class MoverTest {
     return body.x(10.0).y(0.0).z(0.9);
   }
 
-  private static Mover mover(ObjectDescription object, Mover.End end, boolean floats) {
-    List<Mover.Waypoint> way =
+  private static ScriptedMover mover(
+      ObjectDescription object, ScriptedMover.End end, boolean floats) {
+    List<ScriptedMover.Waypoint> way =
         List.of(
-            new Mover.Waypoint(Point.of(10.0, 8.0, 0.9), 2.0, 1.0),
-            new Mover.Waypoint(Point.of(16.0, 8.0, 0.9), 3.0, 0.0));
-    return new Mover(object, PLAIN.plane(), way, end, 5.0, floats, false);
+            new ScriptedMover.Waypoint(Point.of(10.0, 8.0, 0.9), 2.0, 1.0),
+            new ScriptedMover.Waypoint(Point.of(16.0, 8.0, 0.9), 3.0, 0.0));
+    return new ScriptedMover(object, PLAIN.plane(), way, end, 5.0, floats, false);
   }
 
   @Test
   void at_delayWayWaitAndEnd_followsTheScript() {
-    Mover mover = mover(walker(), Mover.End.STOP, false);
+    ScriptedMover mover = mover(walker(), ScriptedMover.End.STOP, false);
 
     assertThat(mover.at(5.0).position()).isEqualTo(Point.of(10.0, 0.0, 0.9));
     assertThat(mover.at(4.0).velocity()).isEqualTo(Point.ORIGIN);
@@ -47,8 +48,8 @@ class MoverTest {
 
   @Test
   void at_loopAndReturn_repeat() {
-    Mover loop = mover(walker(), Mover.End.LOOP, false);
-    Mover back = mover(walker(), Mover.End.RETURN, false);
+    ScriptedMover loop = mover(walker(), ScriptedMover.End.LOOP, false);
+    ScriptedMover back = mover(walker(), ScriptedMover.End.RETURN, false);
     double period = 4.0 + 1.0 + 2.0 + 10.0 / 3.0;
 
     assertThat(loop.at(6.0 + 3.0 * period).position().distanceTo(loop.at(6.0).position()))
@@ -61,7 +62,7 @@ class MoverTest {
 
   @Test
   void when_moverOnTheRay_isHitWhereItIsThen() {
-    World world = PLAIN.withMovers(List.of(mover(walker(), Mover.End.STOP, false)));
+    World world = PLAIN.withMovers(List.of(mover(walker(), ScriptedMover.End.STOP, false)));
     Ray ray = Ray.of(Point.of(0.0, 4.0, 1.0), Math.PI / 2.0, 0.0);
 
     assertThat(world.when(0.0).distanceM(ray, 30.0)).isInfinite();
@@ -80,7 +81,7 @@ class MoverTest {
     World sea =
         PLAIN
             .with(new Water(0.0, 0.0, 0.0))
-            .withMovers(List.of(mover(walker().z(-3.0), Mover.End.STOP, false)));
+            .withMovers(List.of(mover(walker().z(-3.0), ScriptedMover.End.STOP, false)));
     Ray ray = Ray.of(Point.of(0.0, 0.0, -3.0), Math.PI / 2.0, 0.0);
 
     assertThat(sea.when(0.0).distanceM(ray, 30.0)).isCloseTo(9.7, within(1e-6));
@@ -95,12 +96,12 @@ class MoverTest {
     hull.length(6.0).width(2.0).height(1.0);
     hull.uid("boat").referenceFrame(ReferenceFrame.LOCAL_NED);
     hull.x(0.0).y(10.0).z(0.0);
-    Mover mover =
-        new Mover(
+    ScriptedMover mover =
+        new ScriptedMover(
             hull,
             PLAIN.plane(),
-            List.of(new Mover.Waypoint(Point.of(8.0, 10.0, 0.0), 2.0, 0.0)),
-            Mover.End.STOP,
+            List.of(new ScriptedMover.Waypoint(Point.of(8.0, 10.0, 0.0), 2.0, 0.0)),
+            ScriptedMover.End.STOP,
             0.0,
             true,
             true);
@@ -118,7 +119,7 @@ class MoverTest {
     ObjectDescription point = new ObjectDescription().uid("p");
     point.referenceFrame(ReferenceFrame.LOCAL_ENU);
 
-    assertThatThrownBy(() -> mover(point, Mover.End.STOP, false))
+    assertThatThrownBy(() -> mover(point, ScriptedMover.End.STOP, false))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("expected a Box, Rectangle, Cylinder, Circle or Sphere");
   }
