@@ -22,6 +22,7 @@ import org.u2sa.sim.motion.Arguments;
 public final class ScriptedMover {
   private static final int MAX_WAYPOINTS = 10_000;
   private static final double MAX_SPEED_MPS = 1_000.0;
+  private static final double FARTHEST_M = 1e8;
   private static final double MAX_WAIT_S = 1e6;
 
   private final ObjectDescription object;
@@ -139,6 +140,9 @@ public final class ScriptedMover {
         double wait = i + 1 < backWay.size() ? backWay.get(i + 1).waitS : 0.0;
         all.add(new Waypoint(Point.ORIGIN, backWay.get(i).speedMps, wait));
       }
+    }
+    for (Point each : places) {
+      Arguments.requireInside("place on the plane [m]", each.distance(), 0.0, FARTHEST_M);
     }
     List<Leg> legs = new ArrayList<>();
     double course = 0.0;
