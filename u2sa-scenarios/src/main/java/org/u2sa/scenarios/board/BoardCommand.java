@@ -28,6 +28,7 @@ import org.u2sa.report.export.TrackCsv;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.TrackSample;
 import org.u2sa.scenarios.run.Interruption;
+import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.file.VehicleInstruments;
@@ -35,7 +36,6 @@ import org.u2sa.sim.ioio.IoioBoard;
 import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioTcpServer;
 import org.u2sa.sim.vehicle.VehicleTruth;
-import org.u2sa.sim.world.EnvironmentElement;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
@@ -214,13 +214,7 @@ final class BoardCommand implements Callable<Integer> {
     }
     WorldFile around = WorldFile.load(worldFile);
     around.ignored().forEach(words -> say("Not in the world: " + words));
-    World world = empty.with(around.objects());
-    Path folder = worldFile.toAbsolutePath().getParent();
-    return vehicle.home(
-        around
-            .environment()
-            .map(element -> EnvironmentElement.apply(element, world, folder, seed))
-            .orElse(world));
+    return vehicle.home(SimulatedWorld.read(around, worldFile, empty, seed));
   }
 
   private void say(String line) {

@@ -23,7 +23,6 @@ import org.u2sa.sim.ioio.IoioInProcess;
 import org.u2sa.sim.ioio.IoioTcpServer;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
-import org.u2sa.sim.world.EnvironmentElement;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 
@@ -76,22 +75,15 @@ public final class VehicleTrial {
   }
 
   /**
-   * The world at a start, with objects and environment of a world file.
+   * The world at a start, with everything in a world file.
    *
    * @param ground world without them, at the start
-   * @param seed seed of gusts
+   * @param seed seed of gusts and waves
    */
   public static World around(World ground, Optional<Path> worldFile, long seed) {
-    if (worldFile.isEmpty()) {
-      return ground;
-    }
-    WorldFile around = WorldFile.load(worldFile.get());
-    World world = ground.with(around.objects());
-    Path folder = worldFile.get().toAbsolutePath().getParent();
-    return around
-        .environment()
-        .map(element -> EnvironmentElement.apply(element, world, folder, seed))
-        .orElse(world);
+    return worldFile
+        .map(file -> SimulatedWorld.read(WorldFile.load(file), file, ground, seed))
+        .orElse(ground);
   }
 
   /** An empty world whose origin is the start. */

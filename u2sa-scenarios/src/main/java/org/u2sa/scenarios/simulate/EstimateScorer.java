@@ -22,7 +22,7 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores a run of any vehicle: goals without a place by their completion, contacts, and the
+ * Scores a run of any vehicle: goals without a place by their completion, contacts, zones, and the
  * published state against the truth.
  */
 final class EstimateScorer implements TruthObserver.Scorer {
@@ -34,6 +34,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final Clock clock;
   private final Set<String> unplaced;
   private final Set<String> completed = new HashSet<>();
+  private final ZoneWatch zones;
   private final Errors position = new Errors();
   private final Errors heading = new Errors();
   private double squares; // of the distances from the true position [m²]
@@ -73,6 +74,12 @@ final class EstimateScorer implements TruthObserver.Scorer {
     this.origin = origin;
     this.clock = clock;
     this.unplaced = unplaced;
+    zones = new ZoneWatch(run.vehicle().world().zones());
+  }
+
+  @Override
+  public void see(VehicleTruth truth) {
+    zones.see(truth);
   }
 
   @Override
@@ -143,8 +150,10 @@ final class EstimateScorer implements TruthObserver.Scorer {
         violations.add("goal \"" + goal + "\" was not completed");
       }
     }
+    violations.addAll(zones.violations());
     Map<String, Integer> counts = new LinkedHashMap<>();
     counts.put(RunOutcome.GOALS_WITHOUT_PLACE, unplaced.size());
+    counts.putAll(zones.counts());
     return new RunOutcome(run.contacts().size(), false, violations, counts, figures());
   }
 
@@ -162,6 +171,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
     if (claims > 0) {
       figures.put("stateWithin3Sigma", (double) (position.within + heading.within) / claims);
     }
+    figures.putAll(zones.figures());
     return figures;
   }
 }

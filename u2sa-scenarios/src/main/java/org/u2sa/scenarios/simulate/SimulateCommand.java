@@ -25,6 +25,7 @@ import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.RunPlans;
+import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.Hazards;
@@ -75,7 +76,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   @Option(
       names = "--world",
       paramLabel = "FILE",
-      description = "World XML file with what stands around. Default: nothing.")
+      description = "World XML file with what stands and moves around. Default: nothing.")
   private Path worldFile; // null for an empty world
 
   @Option(
@@ -95,6 +96,8 @@ final class SimulateCommand implements Callable<Integer>, Demo {
 
   private VehicleFile vehicle;
   private int unplaced;
+  private RunPlan.Start placed; // of the newest plan
+  private double longestS; // of the newest plan
 
   @Override
   public Integer call() throws InterruptedException, IOException {
@@ -173,7 +176,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   public Surroundings surroundings() {
     return worldFile == null
         ? Surroundings.none()
-        : new Surroundings(WorldFile.load(worldFile).objects(), 0.0);
+        : SimulatedWorld.surroundings(world(placed, 0L), longestS);
   }
 
   @Override
@@ -200,8 +203,10 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   @Override
   public RunPlan plan(Mission mission) {
     RunPlan.Start at = start(mission);
+    placed = at;
     RunPlan plan = RunPlans.placed(profile().domain(), mission, at, world(at, 0L).plane());
     unplaced = mission.goals().size() - plan.waypoints().size();
+    longestS = limitS(plan);
     return plan;
   }
 

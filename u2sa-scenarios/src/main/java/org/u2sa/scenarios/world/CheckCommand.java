@@ -2,6 +2,7 @@ package org.u2sa.scenarios.world;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
@@ -10,11 +11,11 @@ import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.u2sa.cli.command.ExitCode;
-import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.sim.world.EnvironmentElement;
+import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
@@ -40,21 +41,19 @@ final class CheckCommand implements Callable<Integer> {
     PrintWriter out = command.commandLine().getOut();
     WorldFile world = WorldFile.load(file);
     List<ObjectDescription> objects = world.objects();
-    World simulated;
-    try {
-      simulated = World.at(origin(objects)).with(objects);
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException(file + ": " + e.getMessage(), e);
-    }
+    List<ObjectDescription> placed = new ArrayList<>(objects);
+    world.movers().forEach(each -> placed.add(each.object()));
+    world.zones().forEach(each -> placed.add(each.object()));
+    World simulated = SimulatedWorld.read(world, file, World.at(origin(placed)), 1L);
     out.println(file + ": " + kinds(objects));
     objects.stream()
         .collect(Collectors.groupingBy(ObjectDescription::referenceFrame, Collectors.toList()))
         .forEach((frame, all) -> out.println("  " + extent(frame, all)));
     if (world.environment().isPresent()) {
-      Path folder = file.toAbsolutePath().normalize().getParent();
-      World with = EnvironmentElement.apply(world.environment().get(), simulated, folder, 1L);
-      out.println("  " + environment(with));
+      out.println("  " + environment(simulated));
     }
+    simulated.movers().forEach(mover -> out.println("  mover " + mover));
+    simulated.zones().forEach(zone -> out.println("  " + zone));
     world.ignored().forEach(words -> out.println("  not read: " + words));
     return ExitCode.DONE;
   }
@@ -99,9 +98,10 @@ final class CheckCommand implements Callable<Integer> {
                 each ->
                     String.format(
                         Locale.ROOT,
-                        "water at %.1f m, current %.2f m/s",
+                        "water at %.1f m, current %.2f m/s%s",
                         each.surfaceM(),
-                        Math.hypot(each.currentEastMps(), each.currentNorthMps())))
+                        each.currentAt(Point.of(0.0, 0.0, each.surfaceM())).distance(),
+                        each.waves().isPresent() ? ", waves" : ""))
             .orElse("no water");
     return String.format(
         Locale.ROOT,

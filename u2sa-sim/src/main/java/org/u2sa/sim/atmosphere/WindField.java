@@ -4,13 +4,6 @@ package org.u2sa.sim.atmosphere;
  * Air velocity at one aircraft, advanced step by step: the steady part and gusts of a {@link Wind}.
  */
 public final class WindField {
-  private static final double FOOT_M = 0.3048;
-  private static final double ROUGHNESS_M =
-      0.15 * FOOT_M; // MIL-F-8785C, 3.7.3.4, category C flight phases
-  private static final double REFERENCE_M = 20.0 * FOOT_M;
-  private static final double LOWEST_M = 3.0 * FOOT_M;
-  private static final double HIGHEST_M = 1_000.0 * FOOT_M;
-
   private final Wind wind;
   private final DrydenGusts gusts;
   private double northMps;
@@ -36,20 +29,12 @@ public final class WindField {
   public void step(
       double dtS, double heightM, double airspeedMps, double cosHeading, double sinHeading) {
     gusts.step(dtS, heightM, airspeedMps);
-    double steady = wind.speedMps() * profile(heightM);
+    double steady = wind.speedMps() * wind.profile().share(heightM);
     double forward = gusts.forwardMps();
     double right = gusts.rightMps();
     northMps = -steady * StrictMath.cos(wind.fromRad()) + cosHeading * forward - sinHeading * right;
     eastMps = -steady * StrictMath.sin(wind.fromRad()) + sinHeading * forward + cosHeading * right;
     downMps = gusts.downMps();
-  }
-
-  private double profile(double heightM) {
-    if (!wind.heightProfile()) {
-      return 1.0;
-    }
-    double height = Math.min(HIGHEST_M, Math.max(LOWEST_M, heightM));
-    return StrictMath.log(height / ROUGHNESS_M) / StrictMath.log(REFERENCE_M / ROUGHNESS_M);
   }
 
   /** Air velocity, north component [m/s]. */

@@ -82,6 +82,7 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
    * @param rangeM visibility range; only sky beyond it [m]
    */
   public static Scene ahead(World world, VehicleTruth truth, double rangeM) {
+    World seen = world.when(truth.timeS());
     return direction -> {
       Point ned = truth.attitude().nedFromFrd().times(direction);
       double length = ned.distance();
@@ -93,10 +94,9 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
               ned.y() / length,
               ned.x() / length,
               -ned.z() / length);
-      return world
-          .cast(ray, rangeM)
-          .map(hit -> hit.object().isPresent() ? OBSTACLE : GROUND)
-          .orElse(SKY);
+      Optional<World.Hit> hit = seen.cast(ray, rangeM);
+      double even = hit.map(at -> at.object().isPresent() ? OBSTACLE : GROUND).orElse(SKY);
+      return seen.light().map(sun -> sun.lit(even, ray, hit, seen, rangeM)).orElse(even);
     };
   }
 

@@ -19,6 +19,7 @@ import org.u2sa.device.port.PitotTube;
 import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.RangeFinder;
 import org.u2sa.device.port.Sonar;
+import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.device.port.WheelEncoder;
@@ -58,6 +59,7 @@ final class SensorKinds {
     kinds.put("pointScanner", new Kind(PointScanner.class, false, SightSensors::pointScanner));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
+    kinds.put("radar", new Kind(TrackingRadar.class, true, SightSensors::radar));
     kinds.put(
         "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));
     kinds.put("camera", new Kind(Camera.class, false, SightSensors::camera));

@@ -1,5 +1,7 @@
 package org.u2sa.sim.file;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
@@ -9,17 +11,20 @@ import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedCamera;
 import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.device.SimulatedPointScanner;
+import org.u2sa.sim.device.SimulatedRadar;
 import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.device.SimulatedSonar;
 import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
+import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.World;
 
 /** Sensors of the surroundings. */
 final class SightSensors {
   private static final int MAX_BEAMS = 20_000;
   private static final int MAX_PIXELS = 4_000;
+  private static final double RADAR_TIP_M = 1.0; // ends before the ground on which a target stands
 
   private SightSensors() {}
 
@@ -80,10 +85,11 @@ final class SightSensors {
       VehicleTruth now = sensor.get();
       Rotation nedFromFrd = now.attitude().nedFromFrd();
       Point from = now.position();
+      World seen = world.when(now.timeS());
       return direction -> {
         Point way = nedFromFrd.times(Point.of(direction.x(), -direction.y(), direction.z()));
         Ray ray = new Ray(from.x(), from.y(), from.z(), way.y(), way.x(), -way.z());
-        return world.distanceM(ray, rangeM);
+        return seen.distanceM(ray, rangeM);
       };
     };
   }
@@ -148,6 +154,22 @@ final class SightSensors {
         });
   }
 
+  static SensorKinds.Reader radar(FileElement file) {
+    SensorErrors errors = StateSensors.errors(file, "m");
+    double reach = file.positive("reach", "m", 1e6);
+    double angleSigma = file.number("angleSigma", "rad", 0.0, 1.0);
+    Mount mount = Mount.place(file);
+    return new SensorKinds.Reader(
+        vehicle ->
+            new SimulatedRadar(
+                errors,
+                reach,
+                angleSigma,
+                vehicle.streams(),
+                vehicle.at(mount),
+                () -> inSight(vehicle.world(), vehicle.at(mount).get())));
+  }
+
   static SensorKinds.Reader trafficReceiver(FileElement file) {
     SensorErrors errors = StateSensors.errors(file, "m");
     double reach = file.positive("reach", "m", 1e6);
@@ -159,7 +181,40 @@ final class SightSensors {
                 vehicle.world().plane(),
                 vehicle.streams(),
                 () -> vehicle.truth().get().position(),
-                vehicle.traffic()));
+                () -> heard(vehicle)));
+  }
+
+  /** Other vehicles of the run, and movers with a transponder. */
+  private static List<SimulatedTraffic.Other> heard(Aboard vehicle) {
+    double timeS = vehicle.truth().get().timeS();
+    List<SimulatedTraffic.Other> all = new ArrayList<>(vehicle.traffic().get());
+    vehicle.world().movers().stream()
+        .filter(ScriptedMover::hasTransponder)
+        .forEach(mover -> all.add(other(mover, timeS)));
+    return all;
+  }
+
+  private static SimulatedTraffic.Other other(ScriptedMover mover, double timeS) {
+    ScriptedMover.State state = mover.at(timeS);
+    return new SimulatedTraffic.Other(
+        mover.uid(), mover.objectType(), state.position(), state.velocity());
+  }
+
+  /** Movers that neither ground nor obstacles hide. */
+  private static List<SimulatedTraffic.Other> inSight(World world, VehicleTruth sensor) {
+    Point from = sensor.position();
+    return world.movers().stream()
+        .map(mover -> other(mover, sensor.timeS()))
+        .filter(
+            other -> {
+              Point way = other.position().minus(from);
+              double distance = way.distance();
+              Point to = distance > 0.0 ? way.times(1.0 / distance) : Point.of(1.0, 0.0, 0.0);
+              Ray ray = new Ray(from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
+              double tip = Math.max(0.0, distance - RADAR_TIP_M);
+              return Double.isInfinite(world.distanceM(ray, tip));
+            })
+        .toList();
   }
 
   static SensorKinds.Reader camera(FileElement file) {

@@ -21,7 +21,6 @@ import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;
 import org.u2sa.sim.vehicle.VehicleTruth;
-import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
 /** Sensors of the vehicle's own state. */
@@ -60,8 +59,8 @@ final class StateSensors {
   }
 
   private static boolean isUnderWater(Aboard vehicle, Mount mount) {
-    double upM = mount.of(vehicle.truth().get()).position().z();
-    return vehicle.world().water().map(water -> water.depthM(upM) > 0.0).orElse(false);
+    VehicleTruth antenna = vehicle.at(mount).get();
+    return depthM(vehicle.world(), antenna) > 0.0;
   }
 
   /** Parameters by the declination [rad]. */
@@ -184,7 +183,7 @@ final class StateSensors {
   }
 
   private static double depthM(World world, VehicleTruth sensor) {
-    return world.water().map(water -> water.depthM(sensor.position().z())).orElse(0.0);
+    return world.water().map(water -> water.headM(sensor.position(), sensor.timeS())).orElse(0.0);
   }
 
   static SensorKinds.Reader pitotTube(FileElement file) {
@@ -222,12 +221,12 @@ final class StateSensors {
                 reach,
                 vehicle.streams(),
                 vehicle.at(mount),
-                () -> vehicle.world().water().map(StateSensors::current).orElse(Point.ORIGIN),
+                () -> current(vehicle.world(), vehicle.at(mount).get()),
                 () -> aboveGroundM(vehicle.world(), vehicle.at(mount).get())));
   }
 
-  private static Point current(Water water) {
-    return Point.of(water.currentEastMps(), water.currentNorthMps(), 0.0);
+  private static Point current(World world, VehicleTruth sensor) {
+    return world.water().map(water -> water.currentAt(sensor.position())).orElse(Point.ORIGIN);
   }
 
   private static double aboveGroundM(World world, VehicleTruth sensor) {

@@ -2,6 +2,7 @@ package org.u2sa.sim.marine;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.u2sa.messages.frame.Gravity;
@@ -12,7 +13,8 @@ import org.u2sa.sim.vehicle.BodyState;
 /**
  * Equations of motion of a vessel in a steady, irrotational current: M ν̇ᵣ + C(νᵣ) νᵣ + D(νᵣ) νᵣ +
  * g(η) = τ (Fossen 2021, equations 10.1 and 10.130–10.136; with a rigid-body C that does not depend
- * on linear velocity, the current is in νᵣ alone).
+ * on linear velocity, the current is in νᵣ alone). Waves act by their first-order forces; hulls are
+ * taken to be small beside them.
  *
  * <p>State: {@link BodyState} with the velocity relative to the water; thrust of each thruster [N].
  */
@@ -23,21 +25,34 @@ final class FossenModel implements RungeKutta.Motion {
   private final List<VesselThruster> thrusters;
   private final double[] inverse = new double[36]; // of M, by rows
   private final double[] targetN; // steady-state thrust commanded to each thruster
-  private final double currentNorth;
-  private final double currentEast;
+  private double currentNorth;
+  private double currentEast;
+  private Optional<Sea> sea = Optional.empty();
   private final double surfaceDown; // down coordinate of the water surface [m]
   private final double[] force = new double[6];
 
-  FossenModel(
-      Hull hull,
-      List<VesselThruster> thrusters,
-      double currentNorth,
-      double currentEast,
-      double surfaceDown) {
+  /**
+   * Waves around the hull at one time.
+   *
+   * @param elevationM above the still surface [m]
+   * @param rollRad roll of the surface across the hull [rad]
+   * @param pitchRad pitch of the surface along the hull [rad]
+   * @param orbital velocity of the water in body axes [m/s]
+   * @param level horizontal acceleration of the water in body axes [m/s²]
+   * @param acceleration of the water in body axes [m/s²]
+   */
+  record Sea(
+      double elevationM,
+      double rollRad,
+      double pitchRad,
+      Point orbital,
+      Point level,
+      Point acceleration) {}
+
+  FossenModel(Hull hull, List<VesselThruster> thrusters, Point current, double surfaceDown) {
     this.hull = hull;
     this.thrusters = List.copyOf(thrusters);
-    this.currentNorth = currentNorth;
-    this.currentEast = currentEast;
+    drift(current);
     this.surfaceDown = surfaceDown;
     targetN = new double[thrusters.size()];
     DMatrixRMaj mass = new DMatrixRMaj(6, 6);
@@ -62,6 +77,22 @@ final class FossenModel implements RungeKutta.Motion {
     System.arraycopy(mass.data, 0, inverse, 0, inverse.length);
   }
 
+  /** Sets the velocity of the water: east, north [m/s]. */
+  void drift(Point current) {
+    currentEast = current.x();
+    currentNorth = current.y();
+  }
+
+  /** Velocity of the water: east, north [m/s]. */
+  Point drift() {
+    return Point.of(currentEast, currentNorth, 0.0);
+  }
+
+  /** Sets the waves around the hull. */
+  void sea(Sea around) {
+    sea = Optional.of(around);
+  }
+
   int size() {
     return THRUST + thrusters.size();
   }
@@ -81,7 +112,13 @@ final class FossenModel implements RungeKutta.Motion {
     double r = s[BodyState.RATES + 2];
     BodyState.kinematics(s, rate, currentNorth, currentEast);
     thrust(s, rate);
-    drag(u, v, w, p, q, r);
+    if (sea.isPresent()) {
+      Point water = sea.get().orbital;
+      drag(u - water.x(), v - water.y(), w - water.z(), p, q, r);
+      push(sea.get(), under(s));
+    } else {
+      drag(u, v, w, p, q, r);
+    }
     rigidBody(u, v, w, p, q, r);
     addedMass(u, v, w, p, q, r);
     restore(s);
@@ -121,6 +158,22 @@ final class FossenModel implements RungeKutta.Motion {
     if (hull.crossFlow().isPresent()) {
       hull.crossFlow().get().drag(v, r, force);
     }
+  }
+
+  /**
+   * First-order wave forces on a hull that is small beside the waves: Froude-Krylov force of the
+   * displaced water, and added mass (Newman 1977, section 2.12). The waterplane has a floating
+   * hull's vertical share.
+   */
+  private void push(Sea water, double under) {
+    boolean floats = hull.waterplane().isPresent();
+    double displaced = floats ? hull.massKg() : under * hull.buoyancyN() / Gravity.STANDARD_MPS2;
+    Point krylov = floats ? water.level : water.acceleration;
+    Point added = hull.addedMass();
+    double share = floats ? 1.0 : under;
+    force[0] += displaced * krylov.x() + share * added.x() * water.acceleration.x();
+    force[1] += displaced * krylov.y() + share * added.y() * water.acceleration.y();
+    force[2] += displaced * krylov.z() + share * added.z() * water.acceleration.z();
   }
 
   private static double drag(double speed, double linear, double square) {
@@ -174,19 +227,33 @@ final class FossenModel implements RungeKutta.Motion {
     double dy = 2 * (y * z + w * x);
     double dz = 1 - 2 * (x * x + y * y);
     if (hull.waterplane().isPresent()) {
-      restoreAtSurface(hull.waterplane().get(), s[BodyState.NED + 2] - surfaceDown, dx, dy, dz);
+      restoreAtSurface(hull.waterplane().get(), sunkM(s), dx, dy, dz);
       return;
     }
-    double under = 0.5 + (s[BodyState.NED + 2] - surfaceDown) / hull.heightM();
-    double buoyancy = hull.buoyancyN() * StrictMath.max(0.0, StrictMath.min(1.0, under));
+    double buoyancy = hull.buoyancyN() * under(s);
     act(hull.gravityCentre(), hull.massKg() * Gravity.STANDARD_MPS2, dx, dy, dz);
     act(hull.buoyancyCentre(), -buoyancy, dx, dy, dz);
+  }
+
+  /** Share of a submerging hull that is under water. */
+  private double under(double[] s) {
+    double under = 0.5 + sunkM(s) / hull.heightM();
+    return StrictMath.max(0.0, StrictMath.min(1.0, under));
+  }
+
+  private double sunkM(double[] s) {
+    double still = s[BodyState.NED + 2] - surfaceDown;
+    return sea.isPresent() ? still + sea.get().elevationM : still;
   }
 
   /** G η of a floating hull, with the ballast's weight (Fossen 2021, equations 4.16 and 4.31). */
   private void restoreAtSurface(Waterplane plane, double sunkM, double dx, double dy, double dz) {
     double roll = StrictMath.atan2(dy, dz);
     double pitch = -StrictMath.asin(StrictMath.max(-1.0, StrictMath.min(1.0, dx)));
+    if (sea.isPresent()) {
+      roll -= sea.get().rollRad;
+      pitch -= sea.get().pitchRad;
+    }
     double x = plane.centreAheadM();
     force[2] -= plane.heaveNPerM() * (sunkM - x * pitch);
     force[3] -= plane.rollNmPerRad() * roll;

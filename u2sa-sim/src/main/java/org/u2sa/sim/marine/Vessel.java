@@ -11,11 +11,12 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.Water;
+import org.u2sa.sim.world.Waves;
 import org.u2sa.sim.world.World;
 
 /**
- * A simulated vessel with thrusters, on or under water, drifting with the world's current.
- * Integrates internally at 200 Hz. Not thread-safe.
+ * A simulated vessel with thrusters, on or under water, drifting with the world's current and moved
+ * by its waves. Integrates internally at 200 Hz. Not thread-safe.
  */
 public final class Vessel implements SimulatedVehicle {
   /** Internal integration rate [1/s]. */
@@ -27,7 +28,9 @@ public final class Vessel implements SimulatedVehicle {
   private final FossenModel model;
   private final double[] state;
   private final double[] rates;
+  private final boolean floats;
   private final RungeKutta integrator;
+  private final Water water;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
 
   /**
@@ -45,34 +48,74 @@ public final class Vessel implements SimulatedVehicle {
       World world,
       Point start,
       double headingRad) {
-    Water water =
+    water =
         world
             .water()
             .orElseThrow(() -> new IllegalArgumentException("a vessel needs a world with water"));
     this.world = world;
     this.footprint = footprint;
     names = thrusters.stream().map(VesselThruster::name).collect(Collectors.toUnmodifiableList());
-    model =
-        new FossenModel(
-            hull, thrusters, water.currentNorthMps(), water.currentEastMps(), -water.surfaceM());
+    model = new FossenModel(hull, thrusters, water.currentAt(start), -water.surfaceM());
     state = new double[model.size()];
     rates = new double[model.size()];
     integrator = new RungeKutta(model.size());
     BodyState.place(state, start, headingRad);
+    floats = hull.waterplane().isPresent();
+    surround();
   }
 
   /** Starts at rest over ground instead of drifting with the current; call before any step. */
   public Vessel moored() {
-    Water water = world.water().orElseThrow();
-    Point through =
-        BodyState.attitude(state)
-            .nedFromFrd()
-            .transposed()
-            .times(Point.of(-water.currentNorthMps(), -water.currentEastMps(), 0.0));
+    Point drift = model.drift();
+    Point through = inBody(Point.of(-drift.x(), -drift.y(), 0.0));
     state[BodyState.VELOCITY] = through.x();
     state[BodyState.VELOCITY + 1] = through.y();
     state[BodyState.VELOCITY + 2] = through.z();
     return this;
+  }
+
+  private Point inBody(Point enu) {
+    Point ned = Point.of(enu.y(), enu.x(), -enu.z());
+    return BodyState.attitude(state).nedFromFrd().transposed().times(ned);
+  }
+
+  /** Current and waves where the hull is now; its velocity over ground does not jump. */
+  private void surround() {
+    Point ned = BodyState.at(state, BodyState.NED);
+    Point place = Point.of(ned.y(), ned.x(), -ned.z());
+    if (!water.current().isUniform()) {
+      Point now = water.currentAt(place);
+      Point change = inBody(now.minus(model.drift()));
+      state[BodyState.VELOCITY] -= change.x();
+      state[BodyState.VELOCITY + 1] -= change.y();
+      state[BodyState.VELOCITY + 2] -= change.z();
+      model.drift(now);
+    }
+    water.waves().ifPresent(waves -> model.sea(sea(waves, place)));
+  }
+
+  private FossenModel.Sea sea(Waves waves, Point place) {
+    double heading = BodyState.attitude(state).psi();
+    double sin = StrictMath.sin(heading);
+    double cos = StrictMath.cos(heading);
+    Waves.Motion around =
+        waves.around(
+            place,
+            floats ? 0.0 : water.depthM(place.z()),
+            footprint.lengthM(),
+            footprint.widthM(),
+            heading,
+            steps.timeS());
+    double east = around.slope().x();
+    double north = around.slope().y();
+    Point acceleration = around.acceleration();
+    return new FossenModel.Sea(
+        around.elevationM(),
+        -StrictMath.atan(east * cos - north * sin),
+        StrictMath.atan(east * sin + north * cos),
+        inBody(around.velocity()),
+        inBody(Point.of(acceleration.x(), acceleration.y(), 0.0)),
+        inBody(acceleration));
   }
 
   @Override
@@ -96,6 +139,7 @@ public final class Vessel implements SimulatedVehicle {
   }
 
   private void tick() {
+    surround();
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
     BodyState.normalize(state);
   }

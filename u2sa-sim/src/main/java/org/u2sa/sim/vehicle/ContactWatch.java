@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.sim.world.World;
 
 /** Counts a vehicle's obstacle contacts; a continuous contact counts once. Not thread-safe. */
 public final class ContactWatch {
@@ -28,11 +29,12 @@ public final class ContactWatch {
 
   /** Checks the vehicle's current state; call after every step. */
   public void look(SimulatedVehicle vehicle, VehicleTruth truth) {
-    if (vehicle.world().obstacles().isEmpty()) {
+    World world = vehicle.world().when(truth.timeS());
+    if (world.obstacles().isEmpty()) {
       return;
     }
     List<ObjectDescription> touched =
-        vehicle.world().contacts(vehicle.footprint(), truth.position(), truth.headingRad());
+        world.contacts(vehicle.footprint(), truth.position(), truth.headingRad());
     if (touched.isEmpty() && touching.isEmpty()) {
       return;
     }

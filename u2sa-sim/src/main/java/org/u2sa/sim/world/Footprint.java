@@ -1,5 +1,6 @@
 package org.u2sa.sim.world;
 
+import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 
@@ -70,6 +71,20 @@ public final class Footprint {
             Point.of(-behindM, -half, 0.0)),
         bottomM,
         topM);
+  }
+
+  /** Extent along the vehicle's forward axis [m]. */
+  public double lengthM() {
+    return extent(ahead);
+  }
+
+  /** Extent along the vehicle's right axis [m]. */
+  public double widthM() {
+    return extent(right);
+  }
+
+  private static double extent(double[] values) {
+    return Arrays.stream(values).max().orElseThrow() - Arrays.stream(values).min().orElseThrow();
   }
 
   /** Bounding box of a vehicle at a position [east, north, up], for any heading. */

@@ -44,6 +44,11 @@ final class ObstacleTree {
         all, null, of(ordered.subList(0, half)), of(ordered.subList(half, ordered.size())));
   }
 
+  /** Both trees as one. */
+  ObstacleTree and(ObstacleTree more) {
+    return new ObstacleTree(bounds.and(more.bounds), null, this, more);
+  }
+
   /** Nearest hit of a ray, or the given one if it is closer. */
   Nearest nearest(Ray ray, Nearest soFar) {
     if (leaf != null) {

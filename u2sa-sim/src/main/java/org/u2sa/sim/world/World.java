@@ -1,6 +1,7 @@
 package org.u2sa.sim.world;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -22,6 +23,10 @@ public final class World {
   private final Optional<Water> water;
   private final List<ObjectDescription> obstacles;
   private final Optional<ObstacleTree> tree;
+  private final Script script;
+
+  /** What a world file adds to the obstacles. */
+  private record Script(List<ScriptedMover> movers, List<Zone> zones, Optional<Sunlight> light) {}
 
   /**
    * Nearest hit of a ray.
@@ -39,7 +44,8 @@ public final class World {
       Wind wind,
       Optional<Water> water,
       List<ObjectDescription> obstacles,
-      Optional<ObstacleTree> tree) {
+      Optional<ObstacleTree> tree,
+      Script script) {
     this.plane = plane;
     this.terrain = Objects.requireNonNull(terrain, "terrain");
     this.surface = Objects.requireNonNull(surface, "surface");
@@ -47,6 +53,7 @@ public final class World {
     this.water = water;
     this.obstacles = obstacles;
     this.tree = tree;
+    this.script = script;
   }
 
   /** A level lawn at the origin's altitude, without obstacles or wind. */
@@ -58,27 +65,28 @@ public final class World {
         Wind.calm(),
         Optional.empty(),
         List.of(),
-        Optional.empty());
+        Optional.empty(),
+        new Script(List.of(), List.of(), Optional.empty()));
   }
 
   /** Copy with another terrain. */
   public World with(Terrain newTerrain) {
-    return new World(plane, newTerrain, surface, wind, water, obstacles, tree);
+    return new World(plane, newTerrain, surface, wind, water, obstacles, tree, script);
   }
 
   /** Copy with another surface. */
   public World with(Surface newSurface) {
-    return new World(plane, terrain, newSurface, wind, water, obstacles, tree);
+    return new World(plane, terrain, newSurface, wind, water, obstacles, tree, script);
   }
 
   /** Copy with another wind. */
   public World with(Wind newWind) {
-    return new World(plane, terrain, surface, newWind, water, obstacles, tree);
+    return new World(plane, terrain, surface, newWind, water, obstacles, tree, script);
   }
 
   /** Copy with water. */
   public World with(Water newWater) {
-    return new World(plane, terrain, surface, wind, Optional.of(newWater), obstacles, tree);
+    return new World(plane, terrain, surface, wind, Optional.of(newWater), obstacles, tree, script);
   }
 
   /**
@@ -89,11 +97,6 @@ public final class World {
    * @throws IllegalArgumentException if one has a vehicle frame or an unsupported shape
    */
   public World with(List<? extends ObjectDescription> newObstacles) {
-    List<ObstacleTree.Leaf> leaves = new ArrayList<>();
-    for (ObjectDescription object : newObstacles) {
-      Obstacle shape = Obstacle.of(object, plane);
-      leaves.add(new ObstacleTree.Leaf(object, shape, shape.bounds()));
-    }
     return new World(
         plane,
         terrain,
@@ -101,7 +104,75 @@ public final class World {
         wind,
         water,
         List.copyOf(newObstacles),
-        leaves.isEmpty() ? Optional.empty() : Optional.of(ObstacleTree.of(leaves)));
+        tree(newObstacles),
+        script);
+  }
+
+  private Optional<ObstacleTree> tree(List<? extends ObjectDescription> objects) {
+    List<ObstacleTree.Leaf> leaves = new ArrayList<>();
+    for (ObjectDescription object : objects) {
+      Obstacle shape = Obstacle.of(object, plane);
+      leaves.add(new ObstacleTree.Leaf(object, shape, shape.bounds()));
+    }
+    return leaves.isEmpty() ? Optional.empty() : Optional.of(ObstacleTree.of(leaves));
+  }
+
+  private World with(Surface newSurface, Script newScript) {
+    return new World(plane, terrain, newSurface, wind, water, obstacles, tree, newScript);
+  }
+
+  /** Copy with movers, which {@link #when} places. */
+  public World withMovers(List<ScriptedMover> movers) {
+    return with(surface, new Script(List.copyOf(movers), script.zones, script.light));
+  }
+
+  /** Copy with zones, whose surfaces lie on the one it has. */
+  public World withZones(List<Zone> zones) {
+    return with(
+        Zone.patched(surface, zones), new Script(script.movers, List.copyOf(zones), script.light));
+  }
+
+  /** Copy in the light of the sun. */
+  public World with(Sunlight light) {
+    return with(surface, new Script(script.movers, script.zones, Optional.of(light)));
+  }
+
+  /**
+   * The world at a time since the start of the run [s]: its movers are obstacles at their places.
+   */
+  public World when(double timeS) {
+    if (script.movers.isEmpty()) {
+      return this;
+    }
+    List<ObjectDescription> moved = new ArrayList<>(script.movers.size());
+    script.movers.forEach(mover -> moved.add(mover.objectAt(timeS, water.orElse(null))));
+    Optional<ObstacleTree> around = tree(moved);
+    List<ObjectDescription> all = new ArrayList<>(obstacles);
+    all.addAll(moved);
+    return new World(
+        plane,
+        terrain,
+        surface,
+        wind,
+        water,
+        Collections.unmodifiableList(all),
+        tree.isEmpty() ? around : Optional.of(tree.get().and(around.orElseThrow())),
+        new Script(List.of(), script.zones, script.light));
+  }
+
+  /** Scripted movers. */
+  public List<ScriptedMover> movers() {
+    return script.movers;
+  }
+
+  /** Named areas. */
+  public List<Zone> zones() {
+    return script.zones;
+  }
+
+  /** The sun; empty: even light without shadows. */
+  public Optional<Sunlight> light() {
+    return script.light;
   }
 
   /** Location on earth. */
@@ -182,6 +253,9 @@ public final class World {
     ObstacleTree.Nearest none =
         new ObstacleTree.Nearest(Math.nextUp(rangeM), null); // includes hits exactly at the range
     ObstacleTree.Nearest hit = tree.isEmpty() ? none : tree.get().nearest(ray, none);
+    if (terrain == Terrain.flat() && water.map(all -> all.depthM(ray.z()) >= 0.0).orElse(false)) {
+      return hit; // in the water: without a terrain of its own the world has no bed
+    }
     double ground = terrain.distanceM(ray, Math.min(rangeM, hit.distanceM()));
     return ground < hit.distanceM() ? new ObstacleTree.Nearest(ground, null) : hit;
   }

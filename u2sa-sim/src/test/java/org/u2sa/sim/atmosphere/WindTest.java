@@ -20,7 +20,7 @@ class WindTest {
   @Test
   void step_profile_followsTheLogarithmicLaw() {
     // MIL-F-8785C, 3.7.3.4: u = u20 ln(h / 0.15 ft) / ln(20 ft / 0.15 ft)
-    Wind wind = new Wind(Math.PI, 5.0, true, 0.0, 0L);
+    Wind wind = new Wind(Math.PI, 5.0, WindProfile.military(), 0.0, 0L);
     assertThat(field(wind, 20.0 * FOOT).northMps()).isCloseTo(5.0, within(1e-9));
     assertThat(field(wind, 500.0 * FOOT).northMps()).isCloseTo(8.289, within(0.002));
     assertThat(field(wind, 9_000.0).northMps()).isEqualTo(field(wind, 1_000.0 * FOOT).northMps());

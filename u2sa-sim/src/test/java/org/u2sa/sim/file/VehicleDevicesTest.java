@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -15,11 +16,19 @@ import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.MotorController;
 import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Thruster;
+import org.u2sa.device.port.TrackingRadar;
+import org.u2sa.device.port.TrafficReceiver;
+import org.u2sa.device.port.TrafficTarget;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Sphere;
 import org.u2sa.sim.vehicle.VehicleRun;
+import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.sim.world.World;
 
 class VehicleDevicesTest {
   /** A device that vehicle files do not know. */
@@ -71,6 +80,53 @@ class VehicleDevicesTest {
     VehicleFile file = Vehicles.parse(Vehicles.sixWheels());
 
     assertThat(device(file, Winch.class, "Winch", variables())).isEmpty();
+  }
+
+  @Test
+  void device_radarAndTrafficReceiver_seeMoversOfTheWorld() {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.sixWheels()
+                .replace(
+                    "</vehicle>",
+                    "<radar><rate>1</rate><delay>0</delay><sigma>0</sigma><bias>0</bias><reach>500</reach><angleSigma>0</angleSigma><position>0 0 -1</position></radar>"
+                        + "<trafficReceiver><rate>1</rate><delay>0</delay><sigma>0</sigma><bias>0</bias><reach>500</reach></trafficReceiver></vehicle>"));
+    World empty = file.emptyWorld();
+    ScriptedMover near = mover("near", Point.of(0.0, 60.0, 2.0), empty, true);
+    ScriptedMover behindWall = mover("hidden", Point.of(100.0, 0.0, 2.0), empty, false);
+    Box wall = new Box();
+    wall.length(1.0).width(20.0).height(20.0);
+    wall.uid("wall").referenceFrame(ReferenceFrame.LOCAL_ENU).x(50.0).y(0.0);
+    World world = empty.with(List.of(wall)).withMovers(List.of(near, behindWall));
+    VehicleDevices devices =
+        new VehicleDevices(file, new VehicleRun(file.make(world, Point.ORIGIN, 0.0, 1)), 1);
+    TrackingRadar radar =
+        devices.device(TrackingRadar.class, "Radar", variables(), clock).orElseThrow();
+    TrafficReceiver receiver =
+        devices.device(TrafficReceiver.class, "Traffic", variables(), clock).orElseThrow();
+
+    List<TrackingRadar.Track> tracks = radar.read(0L).orElseThrow().tracks();
+    assertThat(tracks).extracting(TrackingRadar.Track::id).containsExactly("near");
+    assertThat(tracks.get(0).rangeM()).isCloseTo(60.0, within(0.1));
+    assertThat(tracks.get(0).speedMps().orElseThrow()).isCloseTo(3.0, within(1e-9));
+    assertThat(receiver.read(0L).orElseThrow().targets())
+        .extracting(TrafficTarget::id)
+        .containsExactly("near");
+  }
+
+  private static ScriptedMover mover(String name, Point from, World world, boolean hasTransponder) {
+    Sphere body = new Sphere();
+    body.radius(1.0).uid(name).referenceFrame(ReferenceFrame.LOCAL_ENU);
+    body.x(from.x()).y(from.y()).z(from.z());
+    Point to = from.plus(Point.of(0.0, 90.0, 0.0));
+    return new ScriptedMover(
+        body,
+        world.plane(),
+        List.of(new ScriptedMover.Waypoint(to, 3.0, 0.0)),
+        ScriptedMover.End.STOP,
+        0.0,
+        false,
+        hasTransponder);
   }
 
   @Test

@@ -8,6 +8,8 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -16,6 +18,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.sim.atmosphere.WindProfile;
 
 class EnvironmentElementTest {
   private static final World PLAIN = World.at(new Geodetic(9.0, 54.0, 0.0));
@@ -50,11 +56,13 @@ class EnvironmentElementTest {
     assertThat(world.terrain().heightM(-20.0, -20.0)).isCloseTo(-2.0, within(1e-9));
     assertThat(world.surface().grip(0.0, 0.0)).isCloseTo(0.75, within(1e-9));
     assertThat(world.water().orElseThrow().surfaceM()).isCloseTo(-1.0, within(1e-9));
-    assertThat(world.water().orElseThrow().currentEastMps()).isCloseTo(1.0289, within(1e-3));
-    assertThat(world.water().orElseThrow().currentNorthMps()).isCloseTo(0.0, within(1e-9));
+    assertThat(world.water().orElseThrow().currentAt(Point.ORIGIN).x())
+        .isCloseTo(1.0289, within(1e-3));
+    assertThat(world.water().orElseThrow().currentAt(Point.ORIGIN).y())
+        .isCloseTo(0.0, within(1e-9));
     assertThat(world.wind().fromRad()).isCloseTo(Math.toRadians(270.0), within(1e-9));
     assertThat(world.wind().gustSigmaMps()).isCloseTo(1.5, within(1e-9));
-    assertThat(world.wind().heightProfile()).isTrue();
+    assertThat(world.wind().profile()).isEqualTo(WindProfile.military());
     assertThat(world.wind().seed()).isEqualTo(7L);
   }
 
@@ -71,7 +79,63 @@ class EnvironmentElementTest {
     World world = read("<wind><speed>8</speed></wind>");
 
     assertThat(world.wind().gustSigmaMps()).isCloseTo(0.8, within(1e-9));
-    assertThat(world.wind().heightProfile()).isFalse();
+    assertThat(world.wind().profile()).isEqualTo(WindProfile.uniform());
+  }
+
+  @Test
+  void apply_currentsWavesShearAndLight_areInTheWorld() throws IOException {
+    World world =
+        read(
+            """
+            <water>
+              <level>-1</level>
+              <currents><columns>2</columns><width>20</width><depth>20</depth>
+                <east unit="kt">0 2 0 2</east><north>0 0 1 1</north></currents>
+              <profile>0 1; 10 0</profile>
+              <waves><height>0.5</height><period>4</period><towards unit="deg">90</towards></waves>
+            </water>
+            <wind><speed>6</speed><exponent>0.1</exponent><reference>10</reference></wind>
+            <light><azimuth unit="deg">90</azimuth><elevation unit="deg">45</elevation></light>
+            """);
+
+    Water water = world.water().orElseThrow();
+    assertThat(water.currentAt(Point.of(10.0, 10.0, -1.0)).x()).isCloseTo(1.0289, within(1e-3));
+    assertThat(water.currentAt(Point.of(0.0, -10.0, -6.0)).y()).isCloseTo(0.5, within(1e-9));
+    assertThat(water.waves()).isPresent();
+    assertThat(world.wind().profile().share(20.0)).isCloseTo(Math.pow(2.0, 0.1), within(1e-9));
+    assertThat(world.light().orElseThrow().elevationRad()).isCloseTo(Math.PI / 4.0, within(1e-9));
+  }
+
+  @Test
+  void lit_behindAnObstacle_isDarker() throws IOException {
+    World world =
+        read("<light><azimuth unit='deg'>90</azimuth><elevation unit='deg'>45</elevation></light>")
+            .with(
+                List.of(
+                    new Box()
+                        .length(1.0)
+                        .width(10.0)
+                        .height(8.0)
+                        .x(0.0)
+                        .y(0.0)
+                        .z(4.0)
+                        .referenceFrame(ReferenceFrame.LOCAL_ENU)));
+    Sunlight sun = world.light().orElseThrow();
+    Ray shaded = new Ray(-2.0, 0.0, 3.0, 0.0, 0.0, -1.0);
+    Ray bright = new Ray(5.0, 0.0, 3.0, 0.0, 0.0, -1.0);
+
+    assertThat(sun.lit(0.5, bright, world.cast(bright, 9.0), world, 50.0))
+        .isCloseTo(0.5, within(1e-9));
+    assertThat(sun.lit(0.5, shaded, world.cast(shaded, 9.0), world, 50.0))
+        .isCloseTo(0.15, within(1e-9));
+    assertThat(
+            sun.lit(
+                0.9,
+                Ray.of(Point.ORIGIN, Math.PI / 2.0, Math.PI / 4.0),
+                Optional.empty(),
+                world,
+                9.0))
+        .isEqualTo(1.0);
   }
 
   @ParameterizedTest
@@ -82,6 +146,15 @@ class EnvironmentElementTest {
         "<wind/> | lacks <speed>",
         "<wind><speed>-3</speed></wind> | -3",
         "<wind><speed unit='kg'>3</speed></wind> | kg",
+        "<water><waves><height>9</height><period>3</period></waves></water> | expected at most 2.01 m",
+        "<water><waves><height>1</height></waves></water> | lacks <period>",
+        "<water><waves><spectrum>tsunami</spectrum><height>1</height><period>9</period></waves></water> | expected one of regular, pierson-moskowitz, jonswap",
+        "<water><profile>0 1 5</profile></water> | expected pairs",
+        "<water><current>1</current><currents/></water> | expected one of them",
+        "<water><currents><columns>2</columns><width>9</width><depth>9</depth><east>1 2</east><north>1</north></currents></water> | expected the same number",
+        "<wind><speed>3</speed><exponent>0.1</exponent><roughness>0.1</roughness></wind> | expected only one",
+        "<light><azimuth>1</azimuth><elevation>9</elevation></light> | expected 0.02",
+        "<terrain><heights>a.tif</heights><width>10</width><depth>10</depth></terrain> | a.tif",
         "<wind><speed>3</speed><shear>yes</shear></wind> | expected true or false",
         "<water><current>90</current></water> | 90",
         "<surface>mud</surface> | expected lawn, concrete or field",

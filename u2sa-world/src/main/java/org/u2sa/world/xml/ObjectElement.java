@@ -28,10 +28,10 @@ final class ObjectElement {
    * Creates the object that an element describes.
    *
    * @param frame default frame
-   * @param number position in the file, from 1, for the UID of an object without one
+   * @param usualUid UID of an object without one
    */
   static <T extends ObjectDescription> T read(
-      XmlElement element, MessageType<T> type, ReferenceFrame frame, int number) {
+      XmlElement element, MessageType<T> type, ReferenceFrame frame, String usualUid) {
     element.refuseUnknownAttributes();
     T object = type.create();
     object.referenceFrame(frame);
@@ -39,7 +39,7 @@ final class ObjectElement {
     fillFirst(object, type, byField); // the units of other fields depend on it
     byField.forEach((name, each) -> fill(object, type.field(name).orElseThrow(), each));
     if (!byField.containsKey(UID)) {
-      object.uid(type.name() + " " + number);
+      object.uid(usualUid);
     }
     place(element, object, byField);
     return object;

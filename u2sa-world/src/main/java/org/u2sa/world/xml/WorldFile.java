@@ -17,20 +17,46 @@ import org.u2sa.world.sdf.SdfWorld;
 
 /**
  * A world read from a file (docs/world-model.md): {@code <world>} with an element for each object,
- * named after its class (thesis 3.2.3.3), and at most one {@code <environment>}. The objects have
- * unique UIDs and are frozen.
+ * named after its class (thesis 3.2.3.3), at most one {@code <environment>}, movers and zones. All
+ * objects have unique UIDs and are frozen.
  */
 public final class WorldFile {
   private static final String REFERENCE = "reference";
   private static final String ENVIRONMENT = "environment";
 
+  private static final String MOVER = "mover";
+  private static final String ZONE = "zone";
+  private static final int MAX_SCRIPTED = 1_000; // of movers and of zones
+  private static final Map<String, List<String>> SCRIPTS =
+      Map.of(
+          MOVER,
+          List.of("waypoint", "speed", "end", "delay", "floats", "transponder"),
+          ZONE,
+          List.of("kind", "surface"));
+
   private final List<ObjectDescription> objects;
+  private final List<Scripted> movers;
+  private final List<Scripted> zones;
   private final Optional<XmlElement> environment;
   private final List<String> ignored;
 
+  /**
+   * An object in an element that simulations read.
+   *
+   * @param element a mover or zone
+   * @param object the object in it
+   */
+  public record Scripted(XmlElement element, ObjectDescription object) {}
+
   private WorldFile(
-      List<ObjectDescription> objects, Optional<XmlElement> environment, List<String> ignored) {
+      List<ObjectDescription> objects,
+      List<Scripted> movers,
+      List<Scripted> zones,
+      Optional<XmlElement> environment,
+      List<String> ignored) {
     this.objects = List.copyOf(objects);
+    this.movers = List.copyOf(movers);
+    this.zones = List.copyOf(zones);
     this.environment = environment;
     this.ignored = List.copyOf(ignored);
   }
@@ -54,7 +80,7 @@ public final class WorldFile {
   public static WorldFile load(Path file, MessageTypes types) {
     if (SdfWorld.isSdf(file)) {
       SdfWorld sdf = SdfWorld.read(file, System.getenv());
-      return new WorldFile(sdf.objects(), Optional.empty(), sdf.ignored());
+      return new WorldFile(sdf.objects(), List.of(), List.of(), Optional.empty(), sdf.ignored());
     }
     return parse(XmlReader.read(file, "world"), types);
   }
@@ -65,24 +91,59 @@ public final class WorldFile {
         root.child(REFERENCE).map(WorldFile::frame).orElse(ReferenceFrame.GLOBAL);
     Map<String, XmlElement> byUid = new LinkedHashMap<>();
     List<ObjectDescription> objects = new ArrayList<>();
+    Map<String, List<Scripted>> scripted = new LinkedHashMap<>();
+    SCRIPTS.keySet().forEach(name -> scripted.put(name, new ArrayList<>()));
     for (XmlElement child : root.children()) {
-      if (!child.name().equals(REFERENCE) && !child.name().equals(ENVIRONMENT)) {
-        ObjectDescription object =
-            ObjectElement.read(child, type(child, types), frame, objects.size() + 1);
-        XmlElement other = byUid.putIfAbsent(object.uid(), child);
-        if (other != null) {
-          throw child.error(
-              "the object in line "
-                  + other.line()
-                  + " has the uid \""
-                  + object.uid()
-                  + "\" already; uids must differ");
+      List<Scripted> like = scripted.get(child.name());
+      if (like != null) {
+        if (like.size() == MAX_SCRIPTED) {
+          throw child.error("is one too many; expected at most " + MAX_SCRIPTED);
         }
-        object.freeze();
-        objects.add(object);
+        XmlElement shape = shape(child, types);
+        String number = child.name() + " " + (like.size() + 1);
+        like.add(new Scripted(child, object(shape, types, frame, number, byUid)));
+      } else if (!child.name().equals(REFERENCE) && !child.name().equals(ENVIRONMENT)) {
+        String number = type(child, types, List.of()).name() + " " + (objects.size() + 1);
+        objects.add(object(child, types, frame, number, byUid));
       }
     }
-    return new WorldFile(objects, root.child(ENVIRONMENT), List.of());
+    return new WorldFile(
+        objects, scripted.get(MOVER), scripted.get(ZONE), root.child(ENVIRONMENT), List.of());
+  }
+
+  private static ObjectDescription object(
+      XmlElement element,
+      MessageTypes types,
+      ReferenceFrame frame,
+      String name,
+      Map<String, XmlElement> byUid) {
+    ObjectDescription object =
+        ObjectElement.read(element, type(element, types, List.of()), frame, name);
+    XmlElement other = byUid.putIfAbsent(object.uid(), element);
+    if (other != null) {
+      throw element.error(
+          "the object in line "
+              + other.line()
+              + " has the uid \""
+              + object.uid()
+              + "\" already; uids must differ");
+    }
+    object.freeze();
+    return object;
+  }
+
+  /** The only child of a mover or zone that is an object. */
+  private static XmlElement shape(XmlElement element, MessageTypes types) {
+    element.refuseUnknownAttributes();
+    element.refuseText();
+    List<String> script = SCRIPTS.get(element.name());
+    List<XmlElement> shapes =
+        element.children().stream().filter(child -> !script.contains(child.name())).toList();
+    shapes.forEach(child -> type(child, types, script)); // refuses what is neither
+    if (shapes.size() != 1) {
+      throw element.error("holds " + shapes.size() + " objects; expected one, such as <box>");
+    }
+    return shapes.get(0);
   }
 
   private static ReferenceFrame frame(XmlElement element) {
@@ -96,8 +157,8 @@ public final class WorldFile {
   }
 
   private static MessageType<? extends ObjectDescription> type(
-      XmlElement element, MessageTypes types) {
-    List<String> names = new ArrayList<>();
+      XmlElement element, MessageTypes types, List<String> besides) {
+    List<String> names = new ArrayList<>(besides);
     for (MessageType<?> type : types.all()) {
       if (isObject(type)) {
         names.add(type.name());
@@ -129,7 +190,17 @@ public final class WorldFile {
     return objects;
   }
 
-  /** Terrain, surface, water and wind, which simulations read; empty if there is none. */
+  /** Objects that move in simulations, with their scripts. */
+  public List<Scripted> movers() {
+    return movers;
+  }
+
+  /** Named areas of simulations. */
+  public List<Scripted> zones() {
+    return zones;
+  }
+
+  /** Terrain, surface, water, wind and light, which simulations read; empty if there is none. */
   public Optional<XmlElement> environment() {
     return environment;
   }

@@ -1,0 +1,81 @@
+package org.u2sa.scenarios.run;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.report.score.Surroundings;
+import org.u2sa.sim.world.EnvironmentElement;
+import org.u2sa.sim.world.MoverElement;
+import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.sim.world.World;
+import org.u2sa.sim.world.Zone;
+import org.u2sa.world.xml.WorldFile;
+
+/** The world of a file, for simulations: objects, environment, movers and zones. */
+public final class SimulatedWorld {
+  private static final double MAP_STEP_S = 0.5;
+  private static final int MAP_STEPS = 600;
+
+  private SimulatedWorld() {}
+
+  /**
+   * Adds everything in a file to a world.
+   *
+   * @param file where it was read, for files that it names
+   * @param seed of gusts and waves
+   * @throws BadInputException naming file, line, element, value and what was expected
+   */
+  public static World read(WorldFile from, Path file, World empty, long seed) {
+    World world;
+    try {
+      world = empty.with(from.objects());
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
+    }
+    Path folder = file.toAbsolutePath().normalize().getParent();
+    if (from.environment().isPresent()) {
+      world = EnvironmentElement.apply(from.environment().get(), world, folder, seed);
+    }
+    List<ScriptedMover> movers = new ArrayList<>();
+    from.movers()
+        .forEach(
+            each -> movers.add(MoverElement.read(each.element(), each.object(), empty.plane())));
+    List<Zone> zones = new ArrayList<>();
+    from.zones()
+        .forEach(each -> zones.add(Zone.read(each.element(), each.object(), empty.plane())));
+    return world.withMovers(movers).withZones(zones);
+  }
+
+  /**
+   * Objects and movers, for the map and the summary: a mover as the sphere of its horizontal
+   * radius.
+   *
+   * @param limitS longest duration of the run [s]
+   */
+  public static Surroundings surroundings(World world, double limitS) {
+    double step = Math.max(MAP_STEP_S, limitS / MAP_STEPS);
+    List<ObjectDescription> all = new ArrayList<>(world.obstacles());
+    world.movers().forEach(mover -> all.add(sphere(mover, step)));
+    return new Surroundings(all, 0.0);
+  }
+
+  private static MovingSphere sphere(ScriptedMover mover, double stepS) {
+    List<Point> way = new ArrayList<>();
+    for (int i = 1; i <= MAP_STEPS; i++) {
+      way.add(mover.at(i * stepS).position());
+    }
+    Point start = mover.at(0.0).position();
+    MovingSphere sphere = new MovingSphere().radius(mover.radiusM());
+    sphere.uid(mover.uid()).objectType(mover.objectType());
+    sphere.referenceFrame(ReferenceFrame.LOCAL_ENU);
+    sphere.x(start.x()).y(start.y()).z(start.z());
+    sphere.timeStep(stepS).trajectory(way);
+    sphere.freeze();
+    return sphere;
+  }
+}
