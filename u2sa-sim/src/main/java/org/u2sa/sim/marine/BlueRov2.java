@@ -45,7 +45,10 @@ public final class BlueRov2 {
         114.8,
         0.25,
         Optional.empty(),
-        Optional.empty());
+        Optional.empty(),
+        Optional.empty(),
+        Point.ORIGIN,
+        true);
   }
 
   /** Thrusters THRUSTER 1…6: front right and left, rear right and left, vertical right and left. */

@@ -40,7 +40,7 @@ public final class Vessel implements SimulatedVehicle {
    */
   public Vessel(
       Hull hull,
-      List<VesselThruster> thrusters,
+      List<? extends VesselActuator> actuators,
       Footprint footprint,
       World world,
       Point start,
@@ -51,10 +51,10 @@ public final class Vessel implements SimulatedVehicle {
             .orElseThrow(() -> new IllegalArgumentException("a vessel needs a world with water"));
     this.world = world;
     this.footprint = footprint;
-    names = thrusters.stream().map(VesselThruster::name).collect(Collectors.toUnmodifiableList());
+    names = actuators.stream().map(VesselActuator::name).collect(Collectors.toUnmodifiableList());
     model =
         new FossenModel(
-            hull, thrusters, water.currentNorthMps(), water.currentEastMps(), -water.surfaceM());
+            hull, actuators, water.currentNorthMps(), water.currentEastMps(), -water.surfaceM());
     state = new double[model.size()];
     rates = new double[model.size()];
     integrator = new RungeKutta(model.size());

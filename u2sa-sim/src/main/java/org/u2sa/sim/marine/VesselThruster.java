@@ -23,7 +23,8 @@ public record VesselThruster(
     double reverseN,
     double deadband,
     double exponent,
-    double timeConstantS) {
+    double timeConstantS)
+    implements VesselActuator {
   private static final double UNIT = 1e-6;
 
   /**
@@ -38,13 +39,19 @@ public record VesselThruster(
         "length of the direction of " + name, direction.distance(), 1.0 - UNIT, 1.0 + UNIT);
   }
 
-  /** Steady-state thrust at a command −1…1 [N]. */
-  double thrustN(double command) {
+  /** {@inheritDoc} The thrust [N]. */
+  @Override
+  public double level(double command) {
     double beyond = (StrictMath.abs(command) - deadband) / (1.0 - deadband);
     if (!(beyond > 0.0)) {
       return 0.0;
     }
     double share = StrictMath.pow(StrictMath.min(1.0, beyond), exponent);
     return command > 0.0 ? share * forwardN : -share * reverseN;
+  }
+
+  @Override
+  public void act(double level, double u, double v, double w, double[] force) {
+    VesselActuator.push(level, direction, place, force);
   }
 }
