@@ -152,7 +152,8 @@ record VesselModel(Hull hull, List<VesselActuator> parts, Footprint footprint)
                 file.number("reverse", "N", 0.0, LARGEST),
                 file.number("deadBand", "1", 0.0, 0.9),
                 file.number("exponent", "1", 0.5, 4.0),
-                file.number("lag", "s", 0.02, 100.0)));
+                file.number("lag", "s", 0.02, 100.0),
+                file.number("power", "W", 0.0, LARGEST, 0.0)));
   }
 
   private static VesselActuator propeller(FileElement file) {
@@ -174,7 +175,8 @@ record VesselModel(Hull hull, List<VesselActuator> parts, Footprint footprint)
                 file.number("deduction", "1", 0.0, 0.9),
                 file.positive("fullSpeed", "rad/s", 1e5) / (2.0 * Math.PI),
                 file.positive("density", "kg/m^3", 20_000.0),
-                file.number("lag", "s", 0.02, 100.0)));
+                file.number("lag", "s", 0.02, 100.0),
+                file.number("power", "W", 0.0, LARGEST, 0.0)));
   }
 
   /** Value at 0, and slope. */

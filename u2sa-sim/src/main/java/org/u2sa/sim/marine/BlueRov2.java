@@ -64,7 +64,15 @@ public final class BlueRov2 {
 
   private static VesselThruster thruster(int number, Point place, Point direction) {
     return new VesselThruster(
-        "THRUSTER " + number, place, direction, FORWARD_N, REVERSE_N, DEADBAND, EXPONENT, LAG_S);
+        "THRUSTER " + number,
+        place,
+        direction,
+        FORWARD_N,
+        REVERSE_N,
+        DEADBAND,
+        EXPONENT,
+        LAG_S,
+        0.0);
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.u2sa.sim.marine;
 
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
@@ -42,6 +43,12 @@ public record Fin(
   @Override
   public double level(double command) {
     return travelRad * command;
+  }
+
+  /** {@inheritDoc} Its servo's is neglected. */
+  @Override
+  public OptionalDouble powerW(double level) {
+    return OptionalDouble.of(0.0);
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.u2sa.sim.marine;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.u2sa.messages.frame.Gravity;
@@ -70,6 +71,19 @@ final class FossenModel implements RungeKutta.Motion {
   /** Sets an actuator command, −1…1. */
   void command(int actuator, double value) {
     targets[actuator] = actuators.get(actuator).level(value);
+  }
+
+  /** Electrical power of all actuators [W]; empty if one's is unknown. */
+  OptionalDouble powerW(double[] s) {
+    double sum = 0.0;
+    for (int i = 0; i < targets.length; i++) {
+      OptionalDouble each = actuators.get(i).powerW(s[LEVELS + i]);
+      if (each.isEmpty()) {
+        return OptionalDouble.empty();
+      }
+      sum += each.getAsDouble();
+    }
+    return OptionalDouble.of(sum);
   }
 
   @Override

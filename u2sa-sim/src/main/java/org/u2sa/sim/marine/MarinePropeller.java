@@ -1,5 +1,6 @@
 package org.u2sa.sim.marine;
 
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
@@ -21,6 +22,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param fullSpeedRevPerS at full command [1/s]
  * @param densityKgPerM3 of the water [kg/m³]
  * @param timeConstantS time constant of its speed [s]
+ * @param fullPowerW electrical power at full speed [W]; 0: unknown
  */
 public record MarinePropeller(
     String name,
@@ -35,7 +37,8 @@ public record MarinePropeller(
     double deduction,
     double fullSpeedRevPerS,
     double densityKgPerM3,
-    double timeConstantS)
+    double timeConstantS,
+    double fullPowerW)
     implements VesselActuator {
   /**
    * @throws IllegalArgumentException if a value is out of range
@@ -54,6 +57,15 @@ public record MarinePropeller(
   @Override
   public double level(double command) {
     return fullSpeedRevPerS * command;
+  }
+
+  /** {@inheritDoc} It grows with the cube of the speed. */
+  @Override
+  public OptionalDouble powerW(double level) {
+    double share = StrictMath.abs(level) / fullSpeedRevPerS;
+    return fullPowerW > 0.0
+        ? OptionalDouble.of(fullPowerW * share * share * share)
+        : OptionalDouble.empty();
   }
 
   @Override

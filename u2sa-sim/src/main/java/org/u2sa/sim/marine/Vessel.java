@@ -1,6 +1,7 @@
 package org.u2sa.sim.marine;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
@@ -28,6 +29,8 @@ public final class Vessel implements SimulatedVehicle {
   private final double[] state;
   private final double[] rates;
   private final RungeKutta integrator;
+  private final boolean powerIsKnown;
+  private double energyJ;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
 
   /**
@@ -59,6 +62,7 @@ public final class Vessel implements SimulatedVehicle {
     rates = new double[model.size()];
     integrator = new RungeKutta(model.size());
     BodyState.place(state, start, headingRad);
+    powerIsKnown = model.powerW(state).isPresent();
   }
 
   /** Starts at rest over ground instead of drifting with the current; call before any step. */
@@ -98,6 +102,15 @@ public final class Vessel implements SimulatedVehicle {
   private void tick() {
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
     BodyState.normalize(state);
+    if (powerIsKnown) {
+      energyJ += model.powerW(state).orElseThrow() / TICKS_PER_SECOND;
+    }
+  }
+
+  /** {@inheritDoc} That of its motors. */
+  @Override
+  public OptionalDouble energyJ() {
+    return powerIsKnown ? OptionalDouble.of(energyJ) : OptionalDouble.empty();
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.u2sa.sim.marine;
 
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 
 /**
@@ -15,6 +16,9 @@ public sealed interface VesselActuator permits VesselThruster, MarinePropeller, 
 
   /** Steady-state level at a command −1…1. */
   double level(double command);
+
+  /** Electrical power at a level [W]; empty if unknown. */
+  OptionalDouble powerW(double level);
 
   /**
    * Adds its force and moment at a level.
