@@ -26,6 +26,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 RATE = 120
 MASS_LB = 2400.0
 FULL_TRIM = 1
+WITHIN = 0.03
 
 # Cessna Model 172P, Pilot's Operating Handbook (1982): front page, and section 3 for the glide of 1.5 NM per 1000 ft
 HANDBOOK = {
@@ -279,6 +280,9 @@ def main():
         beside = "no trim" if other is None else f"{other:.{digits}f}"
         gap = "" if other is None else f"{value - other:+.{digits}f}"
         print(f"| {' | '.join(key)} | {value:.{digits}f} | {beside} | {gap} | {HANDBOOK.get(key, '')} |")
+    both = [(value, theirs[key]) for key, value in mine.items() if theirs.get(key) is not None]
+    near = sum(abs(value - other) <= WITHIN * abs(other) for value, other in both)
+    print(f"\n{near} of {len(both)} quantities are within {WITHIN:.0%} of JSBSim's.")
 
 
 if __name__ == "__main__":

@@ -19,6 +19,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
@@ -167,6 +168,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
       figures.put("headingErrorRmsDeg", Math.toDegrees(heading.rms()));
       figures.put("headingErrorMaxDeg", Math.toDegrees(heading.largest));
     }
+    run.read(clock.micros(), SimulatedVehicle::energyJ)
+        .ifPresent(energy -> figures.put("energyJ", energy));
     int claims = position.claims + heading.claims;
     if (claims > 0) {
       figures.put("stateWithin3Sigma", (double) (position.within + heading.within) / claims);

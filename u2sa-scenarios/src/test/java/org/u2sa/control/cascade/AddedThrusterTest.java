@@ -106,7 +106,8 @@ class AddedThrusterTest {
             first.reverseN(),
             first.deadband(),
             first.exponent(),
-            first.timeConstantS()));
+            first.timeConstantS(),
+            first.fullPowerW()));
     return all;
   }
 

@@ -15,6 +15,7 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -67,6 +68,7 @@ public final class Cessna172 implements SimulatedVehicle {
   private final Runnable tick = this::tick;
   private ControlInputs held = ControlInputs.neutral();
   private boolean crashed;
+  private double energyJ;
 
   private Cessna172(
       double[] start, World world, FlightDynamics dynamics, Footprint footprint, double flaps) {
@@ -181,9 +183,16 @@ public final class Cessna172 implements SimulatedVehicle {
     integrator.step(dynamics, s, dtS);
     tidy();
     dynamics.derivatives(s, rate);
+    energyJ += Math.max(0.0, dynamics.engine.torqueNm(s[SHAFT])) * s[SHAFT] * dtS;
     if (dynamics.gear.broken(dynamics.attitude, s[ALT] - dynamics.groundM)) {
       freeze();
     }
+  }
+
+  /** {@inheritDoc} The work of the engine's shaft. */
+  @Override
+  public OptionalDouble energyJ() {
+    return OptionalDouble.of(energyJ);
   }
 
   private void surround(double dtS) {

@@ -3,26 +3,41 @@ package org.u2sa.sim.file;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Function;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.marine.CrossFlow;
+import org.u2sa.sim.marine.Fin;
 import org.u2sa.sim.marine.Hull;
+import org.u2sa.sim.marine.HullLift;
+import org.u2sa.sim.marine.MarinePropeller;
 import org.u2sa.sim.marine.Vessel;
+import org.u2sa.sim.marine.VesselActuator;
 import org.u2sa.sim.marine.VesselThruster;
 import org.u2sa.sim.marine.Waterplane;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** A hull with any number of thrusters, on or under water, after Fossen. */
-record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprint)
+/** A hull with any number of thrusters, propellers and fins, on or under water, after Fossen. */
+record VesselModel(Hull hull, List<VesselActuator> parts, Footprint footprint)
     implements VehicleModel {
   private static final double LARGEST = 1e9;
   private static final double FAR_M = 1_000.0;
-  private static final int MAX_THRUSTERS = 64;
+  private static final int MAX_ACTUATORS = 64;
+
+  /** Whether the hull has a Munk moment. */
+  private enum MunkMoment {
+    /** As potential theory has it. */
+    INCLUDED,
+    /** Without the couplings of added mass in pitch and yaw. */
+    NONE
+  }
 
   static VesselModel read(FileElement file, Body body) {
     Optional<Waterplane> waterplane = file.optionalPart("waterplane").map(VesselModel::waterplane);
     Optional<CrossFlow> crossFlow = file.optionalPart("crossFlow").map(VesselModel::crossFlow);
+    Optional<HullLift> lift = file.optionalPart("hullLift").map(VesselModel::lift);
     boolean floats = waterplane.isPresent();
     Hull hull =
         new Hull(
@@ -39,8 +54,12 @@ record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprin
             floats ? 0.0 : file.number("buoyancy", "N", 0.0, LARGEST),
             floats ? 1.0 : file.positive("height", "m", FAR_M),
             waterplane,
-            crossFlow);
-    return new VesselModel(hull, thrusters(file), body.footprint());
+            crossFlow,
+            lift,
+            coefficients(file, "dragFade", "s/m"),
+            !file.has("munkMoment")
+                || file.choice("munkMoment", MunkMoment.class) == MunkMoment.INCLUDED);
+    return new VesselModel(hull, actuators(file), body.footprint());
   }
 
   private static Point coefficients(FileElement file, String name, String unit) {
@@ -69,28 +88,60 @@ record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprin
                 file.positive("density", "kg/m^3", 20_000.0)));
   }
 
-  private static List<VesselThruster> thrusters(FileElement file) {
-    List<VesselThruster> all = new ArrayList<>();
-    for (FileElement each : file.parts("thruster", "name")) {
-      VesselThruster thruster = thruster(each);
-      if (all.stream().anyMatch(other -> other.name().equals(thruster.name()))) {
-        throw each.xml().error("name \"" + thruster.name() + "\" is another thruster's already");
-      }
-      all.add(thruster);
-    }
-    if (all.isEmpty() || all.size() > MAX_THRUSTERS) {
-      throw file.xml().error("has " + all.size() + " <thruster>; expected 1…" + MAX_THRUSTERS);
+  private static HullLift lift(FileElement file) {
+    return file.complete(
+        () ->
+            new HullLift(
+                file.positive("area", "m^2", 1e6),
+                file.positive("span", "m", FAR_M),
+                file.positive("parasiticDrag", "1", 100.0),
+                file.positive("efficiency", "1", 10.0),
+                file.positive("density", "kg/m^3", 20_000.0)));
+  }
+
+  private static List<VesselActuator> actuators(FileElement file) {
+    List<VesselActuator> all = new ArrayList<>();
+    add(file, "thruster", VesselModel::thruster, all);
+    add(file, "propeller", VesselModel::propeller, all);
+    add(file, "fin", VesselModel::fin, all);
+    boolean isDriven = all.stream().anyMatch(each -> !(each instanceof Fin));
+    if (!isDriven || all.size() > MAX_ACTUATORS) {
+      throw file.xml()
+          .error(
+              "has "
+                  + all.size()
+                  + " actuators; expected 1…"
+                  + MAX_ACTUATORS
+                  + ", with a <thruster> or <propeller>");
     }
     return List.copyOf(all);
   }
 
-  private static VesselThruster thruster(FileElement file) {
+  private static void add(
+      FileElement file,
+      String kind,
+      Function<FileElement, VesselActuator> reader,
+      List<VesselActuator> all) {
+    for (FileElement each : file.parts(kind, "name")) {
+      VesselActuator actuator = reader.apply(each);
+      if (all.stream().anyMatch(other -> other.name().equals(actuator.name()))) {
+        throw each.xml().error("name \"" + actuator.name() + "\" is another actuator's already");
+      }
+      all.add(actuator);
+    }
+  }
+
+  private static Point direction(FileElement file) {
     Point way = file.vector("direction", "1", -1e6, 1e6);
     double length = way.distance();
     if (!(length > 1e-6)) {
       throw file.xml().error("direction: \"" + way + "\" has no length; expected a vector");
     }
-    Point direction = Point.of(way.x() / length, way.y() / length, way.z() / length);
+    return Point.of(way.x() / length, way.y() / length, way.z() / length);
+  }
+
+  private static VesselActuator thruster(FileElement file) {
+    Point direction = direction(file);
     return file.complete(
         () ->
             new VesselThruster(
@@ -101,6 +152,54 @@ record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprin
                 file.number("reverse", "N", 0.0, LARGEST),
                 file.number("deadBand", "1", 0.0, 0.9),
                 file.number("exponent", "1", 0.5, 4.0),
+                file.number("lag", "s", 0.02, 100.0),
+                file.number("power", "W", 0.0, LARGEST, 0.0)));
+  }
+
+  private static VesselActuator propeller(FileElement file) {
+    Point direction = direction(file);
+    double[] thrust = line(file, "thrust");
+    double[] torque = line(file, "torque");
+    return file.complete(
+        () ->
+            new MarinePropeller(
+                file.xml().attribute("name"),
+                file.vector("position", "m", -FAR_M, FAR_M),
+                direction,
+                file.positive("diameter", "m", 100.0),
+                thrust[0],
+                thrust[1],
+                torque[0],
+                torque[1],
+                file.number("wake", "1", 0.0, 0.9),
+                file.number("deduction", "1", 0.0, 0.9),
+                file.positive("fullSpeed", "rad/s", 1e5) / (2.0 * Math.PI),
+                file.positive("density", "kg/m^3", 20_000.0),
+                file.number("lag", "s", 0.02, 100.0),
+                file.number("power", "W", 0.0, LARGEST, 0.0)));
+  }
+
+  /** Value at 0, and slope. */
+  private static double[] line(FileElement file, String name) {
+    List<Double> each = file.numbers(name, "1", -100.0, 100.0, 2);
+    if (each.size() != 2) {
+      throw file.xml().error(name + ": expected two numbers, at J = 0 and by J");
+    }
+    return new double[] {each.get(0), each.get(1)};
+  }
+
+  private static VesselActuator fin(FileElement file) {
+    Point direction = direction(file);
+    return file.complete(
+        () ->
+            new Fin(
+                file.xml().attribute("name"),
+                file.vector("position", "m", -FAR_M, FAR_M),
+                direction,
+                file.positive("area", "m^2", 1e6),
+                file.positive("liftSlope", "1", 100.0),
+                file.positive("travel", "rad", Math.PI / 2.0),
+                file.positive("density", "kg/m^3", 20_000.0),
                 file.number("lag", "s", 0.02, 100.0)));
   }
 
@@ -116,11 +215,19 @@ record VesselModel(Hull hull, List<VesselThruster> thrusters, Footprint footprin
 
   @Override
   public List<String> actuators() {
-    return thrusters.stream().map(VesselThruster::name).toList();
+    return parts.stream().map(VesselActuator::name).toList();
+  }
+
+  @Override
+  public OptionalDouble travelRad(String actuator) {
+    return parts.stream()
+        .filter(each -> each instanceof Fin && each.name().equals(actuator))
+        .mapToDouble(each -> ((Fin) each).travelRad())
+        .findFirst();
   }
 
   @Override
   public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    return new Vessel(hull, thrusters, footprint, world, start, headingRad).moored();
+    return new Vessel(hull, parts, footprint, world, start, headingRad).moored();
   }
 }

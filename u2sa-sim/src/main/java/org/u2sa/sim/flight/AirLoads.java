@@ -34,6 +34,13 @@ interface AirLoads {
    */
   void add(double[] s, double[] rate, int first, Air air, double[] load);
 
+  /**
+   * Power that its motors take [W].
+   *
+   * @param s as of {@link #add}
+   */
+  double powerW(double[] s, int first, Air air);
+
   /** A share that an actuator keeps. */
   static double share(double value) {
     return Arguments.requireInside("share of an actuator's effect", value, 0.0, 1.0);

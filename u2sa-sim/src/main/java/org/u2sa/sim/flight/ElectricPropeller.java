@@ -77,6 +77,13 @@ public record ElectricPropeller(
     return StrictMath.max(0.0, speed);
   }
 
+  /** Electrical power of the motor [W]; 0 while the propeller would drive it. */
+  double powerW(double throttle, double airspeedMps, double densityKgPerM3) {
+    double volt = maxV * throttle;
+    double speed = speedRadPerS(throttle, airspeedMps, densityKgPerM3);
+    return volt * StrictMath.max(0.0, (volt - voltPerRadPerS * speed) / resistanceOhm);
+  }
+
   /** Thrust at a speed [N]; negative if it brakes. */
   double thrustN(double speedRadPerS, double airspeedMps, double densityKgPerM3) {
     return pressure(speedRadPerS, densityKgPerM3) * thrust.at(advance(speedRadPerS, airspeedMps));

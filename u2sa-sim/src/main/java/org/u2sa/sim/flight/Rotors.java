@@ -57,6 +57,17 @@ final class Rotors implements AirLoads {
     return spanM;
   }
 
+  /** {@inheritDoc} That of the shafts, by the rotors' torque at rest. */
+  @Override
+  public double powerW(double[] s, int first, Air air) {
+    double sum = 0.0;
+    for (int i = 0; i < target.length; i++) {
+      double omega = s[first + i];
+      sum += kept[i] * rotors.get(i).torque() * omega * omega * omega;
+    }
+    return sum;
+  }
+
   @Override
   public void add(double[] s, double[] rate, int first, Air air, double[] load) {
     double p = s[BodyState.RATES];

@@ -3,6 +3,7 @@ package org.u2sa.sim.flight;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
@@ -39,6 +40,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private final double[] rate;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private boolean crashed;
+  private double energyJ;
   private Optional<Catapult> catapult = Optional.empty(); // that it waits on
 
   private UnmannedAircraft(
@@ -154,6 +156,12 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     return index;
   }
 
+  /** {@inheritDoc} Of rotors that of the shafts, of a propeller that of its motor. */
+  @Override
+  public OptionalDouble energyJ() {
+    return OptionalDouble.of(energyJ);
+  }
+
   @Override
   public void step(double dtS) {
     steps.step(dtS, this::tick);
@@ -168,6 +176,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     BodyState.normalize(state);
     body.boundTyres(state);
     body.derivatives(state, rate);
+    energyJ += loads.powerW(state, FreeBody.ACTUATORS, body.air) * TICK_S;
     crashed =
         state[BodyState.NED + 2] > body.groundDown
             || wheels.stream().anyMatch(wheel -> wheel.compressionM() > LandingLeg.BREAKS_AT_M);

@@ -56,6 +56,13 @@ final class Wings implements AirLoads {
     return wing.spanM();
   }
 
+  /** {@inheritDoc} That of the propeller's motor; servos are neglected. */
+  @Override
+  public double powerW(double[] s, int first, Air air) {
+    int last = surfaces.size();
+    return propeller.powerW(kept[last] * s[first + last], air.speedMps(), air.densityKgPerM3);
+  }
+
   @Override
   public void add(double[] s, double[] rate, int first, Air air, double[] load) {
     double elevator = 0.0;

@@ -9,6 +9,7 @@ final class Battery {
   private final BatteryParameters p;
   private double charge = 1.0;
   private double volts;
+  private double givenJ;
 
   Battery(BatteryParameters parameters) {
     this.p = parameters;
@@ -40,10 +41,16 @@ final class Battery {
   void draw(double motorsA, double dtS) {
     double taken = (motorsA + p.idleA()) * dtS / (p.capacityAh() * S_PER_H);
     charge = Math.max(0.0, Math.min(1.0, charge - taken));
+    givenJ += volts * (motorsA + p.idleA()) * dtS;
   }
 
   double volts() {
     return volts;
+  }
+
+  /** Energy at the terminals so far, less what motors fed back [J]. */
+  double givenJ() {
+    return givenJ;
   }
 
   double charge() {

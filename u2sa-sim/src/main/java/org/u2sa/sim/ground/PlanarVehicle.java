@@ -1,6 +1,7 @@
 package org.u2sa.sim.ground;
 
 import java.util.Objects;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
@@ -267,6 +268,11 @@ abstract class PlanarVehicle implements GroundVehicle {
   @Override
   public final World world() {
     return world;
+  }
+
+  @Override
+  public final OptionalDouble energyJ() {
+    return OptionalDouble.of(battery.givenJ());
   }
 
   @Override

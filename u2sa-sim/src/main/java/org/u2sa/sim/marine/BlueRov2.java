@@ -45,7 +45,10 @@ public final class BlueRov2 {
         114.8,
         0.25,
         Optional.empty(),
-        Optional.empty());
+        Optional.empty(),
+        Optional.empty(),
+        Point.ORIGIN,
+        true);
   }
 
   /** Thrusters THRUSTER 1…6: front right and left, rear right and left, vertical right and left. */
@@ -61,7 +64,15 @@ public final class BlueRov2 {
 
   private static VesselThruster thruster(int number, Point place, Point direction) {
     return new VesselThruster(
-        "THRUSTER " + number, place, direction, FORWARD_N, REVERSE_N, DEADBAND, EXPONENT, LAG_S);
+        "THRUSTER " + number,
+        place,
+        direction,
+        FORWARD_N,
+        REVERSE_N,
+        DEADBAND,
+        EXPONENT,
+        LAG_S,
+        0.0);
   }
 
   /**

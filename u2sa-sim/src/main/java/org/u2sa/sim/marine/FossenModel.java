@@ -3,6 +3,7 @@ package org.u2sa.sim.marine;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
 import org.u2sa.messages.frame.Gravity;
@@ -16,15 +17,16 @@ import org.u2sa.sim.vehicle.BodyState;
  * on linear velocity, the current is in νᵣ alone). Waves act by their first-order forces; hulls are
  * taken to be small beside them.
  *
- * <p>State: {@link BodyState} with the velocity relative to the water; thrust of each thruster [N].
+ * <p>State: {@link BodyState} with the velocity relative to the water; level of each {@link
+ * VesselActuator}.
  */
 final class FossenModel implements RungeKutta.Motion {
-  static final int THRUST = BodyState.SIZE;
+  static final int LEVELS = BodyState.SIZE;
 
   private final Hull hull;
-  private final List<VesselThruster> thrusters;
+  private final List<VesselActuator> actuators;
   private final double[] inverse = new double[36]; // of M, by rows
-  private final double[] targetN; // steady-state thrust commanded to each thruster
+  private final double[] targets; // steady-state level commanded to each actuator
   private double currentNorth;
   private double currentEast;
   private Optional<Sea> sea = Optional.empty();
@@ -49,12 +51,13 @@ final class FossenModel implements RungeKutta.Motion {
       Point level,
       Point acceleration) {}
 
-  FossenModel(Hull hull, List<VesselThruster> thrusters, Point current, double surfaceDown) {
+  FossenModel(
+      Hull hull, List<? extends VesselActuator> actuators, Point current, double surfaceDown) {
     this.hull = hull;
-    this.thrusters = List.copyOf(thrusters);
+    this.actuators = List.copyOf(actuators);
     drift(current);
     this.surfaceDown = surfaceDown;
-    targetN = new double[thrusters.size()];
+    targets = new double[actuators.size()];
     DMatrixRMaj mass = new DMatrixRMaj(6, 6);
     double m = hull.massKg();
     Point g = hull.gravityCentre();
@@ -94,12 +97,25 @@ final class FossenModel implements RungeKutta.Motion {
   }
 
   int size() {
-    return THRUST + thrusters.size();
+    return LEVELS + actuators.size();
   }
 
-  /** Sets a thruster command, −1…1. */
-  void command(int thruster, double value) {
-    targetN[thruster] = thrusters.get(thruster).thrustN(value);
+  /** Sets an actuator command, −1…1. */
+  void command(int actuator, double value) {
+    targets[actuator] = actuators.get(actuator).level(value);
+  }
+
+  /** Electrical power of all actuators [W]; empty if one's is unknown. */
+  OptionalDouble powerW(double[] s) {
+    double sum = 0.0;
+    for (int i = 0; i < targets.length; i++) {
+      OptionalDouble each = actuators.get(i).powerW(s[LEVELS + i]);
+      if (each.isEmpty()) {
+        return OptionalDouble.empty();
+      }
+      sum += each.getAsDouble();
+    }
+    return OptionalDouble.of(sum);
   }
 
   @Override
@@ -111,12 +127,13 @@ final class FossenModel implements RungeKutta.Motion {
     double q = s[BodyState.RATES + 1];
     double r = s[BodyState.RATES + 2];
     BodyState.kinematics(s, rate, currentNorth, currentEast);
-    thrust(s, rate);
     if (sea.isPresent()) {
       Point water = sea.get().orbital;
+      actuate(s, rate, u - water.x(), v - water.y(), w - water.z());
       drag(u - water.x(), v - water.y(), w - water.z(), p, q, r);
       push(sea.get(), under(s));
     } else {
+      actuate(s, rate, u, v, w);
       drag(u, v, w, p, q, r);
     }
     rigidBody(u, v, w, p, q, r);
@@ -131,33 +148,42 @@ final class FossenModel implements RungeKutta.Motion {
     }
   }
 
-  private void thrust(double[] s, double[] rate) {
+  private void actuate(double[] s, double[] rate, double u, double v, double w) {
     Arrays.fill(force, 0.0);
-    for (int i = 0; i < targetN.length; i++) {
-      VesselThruster thruster = thrusters.get(i);
-      double thrustN = s[THRUST + i];
-      rate[THRUST + i] = (targetN[i] - thrustN) / thruster.timeConstantS();
-      Point d = thruster.direction();
-      Point at = thruster.place();
-      force[0] += thrustN * d.x();
-      force[1] += thrustN * d.y();
-      force[2] += thrustN * d.z();
-      force[3] += thrustN * (at.y() * d.z() - at.z() * d.y());
-      force[4] += thrustN * (at.z() * d.x() - at.x() * d.z());
-      force[5] += thrustN * (at.x() * d.y() - at.y() * d.x());
+    for (int i = 0; i < targets.length; i++) {
+      VesselActuator actuator = actuators.get(i);
+      double level = s[LEVELS + i];
+      rate[LEVELS + i] = (targets[i] - level) / actuator.timeConstantS();
+      actuator.act(level, u, v, w, force);
     }
   }
 
   private void drag(double u, double v, double w, double p, double q, double r) {
-    force[0] -= drag(u, hull.drag().x(), hull.squareDrag().x());
-    force[1] -= drag(v, hull.drag().y(), hull.squareDrag().y());
-    force[2] -= drag(w, hull.drag().z(), hull.squareDrag().z());
+    Point linear = linearDrag(u, v, w);
+    force[0] -= drag(u, linear.x(), hull.squareDrag().x());
+    force[1] -= drag(v, linear.y(), hull.squareDrag().y());
+    force[2] -= drag(w, linear.z(), hull.squareDrag().z());
     force[3] -= drag(p, hull.angularDrag().x(), hull.squareAngularDrag().x());
     force[4] -= drag(q, hull.angularDrag().y(), hull.squareAngularDrag().y());
     force[5] -= drag(r, hull.angularDrag().z(), hull.squareAngularDrag().z());
     if (hull.crossFlow().isPresent()) {
       hull.crossFlow().get().drag(v, r, force);
     }
+    if (hull.lift().isPresent()) {
+      hull.lift().get().act(u, v, w, force);
+    }
+  }
+
+  private Point linearDrag(double u, double v, double w) {
+    Point fade = hull.dragFade();
+    if (fade.equals(Point.ORIGIN)) {
+      return hull.drag();
+    }
+    double speed = StrictMath.sqrt(u * u + v * v + w * w);
+    return Point.of(
+        hull.drag().x() * StrictMath.exp(-fade.x() * speed),
+        hull.drag().y() * StrictMath.exp(-fade.y() * speed),
+        hull.drag().z() * StrictMath.exp(-fade.z() * speed));
   }
 
   /**
@@ -201,7 +227,10 @@ final class FossenModel implements RungeKutta.Motion {
     force[5] -= m * (g.x() * by - g.y() * bx) + p * iy - q * ix;
   }
 
-  /** C_A ν = [ω × A v]; [v × A v + ω × B ω], A and B diagonal. */
+  /**
+   * C_A ν = [ω × A v]; [v × A v + ω × B ω], A and B diagonal; of A only the coupling with roll if
+   * the hull has no Munk moment.
+   */
   private void addedMass(double u, double v, double w, double p, double q, double r) {
     double x = hull.addedMass().x() * u;
     double y = hull.addedMass().y() * v;
@@ -209,6 +238,14 @@ final class FossenModel implements RungeKutta.Motion {
     double k = hull.addedInertia().x() * p;
     double l = hull.addedInertia().y() * q;
     double n = hull.addedInertia().z() * r;
+    if (!hull.hasMunkMoment()) {
+      force[1] += p * z;
+      force[2] -= p * y;
+      force[3] -= v * z - w * y + q * n - r * l;
+      force[4] -= r * k - p * n;
+      force[5] -= p * l - q * k;
+      return;
+    }
     force[0] -= q * z - r * y;
     force[1] -= r * x - p * z;
     force[2] -= p * y - q * x;

@@ -24,6 +24,11 @@ import org.u2sa.sim.motion.Arguments;
  * @param waterplane restoring forces of a hull that stays at the surface, instead of weight,
  *     buoyancy and height
  * @param crossFlow drag of a slender hull; empty: none
+ * @param lift lift and drag of a submerged slender hull; empty: none
+ * @param dragFade decay of the linear damping with the speed U through the water, exp(−fade · U),
+ *     where quadratic terms take over [s/m]; 0: none
+ * @param hasMunkMoment whether added mass couples linear velocity into pitch and yaw, which turns a
+ *     slender hull across its motion; models without the damping that balances it leave it out
  */
 public record Hull(
     double massKg,
@@ -39,7 +44,10 @@ public record Hull(
     double buoyancyN,
     double heightM,
     Optional<Waterplane> waterplane,
-    Optional<CrossFlow> crossFlow) {
+    Optional<CrossFlow> crossFlow,
+    Optional<HullLift> lift,
+    Point dragFade,
+    boolean hasMunkMoment) {
   /**
    * @throws IllegalArgumentException if a mass or the height is not above 0
    */

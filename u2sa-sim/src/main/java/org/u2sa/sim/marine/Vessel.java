@@ -1,6 +1,7 @@
 package org.u2sa.sim.marine;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
@@ -31,6 +32,8 @@ public final class Vessel implements SimulatedVehicle {
   private final boolean floats;
   private final RungeKutta integrator;
   private final Water water;
+  private final boolean powerIsKnown;
+  private double energyJ;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
 
   /**
@@ -43,7 +46,7 @@ public final class Vessel implements SimulatedVehicle {
    */
   public Vessel(
       Hull hull,
-      List<VesselThruster> thrusters,
+      List<? extends VesselActuator> actuators,
       Footprint footprint,
       World world,
       Point start,
@@ -54,14 +57,15 @@ public final class Vessel implements SimulatedVehicle {
             .orElseThrow(() -> new IllegalArgumentException("a vessel needs a world with water"));
     this.world = world;
     this.footprint = footprint;
-    names = thrusters.stream().map(VesselThruster::name).collect(Collectors.toUnmodifiableList());
-    model = new FossenModel(hull, thrusters, water.currentAt(start), -water.surfaceM());
+    names = actuators.stream().map(VesselActuator::name).collect(Collectors.toUnmodifiableList());
+    model = new FossenModel(hull, actuators, water.currentAt(start), -water.surfaceM());
     state = new double[model.size()];
     rates = new double[model.size()];
     integrator = new RungeKutta(model.size());
     BodyState.place(state, start, headingRad);
     floats = hull.waterplane().isPresent();
     surround();
+    powerIsKnown = model.powerW(state).isPresent();
   }
 
   /** Starts at rest over ground instead of drifting with the current; call before any step. */
@@ -142,6 +146,15 @@ public final class Vessel implements SimulatedVehicle {
     surround();
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
     BodyState.normalize(state);
+    if (powerIsKnown) {
+      energyJ += model.powerW(state).orElseThrow() / TICKS_PER_SECOND;
+    }
+  }
+
+  /** {@inheritDoc} That of its motors. */
+  @Override
+  public OptionalDouble energyJ() {
+    return powerIsKnown ? OptionalDouble.of(energyJ) : OptionalDouble.empty();
   }
 
   @Override

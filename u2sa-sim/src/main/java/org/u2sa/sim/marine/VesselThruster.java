@@ -1,5 +1,6 @@
 package org.u2sa.sim.marine;
 
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
@@ -14,6 +15,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param deadband command magnitude below which it does not turn, 0…1
  * @param exponent exponent of the thrust curve beyond the dead band
  * @param timeConstantS time constant of the lag [s]
+ * @param fullPowerW electrical power at full command [W]; 0: unknown
  */
 public record VesselThruster(
     String name,
@@ -23,7 +25,9 @@ public record VesselThruster(
     double reverseN,
     double deadband,
     double exponent,
-    double timeConstantS) {
+    double timeConstantS,
+    double fullPowerW)
+    implements VesselActuator {
   private static final double UNIT = 1e-6;
 
   /**
@@ -38,13 +42,30 @@ public record VesselThruster(
         "length of the direction of " + name, direction.distance(), 1.0 - UNIT, 1.0 + UNIT);
   }
 
-  /** Steady-state thrust at a command −1…1 [N]. */
-  double thrustN(double command) {
+  /** {@inheritDoc} The thrust [N]. */
+  @Override
+  public double level(double command) {
     double beyond = (StrictMath.abs(command) - deadband) / (1.0 - deadband);
     if (!(beyond > 0.0)) {
       return 0.0;
     }
     double share = StrictMath.pow(StrictMath.min(1.0, beyond), exponent);
     return command > 0.0 ? share * forwardN : -share * reverseN;
+  }
+
+  /**
+   * {@inheritDoc} It grows with the thrust to the power of 3/2, as of an ideal propeller at rest.
+   */
+  @Override
+  public OptionalDouble powerW(double level) {
+    double share = level > 0.0 ? level / forwardN : level < 0.0 ? -level / reverseN : 0.0;
+    return fullPowerW > 0.0
+        ? OptionalDouble.of(fullPowerW * share * StrictMath.sqrt(share))
+        : OptionalDouble.empty();
+  }
+
+  @Override
+  public void act(double level, double u, double v, double w, double[] force) {
+    VesselActuator.push(level, direction, place, force);
   }
 }

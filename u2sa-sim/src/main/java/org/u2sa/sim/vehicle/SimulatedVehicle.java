@@ -1,6 +1,7 @@
 package org.u2sa.sim.vehicle;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.Footprint;
@@ -40,6 +41,14 @@ public interface SimulatedVehicle {
 
   /** The world around it. */
   World world();
+
+  /**
+   * Energy used since the start [J], less what motors fed back; whose, by the kind of vehicle, is
+   * in docs/vehicle-files.md. Empty if the model does not know it.
+   */
+  default OptionalDouble energyJ() {
+    return OptionalDouble.empty();
+  }
 
   /**
    * Velocity of the air around it: east, north, up [m/s]; the world's steady wind if it has no

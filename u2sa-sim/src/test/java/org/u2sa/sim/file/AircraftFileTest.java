@@ -86,6 +86,33 @@ class AircraftFileTest {
   }
 
   @Test
+  void energyJ_rotorsAtHalfSpeed_isTheWorkOfTheirShafts() {
+    VehicleFile file = read(BODY, QUAD);
+    SimulatedVehicle vehicle = file.make(file.emptyWorld(), Point.ORIGIN, 0.0, 1);
+    vehicle.actuators().forEach(rotor -> vehicle.command(rotor, 0.5));
+
+    vehicle.step(20.0);
+
+    double fullRadPerS = 9_000.0 * Math.PI / 30.0;
+    double watts = 4.0 * 0.2 * 0.25 * 0.5 * fullRadPerS;
+    assertThat(vehicle.energyJ().orElseThrow()).isCloseTo(20.0 * watts, within(0.2 * watts));
+  }
+
+  @Test
+  void energyJ_flyingWing_isBetweenThePropellersWorkAndTheStalledMotors() {
+    VehicleFile file = read(BODY, WING);
+    SimulatedVehicle vehicle = file.make(file.emptyWorld(), Point.ORIGIN, 0.0, 1);
+
+    vehicle.step(3.0);
+    double waits = vehicle.energyJ().orElseThrow();
+    vehicle.command("THROTTLE", 1.0);
+    vehicle.step(1.0);
+
+    assertThat(waits).isZero();
+    assertThat(vehicle.energyJ().orElseThrow()).isBetween(20.0, 11.1 * 11.1 / 0.06);
+  }
+
+  @Test
   void make_flyingWing_waitsForItsMotorAndIsThrown() {
     VehicleFile file = read(BODY, WING);
     SimulatedVehicle vehicle = file.make(file.emptyWorld(), Point.ORIGIN, 0.0, 1);

@@ -85,7 +85,8 @@ class VehicleFileFuzzTest {
             Vehicles.sixWheels(),
             Vehicles.threeThrusters(),
             Vehicles.text(Vehicles.MINI_MOLLE),
-            Vehicles.text(Vehicles.OTTER));
+            Vehicles.text(Vehicles.OTTER),
+            Vehicles.text(Vehicles.REMUS_100));
     int running = 0;
     for (int i = 0; i < MUTATIONS; i++) {
       String mutant = mutated(originals.get(i % originals.size()));
@@ -100,7 +101,8 @@ class VehicleFileFuzzTest {
 
   @Test
   void load_shippedFiles_run() {
-    for (Path file : List.of(Vehicles.MINI_MOLLE, Vehicles.BLUEROV2, Vehicles.OTTER)) {
+    for (Path file :
+        List.of(Vehicles.MINI_MOLLE, Vehicles.BLUEROV2, Vehicles.OTTER, Vehicles.REMUS_100)) {
       assertThat(runs(Vehicles.text(file))).isTrue();
     }
   }

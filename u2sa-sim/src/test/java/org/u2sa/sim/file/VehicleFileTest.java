@@ -109,7 +109,7 @@ class VehicleFileTest {
     String text = Vehicles.threeThrusters().replace("\"STARBOARD\"", "\"PORT\"");
 
     assertThatThrownBy(() -> Vehicles.parse(text))
-        .hasMessageContaining("line 17, <thruster>: name \"PORT\" is another thruster's already");
+        .hasMessageContaining("line 17, <thruster>: name \"PORT\" is another actuator's already");
   }
 
   @Test

@@ -273,6 +273,11 @@ class FixedWingTest {
     }
 
     @Override
+    public double powerW(double[] s, int first, Air air) {
+      return 0.0;
+    }
+
+    @Override
     public void add(double[] s, double[] rate, int first, Air air, double[] load) {
       System.arraycopy(values, 0, load, 0, values.length);
     }
