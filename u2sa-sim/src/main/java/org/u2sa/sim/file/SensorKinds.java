@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.u2sa.device.payload.Gimbal;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Camera;
@@ -18,6 +19,7 @@ import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.PitotTube;
 import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.RangeFinder;
+import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.VelocityLog;
@@ -60,6 +62,8 @@ final class SensorKinds {
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
     kinds.put(
         "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));
+    kinds.put("gimbal", new Kind(Gimbal.class, false, PayloadParts::gimbal));
+    kinds.put("servo", new Kind(Servo.class, false, PayloadParts::servo));
     kinds.put("camera", new Kind(Camera.class, false, SightSensors::camera));
     return kinds;
   }

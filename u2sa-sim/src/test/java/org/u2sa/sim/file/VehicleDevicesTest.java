@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.payload.Gimbal;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
@@ -164,5 +165,28 @@ class VehicleDevicesTest {
 
     assertThat(turning).isGreaterThan(0.1);
     assertThat(Math.abs(run.at(30_000_000L).rates().z())).isLessThan(0.01);
+  }
+
+  @Test
+  void device_payloads_areTheVehiclesWithTheirLimits() {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.sixWheels()
+                .replace(
+                    "<gps preset=\"survey\"/>",
+                    "<gps preset=\"survey\"/><gimbal><rate unit=\"Hz\">50</rate>"
+                        + "<pan unit=\"rad\">2</pan><lowestTilt unit=\"rad\">-1</lowestTilt>"
+                        + "<highestTilt unit=\"rad\">0.5</highestTilt>"
+                        + "<maxRate unit=\"rad/s\">1</maxRate><lag unit=\"s\">0.1</lag></gimbal>"
+                        + "<servo><rate unit=\"Hz\">50</rate><lowest unit=\"rad\">-0.5</lowest>"
+                        + "<highest unit=\"rad\">1.5</highest><maxRate unit=\"rad/s\">5</maxRate>"
+                        + "<lag unit=\"s\">0.1</lag></servo>"));
+    XmlConfiguration gimbal = variables();
+    XmlConfiguration joint = variables("ACTUATOR NAME", "ELBOW");
+
+    assertThat(device(file, Gimbal.class, "GimbalActuator", gimbal)).isPresent();
+    assertThat(gimbal.overrides()).containsEntry("MINIMUM TILT", -1.0);
+    assertThat(device(file, Servo.class, "Elbow", joint)).isPresent();
+    assertThat(joint.overrides()).containsEntry("TRAVEL", 1.5);
   }
 }
