@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.util.Map;
 import org.u2sa.sim.payload.SimulatedGimbal;
 import org.u2sa.sim.payload.SimulatedServo;
+import org.u2sa.sim.payload.SimulatedSwitch;
 
 /** Payloads of a vehicle file, and their sensors. */
 final class PayloadParts {
@@ -35,5 +36,11 @@ final class PayloadParts {
     return new SensorKinds.Reader(
         Map.of("TRAVEL", Math.max(-lowest, Math.max(0.01, highest))),
         vehicle -> new SimulatedServo(rate, lowest, highest, maxRate, lag));
+  }
+
+  static SensorKinds.Reader output(FileElement file) {
+    double rate = file.number("rate", "Hz", 0.1, 1_000.0);
+    double time = file.number("time", "s", 0.0, 60.0);
+    return new SensorKinds.Reader(vehicle -> new SimulatedSwitch(rate, time));
   }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.u2sa.device.payload.Gimbal;
+import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Camera;
@@ -64,6 +65,7 @@ final class SensorKinds {
         "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));
     kinds.put("gimbal", new Kind(Gimbal.class, false, PayloadParts::gimbal));
     kinds.put("servo", new Kind(Servo.class, false, PayloadParts::servo));
+    kinds.put("switch", new Kind(SwitchOutput.class, false, PayloadParts::output));
     kinds.put("camera", new Kind(Camera.class, false, SightSensors::camera));
     return kinds;
   }
