@@ -1,6 +1,8 @@
 package org.u2sa.sim.file;
 
 import java.util.Map;
+import org.u2sa.sim.device.SensorErrors;
+import org.u2sa.sim.device.SimulatedLoadCell;
 import org.u2sa.sim.payload.SimulatedGimbal;
 import org.u2sa.sim.payload.SimulatedServo;
 import org.u2sa.sim.payload.SimulatedSwitch;
@@ -42,5 +44,19 @@ final class PayloadParts {
     double rate = file.number("rate", "Hz", 0.1, 1_000.0);
     double time = file.number("time", "s", 0.0, 60.0);
     return new SensorKinds.Reader(vehicle -> new SimulatedSwitch(rate, time));
+  }
+
+  static SensorKinds.Reader loadCell(FileElement file) {
+    SensorErrors errors = StateSensors.errors(file, "N");
+    String thruster = file.text("thruster");
+    return new SensorKinds.Reader(
+        vehicle -> {
+          if (vehicle.thrustN().apply(thruster).isEmpty()) {
+            throw file.xml()
+                .error("thruster: no thruster \"" + thruster + "\" whose thrust is computed");
+          }
+          return new SimulatedLoadCell(
+              errors, vehicle.streams(), () -> vehicle.thrustN().apply(thruster).orElse(0.0));
+        });
   }
 }

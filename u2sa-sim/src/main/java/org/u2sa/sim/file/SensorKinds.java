@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.u2sa.device.payload.Gimbal;
+import org.u2sa.device.payload.LoadCell;
 import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Barometer;
@@ -57,6 +58,7 @@ final class SensorKinds {
     kinds.put("pitotTube", new Kind(PitotTube.class, true, StateSensors::pitotTube));
     kinds.put("anemometer", new Kind(Anemometer.class, true, StateSensors::anemometer));
     kinds.put("velocityLog", new Kind(VelocityLog.class, true, StateSensors::velocityLog));
+    kinds.put("loadCell", new Kind(LoadCell.class, true, PayloadParts::loadCell));
     kinds.put("laser", new Kind(LaserScanner.class, false, SightSensors::laser));
     kinds.put("pointScanner", new Kind(PointScanner.class, false, SightSensors::pointScanner));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));

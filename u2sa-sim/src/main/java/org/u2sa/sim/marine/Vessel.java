@@ -1,6 +1,7 @@
 package org.u2sa.sim.marine;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
@@ -104,6 +105,14 @@ public final class Vessel implements SimulatedVehicle {
   public VehicleTruth truth() {
     model.derivatives(state, rates);
     return BodyState.truth(steps.timeS(), state, rates);
+  }
+
+  @Override
+  public OptionalDouble thrustN(String actuator) {
+    int index = names.indexOf(actuator);
+    return index < 0
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(state[FossenModel.THRUST + index]);
   }
 
   /** Velocity relative to the water: forward, right, down [m/s]. */

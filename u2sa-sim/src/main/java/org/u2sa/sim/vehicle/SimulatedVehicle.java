@@ -1,6 +1,7 @@
 package org.u2sa.sim.vehicle;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.Footprint;
@@ -40,6 +41,11 @@ public interface SimulatedVehicle {
 
   /** The world around it. */
   World world();
+
+  /** Thrust of an actuator now, forward positive [N]; empty if the model computes none. */
+  default OptionalDouble thrustN(String actuator) {
+    return OptionalDouble.empty();
+  }
 
   /**
    * Velocity of the air around it: east, north, up [m/s]; the world's steady wind if it has no

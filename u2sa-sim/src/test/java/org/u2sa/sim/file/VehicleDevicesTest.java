@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.payload.Gimbal;
+import org.u2sa.device.payload.LoadCell;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
@@ -188,5 +189,39 @@ class VehicleDevicesTest {
     assertThat(gimbal.overrides()).containsEntry("MINIMUM TILT", -1.0);
     assertThat(device(file, Servo.class, "Elbow", joint)).isPresent();
     assertThat(joint.overrides()).containsEntry("TRAVEL", 1.5);
+  }
+
+  private static VehicleFile boatWithLoadCell(String thruster) {
+    return Vehicles.parse(
+        Vehicles.threeThrusters()
+            .replace(
+                "</vehicle>",
+                "<loadCell><rate unit=\"Hz\">20</rate><delay unit=\"s\">0</delay>"
+                    + "<sigma unit=\"N\">0</sigma><bias unit=\"N\">0</bias><thruster>"
+                    + thruster
+                    + "</thruster></loadCell></vehicle>"));
+  }
+
+  @Test
+  void read_loadCell_isTheThrustOfItsThruster() throws InterruptedException {
+    VehicleFile file = boatWithLoadCell("PORT");
+    VehicleRun run = run(file);
+    LoadCell cell =
+        new VehicleDevices(file, run, 1)
+            .device(LoadCell.class, "ThrustSensor", variables(), clock)
+            .orElseThrow();
+    double before = cell.read(0L).orElseThrow().newtons();
+    run.command(0L, "PORT", 1.0);
+    clock.runUntil(() -> false, 5_000_000L);
+
+    assertThat(before).isZero();
+    assertThat(cell.read(5_000_000L).orElseThrow().newtons()).isGreaterThan(10.0);
+  }
+
+  @Test
+  void device_loadCellOfNoThruster_isRefusedByName() {
+    assertThatThrownBy(
+            () -> device(boatWithLoadCell("STERN"), LoadCell.class, "ThrustSensor", variables()))
+        .hasMessageContaining("no thruster \"STERN\" whose thrust is computed");
   }
 }
