@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import org.u2sa.device.payload.Gimbal;
+import org.u2sa.device.payload.HydrophoneArray;
 import org.u2sa.device.payload.LoadCell;
 import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.device.port.Anemometer;
@@ -62,6 +63,7 @@ final class SensorKinds {
     kinds.put("laser", new Kind(LaserScanner.class, false, SightSensors::laser));
     kinds.put("pointScanner", new Kind(PointScanner.class, false, SightSensors::pointScanner));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
+    kinds.put("hydrophones", new Kind(HydrophoneArray.class, true, SightSensors::hydrophones));
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
     kinds.put(
         "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));
