@@ -1,6 +1,7 @@
 package org.u2sa.estimation;
 
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.estimation.fusion.FilterTuning;
@@ -178,6 +179,6 @@ record FusionVariables(
     return Stream.of(fluidSensors.split(","))
         .map(String::trim)
         .filter(name -> !name.isEmpty())
-        .collect(Collectors.toUnmodifiableSet());
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 }

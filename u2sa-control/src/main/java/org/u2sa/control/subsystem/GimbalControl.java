@@ -1,5 +1,6 @@
 package org.u2sa.control.subsystem;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
@@ -39,12 +40,11 @@ public final class GimbalControl extends SubsystemControl {
   protected Map<String, Double> angles(Point target) {
     double horizontal = Math.hypot(target.x(), target.y());
     double tilt = Math.atan2(-target.z(), horizontal);
-    return horizontal < OVERHEAD_M
-        ? Map.of(variables.tiltActuator(), tilt)
-        : Map.of(
-            variables.panActuator(),
-            Math.atan2(target.y(), target.x()),
-            variables.tiltActuator(),
-            tilt);
+    Map<String, Double> angles = new LinkedHashMap<>();
+    if (horizontal >= OVERHEAD_M) {
+      angles.put(variables.panActuator(), Math.atan2(target.y(), target.x()));
+    }
+    angles.put(variables.tiltActuator(), tilt);
+    return angles;
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.control.subsystem;
 
+import java.util.LinkedHashMap;
 import java.util.Map;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
@@ -55,9 +56,10 @@ public final class ManipulatorControl extends SubsystemControl {
     double shoulder =
         Math.atan2(-target.z(), out)
             - Math.atan2(fore * Math.sin(elbow), upper + fore * Math.cos(elbow));
-    return Map.of(
-        variables.baseActuator(), Math.atan2(target.y(), target.x()),
-        variables.shoulderActuator(), shoulder,
-        variables.elbowActuator(), elbow);
+    Map<String, Double> angles = new LinkedHashMap<>();
+    angles.put(variables.baseActuator(), Math.atan2(target.y(), target.x()));
+    angles.put(variables.shoulderActuator(), shoulder);
+    angles.put(variables.elbowActuator(), elbow);
+    return angles;
   }
 }

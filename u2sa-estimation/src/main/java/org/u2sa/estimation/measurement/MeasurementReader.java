@@ -2,6 +2,7 @@ package org.u2sa.estimation.measurement;
 
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.TreeSet;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateField;
@@ -45,7 +46,7 @@ public final class MeasurementReader {
 
   /** Creates a reader that uses the given sigmas if a message has none, of all sensors. */
   public MeasurementReader(UsualSigmas usual) {
-    this(usual, Set.of());
+    this(usual, new TreeSet<>());
   }
 
   /**
@@ -55,7 +56,7 @@ public final class MeasurementReader {
    */
   public MeasurementReader(UsualSigmas usual, Set<String> fluidSensors) {
     this.usual = usual;
-    this.fluidSensors = Set.copyOf(fluidSensors);
+    this.fluidSensors = new TreeSet<>(fluidSensors);
   }
 
   /**
