@@ -30,11 +30,17 @@ public record MountingPose(
         @Description("Yaw of the sensor, to the left positive.")
         double yaw) {
   /** Rotation from the sensor's axes to the vehicle's. */
-  Turn turn() {
+  public Turn turn() {
     // BODY is left-handed: rotations are done in FRD axes, where y, roll and yaw have opposite
     // signs.
     Rotation frd = Rotation.nedFromFrd(-roll, pitch, -yaw);
     return seen -> mirrored(frd.times(mirrored(seen))).plus(Point.of(x, y, z));
+  }
+
+  /** Converts a point from BODY to the sensor's own axes: forward, left, down of it [m]. */
+  public Point seen(Point body) {
+    Rotation frd = Rotation.nedFromFrd(-roll, pitch, -yaw);
+    return mirrored(frd.transposed().times(mirrored(body.minus(Point.of(x, y, z)))));
   }
 
   /** Sets a scan's mounting; returns the scan. */
@@ -48,7 +54,7 @@ public record MountingPose(
 
   /** Converts from the sensor's axes to BODY [m]. */
   @FunctionalInterface
-  interface Turn {
+  public interface Turn {
     Point toBody(Point seen);
   }
 }

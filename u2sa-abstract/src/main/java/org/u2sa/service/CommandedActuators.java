@@ -313,6 +313,16 @@ public final class CommandedActuators {
     return !emergency.isStopped() && (armed || !limits.get().requiresArming());
   }
 
+  /**
+   * Whether a Safety Manager says that the vehicle is armed, and said so within ARMING EXPIRY;
+   * whether or not REQUIRES ARMING.
+   */
+  public boolean isArmed() {
+    double expiryS = limits.get().armingExpiry();
+    double silentS = Clock.seconds(service.clock().micros() - armedMicros);
+    return armed && (expiryS <= 0.0 || silentS <= expiryS);
+  }
+
   /** Current command [%], −100…100; empty for neutral: expired, stopped, or not armed. */
   public OptionalDouble percentage(String actuator) {
     return mayMove() ? commands.percentage(actuator) : OptionalDouble.empty();

@@ -17,6 +17,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
+import org.u2sa.device.payload.HydrophoneArray;
+import org.u2sa.device.payload.PingerSensor;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsFix;
@@ -144,6 +146,10 @@ class AbsurdReadingsTest {
     add("sonar", Sonar.Ping.class, (c, device) -> new SonarSensor(c, device::read));
     add("velocity log", Speeds.class, (c, device) -> new WaterSpeedSensor(c, device::read));
     add("traffic", Traffic.class, (c, device) -> new TrafficSensor(c, device::read));
+    add(
+        "hydrophones",
+        HydrophoneArray.Ping.class,
+        (c, device) -> new PingerSensor(c, device::read));
     add("anemometer", Anemometer.Wind.class, (c, device) -> new WindSensor(c, device::read));
     add(
         "3-D scanner",

@@ -102,15 +102,20 @@ public abstract class ControlSystem extends EventDrivenService {
     return isStateless;
   }
 
+  /** The subsystem that it moves; the vehicle, unless overridden. Constant. */
+  protected String subsystem() {
+    return VEHICLE;
+  }
+
   private void onNavigation(NavigationPoint point) {
     if (points.size() >= MAX_SUBSYSTEMS && !points.containsKey(point.subsystem())) {
       points.values().removeIf(each -> !states.isFresh(each)); // names that others invented
       placed.keySet().retainAll(points.keySet());
     }
     points.put(point.subsystem(), point);
-    if (obeysWithoutState() && point.subsystem().equals(VEHICLE) && isAllThereIs(point)) {
+    if (obeysWithoutState() && point.subsystem().equals(subsystem()) && isAllThereIs(point)) {
       begin(true);
-      points.put(VEHICLE, point);
+      points.put(subsystem(), point);
       StateInformation origin =
           new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).psi(0.0);
       origin.timestamp(point.timestamp().getAsLong());
@@ -171,7 +176,7 @@ public abstract class ControlSystem extends EventDrivenService {
     points.values().stream()
         .filter(point -> stateOf(point).isPresent())
         .forEach(point -> placed.put(point.subsystem(), point));
-    control(state, navigationPoint(VEHICLE));
+    control(state, navigationPoint(subsystem()));
   }
 
   /**

@@ -59,7 +59,7 @@ public final class FusingStateEstimator extends StateEstimator {
     super(context, "StateEstimator");
     variables = settings(FusionVariables.class).get(); // changes take effect at the next start
     filter = new ErrorStateFilter(variables.tuning());
-    reader = new MeasurementReader(variables.sigmas());
+    reader = new MeasurementReader(variables.sigmas(), variables.fluid());
     leverArms = new LeverArms(variables.leverArms());
     completeness = NeededNumbers.watch(this);
     registerPublisher(Channels.LOCAL_STATE);

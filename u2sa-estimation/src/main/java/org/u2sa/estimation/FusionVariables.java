@@ -1,5 +1,9 @@
 package org.u2sa.estimation;
 
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.u2sa.estimation.fusion.FilterTuning;
 import org.u2sa.estimation.fusion.MotionDomain;
 import org.u2sa.estimation.measurement.UsualSigmas;
@@ -99,6 +103,10 @@ record FusionVariables(
         @Description(
             "Positions of sensors that are not at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
         String leverArms,
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Names of the sensors whose speeds through the fluid count, separated by commas, for a vehicle with sensors of both air and water; empty: all.")
+        String fluidSensors,
     @Variable(unit = "s", min = 0.1, ifAbsent = 5)
         @Description("Time after which a quantity is reset if all its sources contradict it.")
         double resetAfter,
@@ -164,5 +172,13 @@ record FusionVariables(
   UsualSigmas sigmas() {
     return new UsualSigmas(
         positionSigma, velocitySigma, attitudeSigma, rateSigma, forceSigma, fluidSigma);
+  }
+
+  /** Sensors whose speeds through the fluid count; empty: all. */
+  Set<String> fluid() {
+    return Stream.of(fluidSensors.split(","))
+        .map(String::trim)
+        .filter(name -> !name.isEmpty())
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 }

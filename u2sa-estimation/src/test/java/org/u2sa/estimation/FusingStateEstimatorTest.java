@@ -406,4 +406,17 @@ class FusingStateEstimatorTest {
     assertThat(errorM()).isLessThan(0.7);
     assertThat(state().psi().getAsDouble()).isCloseTo(Math.PI / 2.0, within(1e-6));
   }
+
+  @Test
+  void callback_sensorsOfTwoFluids_countsThoseNamedOnly() {
+    kit.with("FLUID SENSORS", "Log, Other log").with("DOMAIN", "WATER");
+    kit.start(FusingStateEstimator::new);
+    for (int i = 0; i < 100; i++) {
+      drive(0.2);
+      sense(new StateInformation().sensorName("Wind").fluidxDot(8.0).fluidxDotSigma(0.1));
+      sense(new StateInformation().sensorName("Log").fluidxDot(1.5).fluidxDotSigma(0.1));
+    }
+
+    assertThat(state().fluidxDot().orElseThrow()).isCloseTo(1.5, within(0.1));
+  }
 }

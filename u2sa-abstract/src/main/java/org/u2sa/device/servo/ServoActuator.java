@@ -8,6 +8,7 @@ import java.util.Set;
 import org.u2sa.device.DeviceReader;
 import org.u2sa.device.Devices;
 import org.u2sa.device.SlewLimit;
+import org.u2sa.device.payload.WithoutCommands;
 import org.u2sa.device.port.Servo;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
@@ -23,7 +24,8 @@ import org.u2sa.service.handover.HandOver;
  * Actuator service of one servo, such as that of an elevator, a rudder or a gimbal's axis (thesis
  * 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators, its announcement.
  *
- * <p>Without commands, and at an emergency stop, it goes to its neutral angle.
+ * <p>Without commands, and at an emergency stop, it goes to its neutral angle, or holds its angle
+ * with WITHOUT COMMANDS HOLD. It takes percentages and angles from the neutral one.
  */
 public final class ServoActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
@@ -39,6 +41,9 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
           @Description(
               "Name to which commands are addressed, unique in the system; empty: the service's name.")
           String actuatorName,
+      @Variable(ifAbsentText = "VEHICLE")
+          @Description("Subsystem that it moves, such as GIMBAL or ARM, as planners name it.")
+          String subsystem,
       @Variable(ifAbsentText = "false")
           @Description("Whether a positive command turns it backwards.")
           boolean reversed,
@@ -59,7 +64,11 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
           double maximumAngle,
       @Variable(unit = "rad/s", min = 0.01, max = 1_000, ifAbsent = 10)
           @Description("Maximum rate; also of the way to the neutral angle.")
-          double rateLimit) {}
+          double rateLimit,
+      @Variable(ifAbsentText = "NEUTRAL")
+          @Description(
+              "Without commands, at an emergency stop and while disarmed: NEUTRAL goes to the neutral angle, HOLD stays, as joints of an arm should.")
+          WithoutCommands withoutCommands) {}
 
   private final Variables variables;
   private final String actuatorName;
@@ -102,6 +111,9 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
     return List.of(
         new ActuatorAnnouncement()
             .actuatorName(actuatorName)
+            .subsystem(variables.subsystem())
+            .fullAngle(variables.travel())
+            .commandTypes(List.of("AngleCommand"))
             .minimum(variables.minimum())
             .maximum(FULL_PERCENT)
             .rateLimit(percentPerS())
@@ -116,10 +128,14 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
   protected void step(double nowS) {
     long now = clock().micros();
     OptionalDouble commanded = commands.percentage(actuatorName);
-    servo.turn(angleRad(slew.towards(commanded.orElse(0.0), now)));
+    servo.turn(angleRad(slew.towards(commanded.orElse(resting()), now)));
     reader.next(now);
     commands.available(servo.isConnected() ? FULL_PERCENT : 0.0);
     commands.step(nowS);
+  }
+
+  private double resting() {
+    return variables.withoutCommands() == WithoutCommands.HOLD ? slew.percent() : 0.0;
   }
 
   private double angleRad(double percent) {
@@ -148,7 +164,7 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
   @Override
   protected void release() {
     commands.withdraw();
-    servo.turn(angleRad(0.0));
+    servo.turn(angleRad(resting()));
     servo.read(clock().micros());
     servo.close();
   }

@@ -27,6 +27,7 @@ import org.u2sa.device.TrafficSensor;
 import org.u2sa.device.WaterSpeedSensor;
 import org.u2sa.device.WheelMotors;
 import org.u2sa.device.WindSensor;
+import org.u2sa.device.payload.PingerSensor;
 import org.u2sa.drivers.compass.LinkedCompass;
 import org.u2sa.drivers.gps.LinkedGps;
 import org.u2sa.drivers.gps.NmeaGps;
@@ -43,6 +44,7 @@ import org.u2sa.drivers.range.Rplidar;
 import org.u2sa.drivers.range.Velodyne;
 import org.u2sa.drivers.range.VelodynePackets;
 import org.u2sa.drivers.sonar.NmeaDepth;
+import org.u2sa.drivers.sonar.NmeaHydrophones;
 import org.u2sa.drivers.sonar.Ping1d;
 import org.u2sa.drivers.sonar.Ping360;
 import org.u2sa.drivers.sonar.SerialSonar;
@@ -166,6 +168,10 @@ class AbsurdFramesTest {
         "NMEA anemometer",
         (context, link) -> new WindSensor(context, new NmeaAnemometer(link)),
         random -> Frames.nmea(random, "WIMWV,214.8,R,10.1,K,A"));
+    add(
+        "NMEA hydrophones",
+        (context, link) -> new PingerSensor(context, new NmeaHydrophones(link)),
+        random -> Frames.nmea(random, "YXPNG,25000,214.8,-10.1,2.5"));
     add(
         "NMEA radar",
         (context, link) -> new RadarSensor(context, new NmeaRadar(link)),

@@ -47,6 +47,10 @@ final class MavlinkFrame {
 
   /** From component 1 of that system. */
   byte[] from(int system) {
+    return from(system, 1);
+  }
+
+  byte[] from(int system, int component) {
     int length = payload.capacity();
     while (length > 1 && payload.get(length - 1) == 0) { // zeros at the end are not sent
       length--;
@@ -59,7 +63,7 @@ final class MavlinkFrame {
       0,
       0,
       (byte) system,
-      1,
+      (byte) component,
       (byte) messageId,
       (byte) (messageId >> 8)
     };

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.device.servo.ServoActuator;
 import org.u2sa.drivers.link.MemoryLink;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.command.AngleCommand;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.safety.EmergencyStop;
@@ -108,5 +109,29 @@ class ServoActuatorTest {
     command(100.0, 0.5);
 
     assertThat(pulseUs()).isEqualTo(1500.0);
+  }
+
+  @Test
+  void step_angle_turnsByIt() {
+    start();
+    for (int i = 0; i < 20; i++) {
+      kit.publish(Channels.ACTUATION, AngleCommand.of("ELEVATOR", 0.2));
+      kit.advance(0.05);
+    }
+
+    assertThat(pulseUs()).isCloseTo(1620.0, within(0.25));
+  }
+
+  @Test
+  void emergencyStop_withHold_staysWhereItIs() {
+    kit.with("WITHOUT COMMANDS", "HOLD");
+    start();
+    command(40.0, 1.0);
+    kit.send(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().active(true).operator("test").reason("because"));
+    command(100.0, 1.0);
+
+    assertThat(pulseUs()).isCloseTo(1620.0, within(0.25));
   }
 }

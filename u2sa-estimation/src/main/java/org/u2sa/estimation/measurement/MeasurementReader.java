@@ -1,6 +1,8 @@
 package org.u2sa.estimation.measurement;
 
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateField;
@@ -40,10 +42,21 @@ public final class MeasurementReader {
   };
 
   private final UsualSigmas usual;
+  private final Set<String> fluidSensors;
 
-  /** Creates a reader that uses the given sigmas if a message has none. */
+  /** Creates a reader that uses the given sigmas if a message has none, of all sensors. */
   public MeasurementReader(UsualSigmas usual) {
+    this(usual, new TreeSet<>());
+  }
+
+  /**
+   * Creates a reader that uses the given sigmas if a message has none.
+   *
+   * @param fluidSensors names of the sensors whose speeds through the fluid count; empty: all
+   */
+  public MeasurementReader(UsualSigmas usual, Set<String> fluidSensors) {
     this.usual = usual;
+    this.fluidSensors = new TreeSet<>(fluidSensors);
   }
 
   /**
@@ -134,6 +147,9 @@ public final class MeasurementReader {
 
   /** Reads speeds through the fluid; y points left in BODY, right in FRD. */
   private void readFluid(StateInformation s, Measurement to, double ySign) {
+    if (!fluidSensors.isEmpty() && !fluidSensors.contains(s.sensorName())) {
+      return; // of another fluid
+    }
     for (int i = 0; i < 3; i++) {
       OptionalDouble speed = s.number(FLUID[i]);
       if (speed.isPresent()) {

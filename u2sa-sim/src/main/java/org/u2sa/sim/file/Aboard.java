@@ -1,6 +1,8 @@
 package org.u2sa.sim.file;
 
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
 import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.u2sa.messages.frame.Point;
@@ -21,6 +23,7 @@ import org.u2sa.sim.world.World;
  * @param air current velocity of the air around the vehicle: east, north, up [m/s]
  * @param wheels current state of a ground vehicle's wheels
  * @param traffic other vehicles now
+ * @param thrustN thrust of an actuator now [N]; empty if the model computes none
  * @param streams the device's own random numbers
  */
 record Aboard(
@@ -29,6 +32,7 @@ record Aboard(
     Supplier<Point> air,
     Supplier<GroundState> wheels,
     Supplier<List<SimulatedTraffic.Other>> traffic,
+    Function<String, OptionalDouble> thrustN,
     NoiseStreams streams) {
 
   /**
@@ -47,6 +51,7 @@ record Aboard(
         () -> run.read(nowMicros.getAsLong(), SimulatedVehicle::air),
         () -> run.read(nowMicros.getAsLong(), vehicle -> ((GroundVehicle) vehicle).state()),
         traffic,
+        actuator -> run.read(nowMicros.getAsLong(), vehicle -> vehicle.thrustN(actuator)),
         streams);
   }
 

@@ -6,6 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.u2sa.device.payload.Gimbal;
+import org.u2sa.device.payload.HydrophoneArray;
+import org.u2sa.device.payload.LoadCell;
+import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Camera;
@@ -18,6 +22,7 @@ import org.u2sa.device.port.LaserScanner;
 import org.u2sa.device.port.PitotTube;
 import org.u2sa.device.port.PointScanner;
 import org.u2sa.device.port.RangeFinder;
+import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Sonar;
 import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.device.port.TrafficReceiver;
@@ -55,13 +60,18 @@ final class SensorKinds {
     kinds.put("pitotTube", new Kind(PitotTube.class, true, StateSensors::pitotTube));
     kinds.put("anemometer", new Kind(Anemometer.class, true, StateSensors::anemometer));
     kinds.put("velocityLog", new Kind(VelocityLog.class, true, StateSensors::velocityLog));
+    kinds.put("loadCell", new Kind(LoadCell.class, true, PayloadParts::loadCell));
     kinds.put("laser", new Kind(LaserScanner.class, false, SightSensors::laser));
     kinds.put("pointScanner", new Kind(PointScanner.class, false, SightSensors::pointScanner));
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
+    kinds.put("hydrophones", new Kind(HydrophoneArray.class, true, SightSensors::hydrophones));
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
     kinds.put("radar", new Kind(TrackingRadar.class, true, SightSensors::radar));
     kinds.put(
         "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));
+    kinds.put("gimbal", new Kind(Gimbal.class, false, PayloadParts::gimbal));
+    kinds.put("servo", new Kind(Servo.class, false, PayloadParts::servo));
+    kinds.put("switch", new Kind(SwitchOutput.class, false, PayloadParts::output));
     kinds.put("camera", new Kind(Camera.class, false, SightSensors::camera));
     return kinds;
   }

@@ -9,6 +9,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedCamera;
+import org.u2sa.sim.device.SimulatedHydrophones;
 import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.device.SimulatedPointScanner;
 import org.u2sa.sim.device.SimulatedRadar;
@@ -215,6 +216,18 @@ final class SightSensors {
               return Double.isInfinite(world.distanceM(ray, tip));
             })
         .toList();
+  }
+
+  static SensorKinds.Reader hydrophones(FileElement file) {
+    SensorErrors errors = StateSensors.errors(file, "rad");
+    double frequency = file.positive("frequency", "Hz", 1e6);
+    Point pinger = file.vector("pinger", "m", -1e6, 1e6);
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle ->
+            new SimulatedHydrophones(
+                errors, frequency, pinger, vehicle.streams(), vehicle.at(mount)));
   }
 
   static SensorKinds.Reader camera(FileElement file) {

@@ -72,7 +72,7 @@ public final class VehicleDevices implements DeviceSource {
     if (port == Thruster.class) {
       return Optional.of(port.cast(thruster(service, variables)));
     }
-    if (port == Servo.class) {
+    if (port == Servo.class && isOfTheModel(service, variables)) {
       return Optional.of(port.cast(servo(service, variables)));
     }
     if (port == MotorController.class) {
@@ -154,6 +154,13 @@ public final class VehicleDevices implements DeviceSource {
       return new VehicleThruster(commanded, name);
     }
     throw none(service, "Thruster \"" + name + "\"");
+  }
+
+  /** Whether a servo moves the vehicle's own control surface or steering, not a payload. */
+  private boolean isOfTheModel(String service, XmlConfiguration variables) {
+    String name = stated(variables, ACTUATOR_NAME).orElse(service);
+    return file.model().actuators().contains(name)
+        || file.sensors().stream().noneMatch(each -> each.port() == Servo.class);
   }
 
   private Servo servo(String service, XmlConfiguration variables) {

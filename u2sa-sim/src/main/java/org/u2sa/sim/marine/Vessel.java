@@ -163,6 +163,14 @@ public final class Vessel implements SimulatedVehicle {
     return BodyState.truth(steps.timeS(), state, rates);
   }
 
+  @Override
+  public OptionalDouble thrustN(String actuator) {
+    int index = names.indexOf(actuator);
+    return index < 0
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(state[FossenModel.THRUST + index]);
+  }
+
   /** Velocity relative to the water: forward, right, down [m/s]. */
   public Point throughWater() {
     return BodyState.at(state, BodyState.VELOCITY);

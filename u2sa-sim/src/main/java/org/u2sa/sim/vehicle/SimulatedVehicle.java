@@ -42,6 +42,11 @@ public interface SimulatedVehicle {
   /** The world around it. */
   World world();
 
+  /** Thrust of an actuator now, forward positive [N]; empty if the model computes none. */
+  default OptionalDouble thrustN(String actuator) {
+    return OptionalDouble.empty();
+  }
+
   /**
    * Energy used since the start [J], less what motors fed back; whose, by the kind of vehicle, is
    * in docs/vehicle-files.md. Empty if the model does not know it.

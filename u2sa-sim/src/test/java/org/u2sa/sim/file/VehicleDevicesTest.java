@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.device.payload.Gimbal;
+import org.u2sa.device.payload.LoadCell;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
@@ -220,5 +222,62 @@ class VehicleDevicesTest {
 
     assertThat(turning).isGreaterThan(0.1);
     assertThat(Math.abs(run.at(30_000_000L).rates().z())).isLessThan(0.01);
+  }
+
+  @Test
+  void device_payloads_areTheVehiclesWithTheirLimits() {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.sixWheels()
+                .replace(
+                    "<gps preset=\"survey\"/>",
+                    "<gps preset=\"survey\"/><gimbal><rate unit=\"Hz\">50</rate>"
+                        + "<pan unit=\"rad\">2</pan><lowestTilt unit=\"rad\">-1</lowestTilt>"
+                        + "<highestTilt unit=\"rad\">0.5</highestTilt>"
+                        + "<maxRate unit=\"rad/s\">1</maxRate><lag unit=\"s\">0.1</lag></gimbal>"
+                        + "<servo><rate unit=\"Hz\">50</rate><lowest unit=\"rad\">-0.5</lowest>"
+                        + "<highest unit=\"rad\">1.5</highest><maxRate unit=\"rad/s\">5</maxRate>"
+                        + "<lag unit=\"s\">0.1</lag></servo>"));
+    XmlConfiguration gimbal = variables();
+    XmlConfiguration joint = variables("ACTUATOR NAME", "ELBOW");
+
+    assertThat(device(file, Gimbal.class, "GimbalActuator", gimbal)).isPresent();
+    assertThat(gimbal.overrides()).containsEntry("MINIMUM TILT", -1.0);
+    assertThat(device(file, Servo.class, "Elbow", joint)).isPresent();
+    assertThat(joint.overrides()).containsEntry("TRAVEL", 1.5);
+  }
+
+  private static VehicleFile boatWithLoadCell(String thruster) {
+    return Vehicles.parse(
+        Vehicles.threeThrusters()
+            .replace(
+                "</vehicle>",
+                "<loadCell><rate unit=\"Hz\">20</rate><delay unit=\"s\">0</delay>"
+                    + "<sigma unit=\"N\">0</sigma><bias unit=\"N\">0</bias><thruster>"
+                    + thruster
+                    + "</thruster></loadCell></vehicle>"));
+  }
+
+  @Test
+  void read_loadCell_isTheThrustOfItsThruster() throws InterruptedException {
+    VehicleFile file = boatWithLoadCell("PORT");
+    VehicleRun run = run(file);
+    LoadCell cell =
+        new VehicleDevices(file, run, 1)
+            .device(LoadCell.class, "ThrustSensor", variables(), clock)
+            .orElseThrow();
+    double before = cell.read(0L).orElseThrow().newtons();
+    run.command(0L, "PORT", 1.0);
+    clock.runUntil(() -> false, 5_000_000L);
+
+    assertThat(before).isZero();
+    assertThat(cell.read(5_000_000L).orElseThrow().newtons()).isGreaterThan(10.0);
+  }
+
+  @Test
+  void device_loadCellOfNoThruster_isRefusedByName() {
+    assertThatThrownBy(
+            () -> device(boatWithLoadCell("STERN"), LoadCell.class, "ThrustSensor", variables()))
+        .hasMessageContaining("no thruster \"STERN\" whose thrust is computed");
   }
 }

@@ -112,10 +112,21 @@ class WavesTest {
             floats
                 ? Optional.of(new Waterplane(6_000.0, 900.0, 1_500.0, 0.0, 0.0, Point.ORIGIN))
                 : Optional.empty(),
-            Optional.empty());
+            Optional.empty(),
+            Optional.empty(),
+            Point.ORIGIN,
+            true);
     VesselThruster stern =
         new VesselThruster(
-            "STERN", Point.of(-0.5, 0.0, 0.0), Point.of(1.0, 0.0, 0.0), 50.0, 40.0, 0.05, 2.0, 0.2);
+            "STERN",
+            Point.of(-0.5, 0.0, 0.0),
+            Point.of(1.0, 0.0, 0.0),
+            50.0,
+            40.0,
+            0.05,
+            2.0,
+            0.2,
+            0.0);
     return new Vessel(
         hull,
         List.of(stern),

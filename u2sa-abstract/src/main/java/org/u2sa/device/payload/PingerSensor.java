@@ -1,0 +1,116 @@
+package org.u2sa.device.payload;
+
+import java.util.Locale;
+import java.util.stream.Stream;
+import org.u2sa.device.DeviceSensor;
+import org.u2sa.device.Devices;
+import org.u2sa.device.MountingPose;
+import org.u2sa.device.SensorKind;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Publishes an acoustic pinger as a point object in BODY, once per ping (thesis 2.2, 3.2.2.3). Out:
+ * sensed-objects, uid {@code pinger} and the kilohertz.
+ *
+ * <p>An array measures the direction, not the distance: the object is at RANGE along the direction,
+ * and its standard deviations are those of RANGE SIGMA along and of the angles across it.
+ */
+public final class PingerSensor extends DeviceSensor<HydrophoneArray.Ping> {
+  private static final double HZ_PER_KHZ = 1_000.0;
+  private static final SensorKind<HydrophoneArray> KIND =
+      new SensorKind<>(
+          "PingerSensor",
+          HydrophoneArray.class,
+          new Devices.Usual(
+              "hydrophone array", "HYDROPHONES", "NMEA", "serial:/dev/ttyUSB0?baud=115200"),
+          Channels.SENSED_OBJECTS,
+          20.0, // Hz
+          10.0); // s
+
+  private record Variables(
+      @Variable(unit = "Hz", min = 0, max = 1e6, ifAbsent = 0)
+          @Description("Frequency of the pinger; 0: any.")
+          double frequency,
+      @Variable(unit = "Hz", min = 1, max = 1e5, ifAbsent = 500)
+          @Description("Difference from FREQUENCY beyond which a ping is another pinger's.")
+          double frequencyTolerance,
+      @Variable(ifAbsentText = "pinger") @Description("Type of the object.") String objectType,
+      @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 10)
+          @Description("Distance at which the object is put, as none is measured.")
+          double range,
+      @Variable(unit = "m", min = 0.01, max = 10_000, ifAbsent = 10)
+          @Description("Standard deviation of that distance.")
+          double rangeSigma,
+      @Variable(unit = "rad", min = 0.0001, max = 3, ifAbsent = 0.1)
+          @Description("Standard deviation of the angles, if the array does not say.")
+          double angleSigma) {}
+
+  private final Settings<Variables> tuning = settings(Variables.class);
+  private final MountingPose mounted = settings(MountingPose.class).get();
+
+  /** Launcher constructor: opens the configured array. */
+  public PingerSensor(ServiceContext context) {
+    super(context, KIND);
+  }
+
+  /** Uses the given array, e.g. a simulated one. */
+  public PingerSensor(ServiceContext context, HydrophoneArray array) {
+    super(context, KIND, array);
+  }
+
+  @Override
+  protected Stream<ObjectDescription> messages(HydrophoneArray.Ping ping) {
+    Variables now = tuning.get();
+    boolean isOther =
+        now.frequency() > 0.0
+            && !(Math.abs(ping.frequencyHz() - now.frequency()) <= now.frequencyTolerance());
+    if (isOther) {
+      return Stream.empty();
+    }
+    double level = Math.cos(ping.elevationRad());
+    Point direction =
+        Point.of(
+            level * Math.cos(ping.azimuthRad()),
+            level * Math.sin(ping.azimuthRad()),
+            -Math.sin(ping.elevationRad()));
+    Point place = mounted.turn().toBody(scaled(direction, now.range()));
+    Point along = mounted.turn().toBody(direction).minus(mounted.turn().toBody(Point.ORIGIN));
+    double acrossM = ping.sigmaRad().orElse(now.angleSigma()) * now.range();
+    ObjectDescription pinger = new ObjectDescription();
+    pinger
+        .uid(String.format(Locale.ROOT, "pinger %.1f", ping.frequencyHz() / HZ_PER_KHZ))
+        .objectType(now.objectType())
+        .referenceFrame(ReferenceFrame.BODY)
+        .x(place.x())
+        .y(place.y())
+        .z(place.z())
+        .level(ObjectLevel.HINDRANCE)
+        .sensorName(sensorName());
+    pinger
+        .motion()
+        .sigma(
+            Point.of(
+                sigma(along.x(), now.rangeSigma(), acrossM),
+                sigma(along.y(), now.rangeSigma(), acrossM),
+                sigma(along.z(), now.rangeSigma(), acrossM)));
+    return Stream.of(pinger);
+  }
+
+  private static Point scaled(Point direction, double length) {
+    return Point.of(length * direction.x(), length * direction.y(), length * direction.z());
+  }
+
+  /** Standard deviation along one axis; {@code share} is the direction's component along it. */
+  private static double sigma(double share, double alongM, double acrossM) {
+    double across = Math.sqrt(Math.max(0.0, 1.0 - share * share));
+    return Math.hypot(share * alongM, across * acrossM);
+  }
+}

@@ -1,0 +1,27 @@
+package org.u2sa.sim.device;
+
+import org.u2sa.device.port.Device;
+
+/** Base of the simulated payloads and their sensors, which are in {@code org.u2sa.sim.payload}. */
+public abstract class SimulatedPayload<R extends Device.Reading> extends SimulatedDevice<R> {
+  /** See {@link SimulatedDevice}. */
+  protected SimulatedPayload(double rateHz, double latencyS) {
+    super(rateHz, latencyS);
+  }
+
+  /** Moves on to a time; called at each read while the device is plugged in. */
+  protected void advance(long nowMicros) {}
+
+  /** The reading at a time [µs, run's clock]; it is stamped with the time given. */
+  protected abstract R sense(long stampMicros);
+
+  @Override
+  final void tell(long nowMicros) {
+    advance(nowMicros);
+  }
+
+  @Override
+  final R measure(double timeS, long measuredAtMicros) {
+    return sense(measuredAtMicros);
+  }
+}
