@@ -18,9 +18,10 @@ import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes what a 3-D lidar or a depth camera sees as one point cloud in BODY, once per scan with
- * a point (thesis 3.2.3.6, figure 10): the points at the height of obstacles, the nearest of each
- * cell. Out: sensed-objects; the object's own place is the point nearest to the scanner.
+ * Publishes what a 3-D lidar or a depth camera sees as one point cloud in BODY, once per scan
+ * (thesis 3.2.3.6, figure 10): the points at the height of obstacles, the nearest of each cell,
+ * none if nothing is there. Out: sensed-objects; the object's own place is the point nearest to the
+ * scanner, or the scanner's.
  */
 public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
   private static final SensorKind<PointScanner> KIND =
@@ -72,10 +73,7 @@ public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
   @Override
   protected Stream<PointCloud> messages(PointScanner.Cloud cloud) {
     List<Point> points = thinned(cloud.points(), tuning.get());
-    if (points.isEmpty()) {
-      return Stream.empty();
-    }
-    Point first = points.get(0);
+    Point first = points.isEmpty() ? mounted.toBody(Point.ORIGIN) : points.get(0);
     PointCloud seen = new PointCloud().points(points);
     seen.uid(sensorName())
         .referenceFrame(ReferenceFrame.BODY)

@@ -3,11 +3,14 @@ package org.u2sa.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /**
  * Which sensors should be measuring and are not. A sighting says nothing about the next one, since
- * there may be nothing to see; a scanner, however, scans empty ground too.
+ * there may be nothing to see; a scanner, however, scans empty ground too, and so does one that
+ * publishes its scans as clouds of points.
  */
 final class AwaitedSensors {
   /** Stands for a scanner whose name is not known because it never scanned. */
@@ -30,7 +33,8 @@ final class AwaitedSensors {
     }
   }
 
-  private final Map<String, Scans> scanned = new TreeMap<>(); // by scanner
+  private final Map<String, Scans> scanned = new TreeMap<>(); // by scanner, of either kind
+  private final Set<String> cloudy = new TreeSet<>(); // of them those of clouds
   private final Map<String, Long> seen = new TreeMap<>(); // newest sighting of each sensor [us]
 
   /** Registers a scan that was placed on the map and ended at a time. */
@@ -39,20 +43,36 @@ final class AwaitedSensors {
     scanned.put(sensor, before == null ? new Scans(micros, 0, 0) : before.then(micros));
   }
 
+  /** Registers a cloud that is a scan and was placed on the map. */
+  void cloud(String sensor, long micros) {
+    if (!scanned.containsKey(sensor)) {
+      cloudy.add(sensor);
+    }
+    scan(sensor, micros);
+  }
+
   /** Registers a sighting that was placed on the map. */
   void sighting(String sensor, long micros) {
     seen.merge(sensor, micros, Math::max);
   }
 
+  /** Those heard of whose scans are not clouds. */
   List<String> scanners() {
-    return List.copyOf(scanned.keySet());
+    List<String> names = new ArrayList<>(scanned.keySet());
+    names.removeAll(cloudy);
+    return names;
+  }
+
+  List<String> cloudScanners() {
+    return List.copyOf(cloudy);
   }
 
   /**
    * Sensors that should be measuring and are silent.
    *
    * @param expected names of the sensors that should; if empty, each scanner that was ever heard
-   * @param needsScans whether at least one scan is needed if nothing is named as expected
+   * @param needsScans whether at least one scan, other than a cloud, is needed if nothing is named
+   *     as expected
    * @param nowMicros time of the map [µs]
    * @param silentMicros age from which a measurement is too old; without expected names, a scanner
    *     whose scans are rarer may take twice its usual interval [µs]
@@ -60,12 +80,12 @@ final class AwaitedSensors {
   List<String> silent(
       List<String> expected, boolean needsScans, long nowMicros, long silentMicros) {
     long since = nowMicros - silentMicros;
-    if (expected.isEmpty() && scanned.isEmpty()) {
-      return needsScans ? List.of(ANY_SCANNER) : List.of();
-    }
     List<String> silent = new ArrayList<>(expected.isEmpty() ? scanned.keySet() : expected);
     silent.removeIf(sensor -> scansSince(sensor, nowMicros, since, expected.isEmpty()));
     silent.removeIf(sensor -> seen.getOrDefault(sensor, Long.MIN_VALUE) >= since);
+    if (expected.isEmpty() && needsScans && scanners().isEmpty()) {
+      silent.add(ANY_SCANNER);
+    }
     return silent;
   }
 

@@ -46,7 +46,9 @@ final class ReactiveModeller implements Modeller {
 
   @Override
   public void objects(List<ObjectDescription> seen, Sighting sighting) {
-    bySensor.put(seen.get(0).sensorName(), new Memory(sighting.micros(), List.copyOf(seen)));
+    List<ObjectDescription> objects = new ArrayList<>(seen);
+    objects.removeIf(each -> each instanceof PointCloud cloud && cloud.points().isEmpty());
+    bySensor.put(seen.get(0).sensorName(), new Memory(sighting.micros(), objects));
   }
 
   @Override

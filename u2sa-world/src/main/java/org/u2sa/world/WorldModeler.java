@@ -21,6 +21,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
@@ -270,10 +271,13 @@ public final class WorldModeler extends PeriodicService {
       return;
     }
     count.sightings++;
-    sensors.sighting(seen.get(0).sensorName(), seen.get(0).timestamp().orElseThrow());
-    Sighting placed =
-        sighting.orElse(
-            new Sighting(seen.get(0).timestamp().orElseThrow(), frame, Optional.empty()));
+    long micros = seen.get(0).timestamp().orElseThrow();
+    if (seen.get(0) instanceof PointCloud cloud && cloud.isScan()) {
+      sensors.cloud(cloud.sensorName(), micros);
+    } else {
+      sensors.sighting(seen.get(0).sensorName(), micros);
+    }
+    Sighting placed = sighting.orElse(new Sighting(micros, frame, Optional.empty()));
     modellers.working().values().forEach(modeller -> modeller.objects(seen, placed));
   }
 
@@ -374,6 +378,7 @@ public final class WorldModeler extends PeriodicService {
     state.messages("KNOWN", known);
     state.texts("WANTED TYPES", relevance.types());
     state.texts("SCANNERS", sensors.scanners());
+    state.texts("CLOUD SCANNERS", sensors.cloudScanners());
     Sighting now = now();
     modellers.working().values().forEach(modeller -> modeller.handOver(state, now));
   }
@@ -384,6 +389,7 @@ public final class WorldModeler extends PeriodicService {
     heardStateMicros = clock().micros();
     relevance.want(state.texts("WANTED TYPES"));
     state.texts("SCANNERS").forEach(scanner -> sensors.scan(scanner, clock().micros()));
+    state.texts("CLOUD SCANNERS").forEach(scanner -> sensors.cloud(scanner, clock().micros()));
     frame = MapFrame.takenOver(state).orElse(frame);
     if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
       knownMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(knownMicros)));

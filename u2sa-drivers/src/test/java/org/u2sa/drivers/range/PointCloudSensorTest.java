@@ -69,7 +69,11 @@ class PointCloudSensorTest {
   }
 
   @Test
-  void step_groundOnly_publishesNothing() {
-    assertThat(published(Point.of(5.0, 1.0, 1.0))).isEmpty();
+  void step_groundOnly_publishesAnEmptyCloudAtItsOwnPlace() {
+    PointCloud cloud = published(Point.of(5.0, 1.0, 1.0)).orElseThrow();
+
+    assertThat(cloud.points()).isEmpty();
+    assertThat(cloud.center()).isEqualTo(Point.of(0.0, 0.0, -1.0));
+    assertThat(cloud.isScan()).isTrue();
   }
 }

@@ -133,8 +133,9 @@ class SimulateTest {
     assertThat(summary("out").get("contacts").asInt()).isPositive();
   }
 
-  @Test
-  void simulate_barrelsSeenByA3dLidarOnly_drivesAroundThemAndUnderABranch()
+  @ParameterizedTest
+  @ValueSource(strings = {"REACTIVE", "OBJECTS"})
+  void simulate_barrelsSeenByA3dLidarOnly_drivesAroundThemAndUnderABranch(String modeller)
       throws IOException, URISyntaxException {
     project("rover");
     replace(
@@ -148,7 +149,7 @@ class SimulateTest {
         "</vehicle>",
         "<pointScanner preset=\"Velodyne VLP-16\"><position>0 0 -1</position></pointScanner></vehicle>");
     replace("WorldModeler.xml", "\"WORLD\"", "\"MODELLERS\"");
-    replace("WorldModeler.xml", "known.xml", "REACTIVE");
+    replace("WorldModeler.xml", "known.xml", modeller);
     replace(
         "PathPlanner.xml",
         "</configuration>",

@@ -14,6 +14,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.grid.GridModeller;
 import org.u2sa.world.modeller.HiddenGround;
@@ -42,6 +43,7 @@ public final class ObjectMapModeller implements Modeller {
   private final TrackReport report = new TrackReport();
   private final HiddenGround hidden = new HiddenGround();
   private final ScannedMovers scanned = new ScannedMovers();
+  private final NewestClouds clouds = new NewestClouds();
   private List<ObjectDescription> known = List.of();
   private long knownMicros;
   private MapFrame frame = MapFrame.BODY;
@@ -58,7 +60,17 @@ public final class ObjectMapModeller implements Modeller {
 
   @Override
   public void objects(List<ObjectDescription> all, Sighting sighting) {
-    take(all, sighting, MappedObject.Source.SENSOR);
+    List<ObjectDescription> objects = new ArrayList<>();
+    for (ObjectDescription each : all) {
+      if (!NewestClouds.takes(each)) {
+        objects.add(each);
+      } else if (!settings.get().isUnmapped(each.objectType())) {
+        clouds.put((PointCloud) each, sighting);
+      }
+    }
+    if (!objects.isEmpty()) {
+      take(objects, sighting, MappedObject.Source.SENSOR);
+    }
   }
 
   private void take(List<ObjectDescription> all, Sighting sighting, MappedObject.Source source) {
@@ -255,6 +267,7 @@ public final class ObjectMapModeller implements Modeller {
   @Override
   public void enter(MapFrame newFrame, Sighting now) {
     scanned.clear();
+    clouds.clear();
     List<MappedObject> before = new ArrayList<>(tracks);
     Sighting there = new Sighting(now.micros(), newFrame, now.vehicle());
     tracks.clear();
@@ -294,6 +307,7 @@ public final class ObjectMapModeller implements Modeller {
         }
       }
     }
+    objects.addAll(clouds.clouds(now.micros(), tuning.forgetStanding()));
     for (ObjectDescription object : known) { // objects that cannot be converted to this frame
       if (frame.placed(object, now.vehicle()).isEmpty()) {
         objects.add(object.after(Clock.seconds(now.micros() - knownMicros)));
@@ -310,6 +324,7 @@ public final class ObjectMapModeller implements Modeller {
             "%s objects, %s confirmed, %s moving, %s sightings, %s without a way into %s, %s of a"
                 + " name in the wrong place",
             tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread)
+        + clouds.remark()
         + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values")
         + (tooLong == 0 ? "" : ", " + tooLong + " refused for their length");
   }
@@ -329,6 +344,9 @@ public final class ObjectMapModeller implements Modeller {
   public void takeOver(HandOver state, Sighting now) {
     StateInformation vehicle = now.vehicle().orElse(null);
     for (ObjectDescription object : state.messages("OBJECTS", ObjectDescription.class)) {
+      if (NewestClouds.takes(object)) {
+        continue; // a memory of the predecessor, soon replaced by a new scan
+      }
       Sighting sighting = new Sighting(now.micros(), frame, Optional.ofNullable(vehicle));
       Detection.of(object, sighting, settings.get().defaultSigma())
           .ifPresent(
