@@ -13,6 +13,9 @@ final class BoardConnector implements AutoCloseable {
   private static final long RETRY_MICROS = 1000 * RETRY_MS;
   private static final long ANSWER_WITHIN_MICROS = 3_000_000;
   private static final long END_WITHIN_MS = 1_000;
+  private static final long ASK_EVERY_MS = 250;
+  private static final int ASKED_PER_PATIENCE = 4;
+  private static final long LONGEST_LOOK_MICROS = 100_000; // more is this process's own pause
 
   private final BoardConnection connection;
   private final PinPlan plan;
@@ -26,12 +29,16 @@ final class BoardConnector implements AutoCloseable {
   private BoardSession watched; // session of the last sign of life
   private long seenBytes;
   private long seenMicros;
+  private long seenAnswers;
+  private long lookedMicros; // when it looked for answers last
+  private long deafMicros; // time that it watched without an answer
   private long retryMicros = Long.MIN_VALUE;
 
   /**
    * Idle until {@link #start}.
    *
-   * @param silentAfterS time without a byte after which the board counts as lost [s]
+   * @param silentAfterS time without a byte, or without an answer to what it is sent, after which
+   *     the board counts as lost [s]
    */
   BoardConnector(BoardConnection connection, PinPlan plan, double silentAfterS) {
     this.connection = connection;
@@ -117,7 +124,7 @@ final class BoardConnector implements AutoCloseable {
 
   /** Returns the connection, or null on failure. */
   private BoardSession tryOnce() {
-    BoardSession made = new BoardSession(connection);
+    BoardSession made = new BoardSession(connection, askEveryMs());
     attempt = made;
     String reason = closed ? "closed" : made.connect(plan);
     if (!reason.isEmpty()) {
@@ -133,6 +140,10 @@ final class BoardConnector implements AutoCloseable {
     return made;
   }
 
+  private long askEveryMs() {
+    return Math.min(ASK_EVERY_MS, silentMicros / (ASKED_PER_PATIENCE * 1000L));
+  }
+
   private void awaitEnd(BoardSession made) {
     try {
       trouble = made.awaitEnd();
@@ -143,7 +154,7 @@ final class BoardConnector implements AutoCloseable {
     attempt = null;
   }
 
-  /** Gives up a board that does not answer or has fallen silent. */
+  /** Gives up a board that does not answer, has fallen silent, or takes nothing any more. */
   private void watch(long nowMicros) {
     BoardSession present = attempt;
     if (present == null || !present.link().isHandshaking() || !present.isUp()) {
@@ -151,17 +162,39 @@ final class BoardConnector implements AutoCloseable {
       return;
     }
     boolean isConnected = present == session;
+    if (present != watched) {
+      deafMicros = 0;
+    }
     long bytes = present.link().received();
     if (present != watched || isConnected && bytes != seenBytes) {
       watched = present;
       seenBytes = bytes;
       seenMicros = nowMicros;
     }
+    if (isDeaf(present, isConnected, nowMicros)) {
+      giveUp(
+          present,
+          "it sends, but has not obeyed for more than " + Clock.seconds(silentMicros) + " s");
+      return;
+    }
     long patience = isConnected ? silentMicros : ANSWER_WITHIN_MICROS;
     if (nowMicros - seenMicros > patience) {
       String what = isConnected ? "no data for more than " : "no answer within ";
       giveUp(present, what + Clock.seconds(patience) + " s");
     }
+  }
+
+  /** Whether a connected board has not answered for too long, whatever else it sends. */
+  private boolean isDeaf(BoardSession present, boolean isConnected, long nowMicros) {
+    long answers = present.answers().orElse(0);
+    if (present.answers().isEmpty() || !isConnected || answers != seenAnswers) {
+      deafMicros = 0;
+    } else {
+      deafMicros += Math.min(Math.max(0, nowMicros - lookedMicros), LONGEST_LOOK_MICROS);
+    }
+    seenAnswers = answers;
+    lookedMicros = nowMicros;
+    return deafMicros > silentMicros;
   }
 
   /** Gives up a connection; closes it on another thread, because closing may block on the link. */

@@ -6,18 +6,26 @@ import ioio.lib.api.exception.ConnectionLostException;
 import ioio.lib.api.exception.IncompatibilityException;
 import ioio.lib.api.exception.OutOfResourceException;
 import java.util.Optional;
+import java.util.OptionalLong;
 
 /** One connection attempt and, if it succeeds, the connection until its end. */
 final class BoardSession {
   private final GuardedConnection guarded;
   private final IOIO ioio;
+  private final Optional<BoardEcho> echo; // none in lockstep
   private volatile BoardPins pins; // null until connected
   private volatile String blame = ""; // reason for giving up
 
-  /** Idle until {@link #connect}. */
-  BoardSession(BoardConnection connection) {
+  /**
+   * Idle until {@link #connect}.
+   *
+   * @param askEveryMs pause between an answer of the board and the next question; not in lockstep
+   */
+  BoardSession(BoardConnection connection, long askEveryMs) {
     guarded = new GuardedConnection(connection.newConnection(), connection.isLockstep());
     ioio = IOIOFactory.create(guarded);
+    echo =
+        connection.isLockstep() ? Optional.empty() : Optional.of(new BoardEcho(ioio, askEveryMs));
   }
 
   /**
@@ -30,6 +38,9 @@ final class BoardSession {
     try {
       ioio.waitForConnect();
       pins = guarded.whileUp(() -> new BoardPins(ioio, plan));
+      if (echo.isPresent()) {
+        guarded.start(echo.get());
+      }
       return "";
     } catch (ConnectionLostException e) {
       Throwable cause = e.getCause();
@@ -80,6 +91,11 @@ final class BoardSession {
 
   GuardedConnection link() {
     return guarded;
+  }
+
+  /** Number of questions that the board has answered; empty in lockstep, which asks none. */
+  OptionalLong answers() {
+    return echo.isPresent() ? OptionalLong.of(echo.get().answers()) : OptionalLong.empty();
   }
 
   /** Whether the board is connected, as far as known. */

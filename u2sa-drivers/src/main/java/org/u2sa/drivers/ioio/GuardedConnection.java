@@ -14,7 +14,8 @@ import java.util.concurrent.locks.ReentrantLock;
  * thread sends. And the library deadlocks if the connection ends while a pin is being opened:
  * {@code IOIOImpl.openUart} and similar methods lock the IOIO's monitor and then the incoming
  * state's, {@code IncomingState.handleConnectionLost} the reverse. So pins are opened in {@link
- * #whileUp}, and the library learns of a disconnect only outside it.
+ * #whileUp}, and the library learns of a disconnect only outside it. {@code IOIOImpl.sync} locks in
+ * the same order, so a {@link BoardEcho} ends before the library learns.
  */
 final class GuardedConnection implements IOIOConnection {
   private static final int BUFFER = 1024;
@@ -28,6 +29,7 @@ final class GuardedConnection implements IOIOConnection {
   private final boolean direct;
   private final ReentrantLock up = new ReentrantLock(); // held while opening pins
   private final AtomicLong received = new AtomicLong();
+  private Optional<BoardEcho> echo = Optional.empty(); // guarded by up
   private volatile boolean handshaking;
   private volatile boolean ended;
   private volatile InputStream in;
@@ -80,6 +82,20 @@ final class GuardedConnection implements IOIOConnection {
     } finally {
       up.unlock();
     }
+  }
+
+  /**
+   * Starts asking for answers; the end of the connection ends it.
+   *
+   * @throws ConnectionLostException if the connection has ended
+   */
+  void start(BoardEcho asked) throws ConnectionLostException {
+    whileUp(
+        () -> {
+          echo = Optional.of(asked);
+          asked.start();
+          return asked;
+        });
   }
 
   /** Whether the transport is open, so that the board is expected to respond. */
@@ -165,7 +181,9 @@ final class GuardedConnection implements IOIOConnection {
     public void close() throws IOException {
       up.lock();
       ended = true;
+      Optional<BoardEcho> asked = echo;
       up.unlock();
+      asked.ifPresent(BoardEcho::end);
       source.close();
     }
   }

@@ -61,7 +61,8 @@ record IoioVariables(
     @Variable(min = -1, max = 48, ifAbsent = 0) @Description("Pin of the status LED; -1: none.")
         int ledPin,
     @Variable(unit = "s", min = 0.1, max = 60, ifAbsent = 1)
-        @Description("Time without a byte from the board after which it counts as lost.")
+        @Description(
+            "Time without a byte from the board, or without an answer to what it is sent, after which it counts as lost.")
         double boardSilentAfter) {
   /** An actuator and its pin. */
   record ActuatorPin(String name, int pin) {}

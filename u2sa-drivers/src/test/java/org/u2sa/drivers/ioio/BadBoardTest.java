@@ -89,6 +89,43 @@ class BadBoardTest {
   }
 
   @Test
+  void step_boardThatSendsButTakesNothing_isGivenUpAndItsPulsesEnd() throws Exception {
+    DeafConnection way = new DeafConnection(on.connection());
+    try (BoardConnector connector = new BoardConnector(way, BoardConnectorTest.PLAN, 1.0)) {
+      connector.start();
+      await("pulses")
+          .atMost(TcpBench.PATIENCE)
+          .ignoreException(ConnectionLostException.class)
+          .until(
+              () -> {
+                connector.step(on.clock.micros());
+                if (connector.session().isPresent()) {
+                  connector.session().get().pins().pulse(0, 1.8e-3);
+                }
+                return on.bench.width(10) > 0.0;
+              });
+      way.deaf(true);
+      await("the loss")
+          .atMost(TcpBench.PATIENCE)
+          .until(
+              () -> {
+                connector.step(on.clock.micros());
+                return connector.session().isEmpty() && on.bench.width(10) == 0.0;
+              });
+      way.deaf(false);
+      on.awaitBoardAgain(connector);
+    }
+  }
+
+  @Test
+  void answers_boardThatServes_becomeMore() {
+    try (BoardConnector connector = on.connector()) {
+      BoardSession session = on.awaitBoard(connector);
+      await().atMost(TcpBench.PATIENCE).until(() -> session.answers().orElseThrow() > 3);
+    }
+  }
+
+  @Test
   void step_garbageInsteadOfABoard_isRefusedAndNoThreadIsLeft() throws IOException {
     try (ServerSocket other = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
       Thread talker = new Thread(() -> talk(other), "garbage");

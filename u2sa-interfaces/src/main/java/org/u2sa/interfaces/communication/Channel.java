@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 
@@ -18,8 +17,6 @@ import org.u2sa.messages.schema.U2SAData;
  * @param <T> base message type
  */
 public final class Channel<T extends U2SAData> {
-  private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9]*(-[a-z0-9]+)*");
-
   private final String name;
   private final MessageType<T> type;
   private final CarriedTypes carried; // null: the type and all its subclasses
@@ -201,7 +198,18 @@ public final class Channel<T extends U2SAData> {
   }
 
   static boolean isName(String name) {
-    return NAME.matcher(name).matches();
+    // By hand: topics come from strangers, and a pattern takes stack for each word.
+    char before = '-';
+    for (int i = 0; i < name.length(); i++) {
+      char c = name.charAt(i);
+      boolean isLetter = c >= 'a' && c <= 'z';
+      boolean isDigit = c >= '0' && c <= '9' && i > 0;
+      if (!isLetter && !isDigit && (c != '-' || before == '-')) {
+        return false;
+      }
+      before = c;
+    }
+    return before != '-';
   }
 
   @Override

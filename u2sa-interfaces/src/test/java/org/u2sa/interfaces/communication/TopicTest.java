@@ -94,6 +94,14 @@ class TopicTest {
   }
 
   @Test
+  void parse_channelOfTenThousandWords_takesNoStackForEach() {
+    String channel = "a" + "-1b".repeat(10_000);
+    assertThat(Topic.parse("u2sa/ugv/" + channel + "/ObjectList").channel()).isEqualTo(channel);
+    assertThatThrownBy(() -> Topic.parse("u2sa/ugv/" + channel + "-/ObjectList"))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
   void parse_severalTypes_areTheChainAndTheRest() {
     Topic topic = Topic.parse("u2sa/b-1/state/Ti_de/$Ebb2/=GPS");
 

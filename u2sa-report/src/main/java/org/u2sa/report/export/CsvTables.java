@@ -3,6 +3,7 @@ package org.u2sa.report.export;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -43,12 +44,13 @@ public final class CsvTables {
     Files.createDirectories(folder);
     Map<Topic, Path> files = new LinkedHashMap<>();
     Map<Path, Long> rows = new LinkedHashMap<>();
+    Map<String, Integer> namesakes = new HashMap<>(); // so far: there may be tens of thousands
     try (CsvFiles texts = new CsvFiles()) {
       for (Map.Entry<Topic, CsvColumns> table : columns.entrySet()) {
         String name = name(table.getKey());
         Path file = folder.resolve(name + SUFFIX);
-        for (int i = 2; rows.containsKey(file); i++) { // sources may differ in non-letters only
-          file = folder.resolve(name + "-" + i + SUFFIX);
+        while (rows.containsKey(file)) { // sources may differ in non-letters only
+          file = folder.resolve(name + "-" + (1 + namesakes.merge(name, 1, Integer::sum)) + SUFFIX);
         }
         files.put(table.getKey(), file);
         rows.put(file, 0L);

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.u2sa.cli.command.ExitCode;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.sim.file.VehicleCheck;
 import org.u2sa.sim.file.VehicleFile;
 import picocli.CommandLine.Command;
@@ -42,7 +43,12 @@ final class VehicleCommand implements Callable<Integer> {
     @Override
     public Integer call() {
       PrintWriter out = command.commandLine().getOut();
-      VehicleCheck.lines(VehicleFile.load(file)).forEach(out::println);
+      VehicleFile vehicle = VehicleFile.load(file);
+      try {
+        VehicleCheck.lines(vehicle).forEach(out::println);
+      } catch (IllegalArgumentException e) { // each value is in its range, but not all together
+        throw new BadInputException(file + ": cannot be simulated: " + e.getMessage(), e);
+      }
       return ExitCode.DONE;
     }
   }

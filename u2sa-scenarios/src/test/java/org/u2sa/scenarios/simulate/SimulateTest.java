@@ -217,6 +217,18 @@ class SimulateTest {
     assertThat(run.out()).contains("Trio: mass 30.00 kg").contains("turning right:");
   }
 
+  @Test
+  void check_massThatNoUndercarriageCarries_isRefusedInWords()
+      throws IOException, URISyntaxException {
+    project("wing");
+    replace("vehicle.xml", "<mass>1.56</mass>", "<mass>1000000</mass>");
+    CommandLineRun run =
+        CommandLineRun.of("vehicle", "check", folder.resolve("vehicle.xml").toString());
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err()).contains("vehicle.xml", "cannot be simulated: damping of a tyre");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"", "-ackermann"})
   void simulate_systemFileOfTheDemo_drivesThroughTheBoardOfTheVehicleFile(String kind)

@@ -79,10 +79,18 @@ public final class VehicleFile {
     return new VehicleFile(XmlReader.read(in, origin, ROOT));
   }
 
+  private SimulatedVehicle probed(XmlElement root) {
+    try {
+      return make(emptyWorld(), Point.ORIGIN, 0.0, 1);
+    } catch (IllegalArgumentException e) { // each value is in its range, but not all together
+      throw root.error("cannot be simulated: " + e.getMessage(), e);
+    }
+  }
+
   /** Refuses parameters whose motion the integration at a fixed rate cannot follow. */
   private void probe(XmlElement root) {
     for (int pattern = 0; pattern < 4; pattern++) { // all ahead, all astern, and alternating
-      SimulatedVehicle vehicle = make(emptyWorld(), Point.ORIGIN, 0.0, 1);
+      SimulatedVehicle vehicle = probed(root);
       int bits = pattern;
       for (int i = 0; i < model.actuators().size(); i++) {
         String actuator = model.actuators().get(i);

@@ -3,6 +3,7 @@ package org.u2sa.sim.world;
 import java.awt.image.BufferedImage;
 import java.awt.image.Raster;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.ImageIO;
@@ -82,6 +83,9 @@ public final class HeightMap implements Terrain {
    */
   public static HeightMap read(
       Path file, double widthM, double depthM, double lowestM, double highestM) {
+    if (!Files.isRegularFile(file)) {
+      throw new BadInputException(file + ": height map: there is no such regular file");
+    }
     try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
       Raster raster = image(file, stream).getRaster();
       int bits = raster.getSampleModel().getSampleSize(0);

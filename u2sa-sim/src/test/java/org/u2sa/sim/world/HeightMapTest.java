@@ -3,11 +3,13 @@ package org.u2sa.sim.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Random;
 import javax.imageio.ImageIO;
@@ -85,6 +87,13 @@ class HeightMapTest {
     assertThatThrownBy(() -> HeightMap.read(grey, 0.01, 10.0, 0.0, 5.0))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("steepest slope");
+  }
+
+  @Test
+  void read_pipeThatNobodyWrites_isRefusedInsteadOfWaitedFor() throws Exception {
+    Path pipe = folder.resolve("pipe.png");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    assertTimeoutPreemptively(Duration.ofSeconds(30), () -> assertRefused(pipe, "regular file"));
   }
 
   private static void assertRefused(Path file, String why) {

@@ -23,8 +23,9 @@ final class MeshPoints {
   private static final String NUMBER = "\\s+([-+.\\deE]+)";
   private static final Pattern STL_VERTEX = Pattern.compile("vertex" + NUMBER + NUMBER + NUMBER);
   private static final Pattern OBJ_VERTEX = Pattern.compile("(?m)^v" + NUMBER + NUMBER + NUMBER);
-  private static final Pattern DAE_POSITIONS =
-      Pattern.compile("<float_array[^>]*id=\"[^\"]*[Pp]osition[^\"]*\"[^>]*>([^<]*)<");
+  private static final String DAE_ARRAY = "<float_array";
+  private static final Pattern DAE_POSITION = Pattern.compile("id=\"[^\"]*[Pp]osition");
+  private static final int LONGEST_TAG = 1_000;
 
   private MeshPoints() {}
 
@@ -71,13 +72,22 @@ final class MeshPoints {
     }
   }
 
+  /** Searched by hand: a pattern would go back and forth in a file that closes no tag. */
   private static void readCollada(String text, List<Point> points) throws IOException {
-    Matcher arrays = DAE_POSITIONS.matcher(text);
-    while (arrays.find()) {
-      String[] words = arrays.group(1).trim().split("\\s+");
-      for (int i = 0; i + 2 < words.length; i += 3) {
-        add(number(words[i]), number(words[i + 1]), number(words[i + 2]), points);
+    for (int at = text.indexOf(DAE_ARRAY); at >= 0; at = text.indexOf(DAE_ARRAY, at + 1)) {
+      String head = text.substring(at, Math.min(text.length(), at + LONGEST_TAG));
+      int tagEnd = head.indexOf('>');
+      if (tagEnd >= 0 && DAE_POSITION.matcher(head.substring(0, tagEnd)).find()) {
+        int end = text.indexOf('<', at + tagEnd);
+        readPositions(text.substring(at + tagEnd + 1, end < 0 ? text.length() : end), points);
       }
+    }
+  }
+
+  private static void readPositions(String numbers, List<Point> points) throws IOException {
+    String[] words = numbers.trim().split("\\s+");
+    for (int i = 0; i + 2 < words.length; i += 3) {
+      add(number(words[i]), number(words[i + 1]), number(words[i + 2]), points);
     }
   }
 

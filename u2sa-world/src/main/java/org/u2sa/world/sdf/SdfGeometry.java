@@ -23,13 +23,16 @@ final class SdfGeometry {
   private static final double FLAT_M = 1e-3; // thickness of what has none
 
   private final SdfResources resources;
+  private final ReadBudget budget;
   private final List<String> ignored;
 
   /**
+   * @param budget for the meshes
    * @param ignored receives what cannot be an object, and why
    */
-  SdfGeometry(SdfResources resources, List<String> ignored) {
+  SdfGeometry(SdfResources resources, ReadBudget budget, List<String> ignored) {
     this.resources = resources;
+    this.budget = budget;
     this.ignored = ignored;
   }
 
@@ -137,6 +140,7 @@ final class SdfGeometry {
       return Optional.empty();
     }
     try {
+      budget.take(file.get());
       List<Point> points = new ArrayList<>();
       for (Point p : MeshPoints.read(file.get())) {
         points.add(pose.place(Point.of(scale[0] * p.x(), scale[1] * p.y(), scale[2] * p.z())));
@@ -149,20 +153,24 @@ final class SdfGeometry {
   }
 
   private Optional<ObjectDescription> hull(List<Point> points, String name) {
-    if (ConvexHull.of(points).size() < 3) {
+    List<Point> outline = ConvexHull.of(points);
+    if (outline.size() < 3) {
       ignored.add(name + ": has no extent, seen from above");
       return Optional.empty();
     }
-    return Optional.of(prism(points));
+    return Optional.of(prism(points, outline));
   }
 
   private static ObjectDescription prism(List<Point> points) {
+    return prism(points, ConvexHull.of(points));
+  }
+
+  private static ObjectDescription prism(List<Point> points, List<Point> hull) {
     double low = points.stream().mapToDouble(Point::z).min().orElse(0.0);
     double high = points.stream().mapToDouble(Point::z).max().orElse(0.0);
     List<Point> outline = new ArrayList<>();
     double x = 0.0;
     double y = 0.0;
-    List<Point> hull = ConvexHull.of(points);
     for (Point corner : hull) {
       outline.add(Point.of(corner.x(), corner.y(), 0.0));
       x += corner.x() / hull.size();

@@ -1,5 +1,6 @@
 package org.u2sa.world.sdf;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -21,6 +22,7 @@ public final class SdfWorld {
   private static final int MAX_OBJECTS = 100_000;
   private static final int DEEPEST = 16; // models in models
 
+  private final ReadBudget budget = new ReadBudget();
   private final SdfResources resources;
   private final SdfGeometry geometry;
   private final List<ObjectDescription> objects = new ArrayList<>();
@@ -29,7 +31,7 @@ public final class SdfWorld {
 
   private SdfWorld(Path file, Map<String, String> environment) {
     resources = new SdfResources(file, environment);
-    geometry = new SdfGeometry(resources, ignored);
+    geometry = new SdfGeometry(resources, budget, ignored);
   }
 
   /** Whether a file is to be read as SDFormat, by its name. */
@@ -159,6 +161,7 @@ public final class SdfWorld {
       throw include.error("models are nested deeper than " + DEEPEST);
     }
     XmlElement root;
+    take(file.get());
     try {
       root = XmlReader.read(file.get(), "sdf");
     } catch (BadInputException e) { // somebody else's model
@@ -170,6 +173,14 @@ public final class SdfWorld {
           include.child("pose").isPresent() ? pose(include, name) : pose(model, path + name);
       SdfPose at = frame.then(states.getOrDefault(name, placed));
       model(model, at, path + name, file.get().getParent(), depth + 1);
+    }
+  }
+
+  private void take(Path file) {
+    try {
+      budget.take(file);
+    } catch (IOException e) {
+      throw new BadInputException(file + ": " + e.getMessage(), e);
     }
   }
 

@@ -3,6 +3,7 @@ package org.u2sa.world.sdf;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -10,6 +11,7 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -158,6 +160,57 @@ class SdfWorldTest {
         .containsExactly(
             "nobody: model model://nobody is not found",
             "etc: model ../../../../../../etc is not found");
+  }
+
+  @Test
+  void read_modelsThatIncludeEachOtherByTheThousand_areRefusedSoon() throws IOException {
+    for (int level = 0; level < 7; level++) {
+      Path model = Files.createDirectories(folder.resolve("models/m" + level));
+      String include = "<include><uri>model://m" + (level + 1) + "</uri></include>";
+      Files.writeString(
+          model.resolve("model.sdf"),
+          "<sdf version=\"1.9\"><model name=\"m\">" + include.repeat(30) + "</model></sdf>");
+    }
+    String world =
+        "<sdf version=\"1.9\"><world name=\"w\"><include><uri>model://m0</uri></include></world></sdf>";
+
+    assertTimeoutPreemptively(
+        Duration.ofMinutes(2),
+        () ->
+            assertThatThrownBy(() -> read(world))
+                .isInstanceOf(BadInputException.class)
+                .hasMessageContaining("as often as it is included"));
+  }
+
+  @Test
+  void read_colladaWhoseTagsDoNotEnd_isReadSoon() throws IOException {
+    Files.writeString(folder.resolve("evil.dae"), "<float_array".repeat(400_000));
+
+    SdfWorld world =
+        assertTimeoutPreemptively(Duration.ofMinutes(1), () -> read(meshWorld("evil.dae")));
+
+    assertThat(world.ignored()).containsExactly("m/l: mesh evil.dae: has no corners");
+  }
+
+  @Test
+  void read_collada_takesThePositionsOnly() throws IOException {
+    Files.writeString(
+        folder.resolve("tetra.dae"),
+        """
+        <COLLADA><float_array count="9" id="mesh-positions-array"> 0 0 0  1 0 0
+          0 1 3 </float_array><float_array id="mesh-normals-array">9 9 9</float_array></COLLADA>
+        """);
+
+    Polygon mesh = object(read(meshWorld("tetra.dae")), Polygon.class, "m");
+
+    assertThat(mesh.height()).isCloseTo(3.0, within(1e-9));
+    assertThat(mesh.points()).hasSize(3).contains(Point.of(1.0, 0.0, 0.0));
+  }
+
+  private static String meshWorld(String file) {
+    return "<sdf version=\"1.9\"><model name=\"m\"><link name=\"l\"><collision name=\"c\"><geometry><mesh><uri>"
+        + file
+        + "</uri></mesh></geometry></collision></link></model></sdf>";
   }
 
   private static byte[] stl(Point... corners) {

@@ -1,0 +1,70 @@
+package org.u2sa.drivers.ioio;
+
+import ioio.lib.api.IOIO;
+import ioio.lib.api.exception.ConnectionLostException;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * Asks a connected board for answers, on a daemon thread: a board that sends but takes nothing
+ * drives its pins by old commands, emergency stop or not, and only its answers tell.
+ */
+final class BoardEcho {
+  private final IOIO ioio;
+  private final long everyMs;
+  private final AtomicLong answers = new AtomicLong();
+  private final Thread thread = new Thread(this::ask, "u2sa-ioio-echo");
+
+  /**
+   * Idle until {@link #start}.
+   *
+   * @param everyMs pause between an answer and the next question
+   */
+  BoardEcho(IOIO ioio, long everyMs) {
+    this.ioio = ioio;
+    this.everyMs = everyMs;
+    thread.setDaemon(true);
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  /** Number of answers so far. */
+  long answers() {
+    return answers.get();
+  }
+
+  private void ask() {
+    try {
+      while (!Thread.currentThread().isInterrupted()) {
+        ioio.sync();
+        answers.incrementAndGet();
+        pause();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ConnectionLostException | IllegalStateException e) {
+      return; // over
+    }
+  }
+
+  private synchronized void pause() throws InterruptedException {
+    wait(everyMs);
+  }
+
+  /** Ends the thread, and waits for that; harmless if it has ended or was never started. */
+  void end() {
+    thread.interrupt();
+    boolean wasInterrupted = false;
+    while (thread.isAlive()) {
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        wasInterrupted = true;
+      }
+    }
+    if (wasInterrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,37 @@
+package org.u2sa.world.sdf;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * Limits what a world may have read: models that include others, and meshes, each time that they
+ * are named. A few short files that include each other would otherwise take years.
+ */
+final class ReadBudget {
+  private static final long MOST_BYTES = 512L << 20;
+  private static final long LEAST_COST = 16_384; // of opening a file, however short it is
+
+  private long left = MOST_BYTES;
+
+  /**
+   * Takes the cost of reading a file.
+   *
+   * @throws BadInputException if nothing is left
+   * @throws IOException if its size cannot be read, or it is not a regular file
+   */
+  void take(Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw new IOException("is not a regular file");
+    }
+    left -= Math.max(LEAST_COST, Files.size(file));
+    if (left < 0) {
+      throw new BadInputException(
+          file
+              + ": the models and meshes of the world come to more than "
+              + (MOST_BYTES >> 20)
+              + " MB, each counted as often as it is included");
+    }
+  }
+}
