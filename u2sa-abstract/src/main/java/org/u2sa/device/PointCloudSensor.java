@@ -18,9 +18,9 @@ import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes what a 3-D lidar or a depth camera sees as one point cloud in BODY, once per scan with
- * a point (thesis 3.2.3.6, figure 10): the points at the height of obstacles, the nearest of each
- * cell. Out: sensed-objects; the object's own place is the point nearest to the scanner.
+ * Publishes the points of a 3-D lidar or a depth camera as one point cloud in BODY, once per
+ * non-empty scan (thesis 3.2.3.6, figure 10): the points at the height of obstacles, the nearest of
+ * each cell. Out: sensed-objects; the object's position is the point nearest to the scanner.
  */
 public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
   private static final SensorKind<PointScanner> KIND =
@@ -34,22 +34,25 @@ public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
 
   private record Variables(
       @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 0.1)
-          @Description("Height above the vehicle's reference point; lower points are ground.")
+          @Description(
+              "Height above the vehicle's reference point below which points count as " + "ground.")
           double minHeight,
       @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 2)
-          @Description("Height above the vehicle's reference point; it passes under higher points.")
+          @Description(
+              "Height above the vehicle's reference point above which points are "
+                  + "ignored: the vehicle passes under them.")
           double maxHeight,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.5)
-          @Description("Distance from the scanner; closer points are the vehicle itself.")
+          @Description("Distance from the scanner below which points belong to the vehicle itself.")
           double nearest,
       @Variable(unit = "m", min = 0.1, max = 1_000, ifAbsent = 30)
           @Description("Distance from the scanner beyond which points are ignored.")
           double farthest,
       @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.2)
-          @Description("Edge of the cubes of which one point each is published.")
+          @Description("Voxel size: one point per voxel is published.")
           double cell,
       @Variable(min = 1, max = 10_000, ifAbsent = 1_000)
-          @Description("Maximum number of points in a message; the farthest are left out.")
+          @Description("Maximum number of points in a message; the farthest are dropped.")
           int maxPoints) {}
 
   private record Cell(long x, long y, long z) {}

@@ -28,7 +28,7 @@ import org.u2sa.service.handover.HandOver;
 public final class ServoActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double FULL_PERCENT = 100.0;
-  private static final double TIMEOUT_S = 1.0; // without news of a connected servo
+  private static final double TIMEOUT_S = 1.0; // without data from a connected servo
   private static final String SLEW = "SLEW";
 
   private static final Devices.Usual USUAL =
@@ -40,25 +40,26 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
               "Name to which commands are addressed, unique in the system; empty: the service's name.")
           String actuatorName,
       @Variable(ifAbsentText = "false")
-          @Description("Whether a positive command turns it backwards.")
+          @Description("Whether a positive command moves the servo in reverse.")
           boolean reversed,
       @Variable(unit = "%", min = -100, max = 0, ifAbsent = -100)
-          @Description("Minimum command; 0 for one that turns one way, such as flaps.")
+          @Description(
+              "Minimum command; 0 for a surface that deflects one way only, such as " + "flaps.")
           double minimum,
       @Variable(unit = "rad", min = 0.01, max = 2.0 * Math.PI, ifAbsent = Math.PI / 6.0)
-          @Description("Angle by which a command of 100 % turns it from the neutral angle.")
+          @Description("Deflection from the neutral angle at 100 %.")
           double travel,
       @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
-          @Description("Angle without commands: the trim.")
+          @Description("Neutral angle, taken without commands (trim).")
           double neutralAngle,
       @Variable(unit = "rad", min = -2.0 * Math.PI, max = 0, ifAbsent = -2.0 * Math.PI)
-          @Description("Smallest angle that its linkage allows.")
+          @Description("Minimum angle that the linkage allows.")
           double minimumAngle,
       @Variable(unit = "rad", min = 0, max = 2.0 * Math.PI, ifAbsent = 2.0 * Math.PI)
-          @Description("Largest angle that its linkage allows.")
+          @Description("Maximum angle that the linkage allows.")
           double maximumAngle,
       @Variable(unit = "rad/s", min = 0.01, max = 1_000, ifAbsent = 10)
-          @Description("Maximum rate; also of the way to the neutral angle.")
+          @Description("Maximum rate, also when returning to the neutral angle.")
           double rateLimit) {}
 
   private final Variables variables;
@@ -81,7 +82,8 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
   private ServoActuator(ServiceContext context, Optional<Servo> made) {
     super(context, ServiceRole.ACTUATOR, "ServoActuator", STEPS_PER_S);
     servo = Devices.open(Servo.class, USUAL, context, getServiceName(), made);
-    variables = settings(Variables.class).get(); // after the device, which may know the travel
+    variables =
+        settings(Variables.class).get(); // after opening the device, which may know the travel
     actuatorName = variables.actuatorName().isEmpty() ? getServiceName() : variables.actuatorName();
     commands = new CommandedActuators(this, Set.of(actuatorName), () -> {});
     slew = new SlewLimit(percentPerS());
