@@ -22,7 +22,7 @@ final class Spread {
    * Quantile of the kept values, by nearest rank.
    *
    * @param share 0…1
-   * @throws IllegalStateException if there are none
+   * @throws IllegalStateException if there are no values
    */
   double quantile(double share) {
     double[] sorted = sorted();

@@ -27,7 +27,7 @@ final class Drive implements Receiver {
   /**
    * The goals that a system completes, in their order.
    *
-   * @param goals how many to wait for
+   * @param goals number of goals to wait for
    * @param longestS simulated time after which to give up [s]
    */
   static List<String> completed(String systemFile, Path logs, int goals, double longestS)
