@@ -64,7 +64,9 @@ class ForgedNamesTest {
     assertThat(inbox.messages)
         .containsExactly(report("PathPlanner", ServiceStatus.RUNNING), own)
         .allMatch(message -> !((HealthReport) message).status().equals(ServiceStatus.FAILED));
-    awaitLog("its source name is another connection's: user \"anonymous\", client \"attacker\"");
+    awaitLog(
+        "its source name belongs to another connection: user \"anonymous\", client "
+            + "\"attacker\"");
     awaitLog("name \"PathPlanner\"");
   }
 

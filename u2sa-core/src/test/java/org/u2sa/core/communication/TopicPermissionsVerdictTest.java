@@ -79,7 +79,7 @@ class TopicPermissionsVerdictTest {
     TopicPermissions.Verdict longer = judge.judge(start + "T".repeat(1_025 - start.length()));
     assertThat(longer.refusal()).isEqualTo("its topic is too long");
     assertThat(longer.topic()).isNull();
-    assertThat(judge.judge("/".repeat(31)).refusal()).isEqualTo("its topic is not one of U2SA's");
+    assertThat(judge.judge("/".repeat(31)).refusal()).isEqualTo("its topic is not a U2SA topic");
     assertThat(judge.judge("/".repeat(32)).refusal()).isEqualTo("its topic is too long");
   }
 
