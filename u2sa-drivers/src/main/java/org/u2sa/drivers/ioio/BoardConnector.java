@@ -143,7 +143,7 @@ final class BoardConnector implements AutoCloseable {
     attempt = null;
   }
 
-  /** Gives up a board that does not answer or has fallen silent. */
+  /** Gives up a board that does not answer or is silent. */
   private void watch(long nowMicros) {
     BoardSession present = attempt;
     if (present == null || !present.link().isHandshaking() || !present.isUp()) {
