@@ -16,7 +16,7 @@ import org.u2sa.service.ServiceRole;
  * 3.2.3.1). In: sensed-state. Out: state.
  *
  * <p>A subclass implements {@link #estimate}. The estimate's sensorName is set to this service's
- * name, so that receivers can tell estimators apart; its timestamp defaults to that of the
+ * name, so that receivers can distinguish estimators; its timestamp defaults to that of the
  * measurement. Implausible measurements are ignored, as are sensors beyond the first 32.
  */
 public abstract class StateEstimator extends EventDrivenService {

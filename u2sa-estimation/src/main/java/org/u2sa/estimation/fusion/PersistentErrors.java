@@ -51,7 +51,7 @@ final class PersistentErrors {
     return isPosition(slot) ? 2 : 1;
   }
 
-  /** Index of a slot's first state among those of all slots. */
+  /** Index of a slot's first state in the filter's state vector. */
   private static int first(int slot) {
     return isPosition(slot) ? 2 * slot : FilterState.POSITION_SOURCES + slot;
   }

@@ -42,7 +42,7 @@ final class RefusedScatter {
     t[at + SourceTrust.STREAK_NEWEST + 1] = second;
   }
 
-  /** Noise variance of the rejected positions, per axis [m²]; 0 if there are too few. */
+  /** Noise variance of the rejected positions per axis [m²]; 0 with too few positions. */
   private static double variance(double[] t, int at) {
     double steps = t[at + SourceTrust.STREAK] - 1.0;
     if (steps < MIN_STEPS) {
@@ -58,7 +58,7 @@ final class RefusedScatter {
 
   /**
    * Uses the scatter instead of the claimed variance if it is much larger, and resets the streak.
-   * If this is the only source, the position becomes uncertain by the same amount, and the wheel
+   * If this is the only source, the position uncertainty grows by the same amount, and the wheel
    * scale, which may have been learned from it, is reset.
    *
    * @param isAlone whether no other source supports the position
