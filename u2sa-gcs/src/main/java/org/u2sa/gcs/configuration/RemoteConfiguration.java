@@ -33,7 +33,8 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Answers of all services by name: until all heard services have answered, or the link times out.
+   * Collects the answers of all known services, by name, until all have answered or the link times
+   * out.
    */
   public List<ConfigurationResponse> all() throws InterruptedException {
     return answersOr(Set.of());
@@ -98,7 +99,7 @@ public final class RemoteConfiguration {
     if (index < 0) {
       throw new BadInputException(
           String.format(
-              "%s, variable \"%s\": there is none%s",
+              "%s, variable \"%s\": not found%s",
               of.serviceName(), name, NearestNames.didYouMean(name, names)));
     }
     return of.variables().get(index);

@@ -63,7 +63,7 @@ public final class LocalSystems {
   /**
    * Announces a system of this process.
    *
-   * @param broker address of its own broker; empty if it has none, and then it is not announced
+   * @param broker address of its broker; empty if it has none, so that it is not announced
    * @param console receives a line if that fails, which does not prevent the run
    */
   public Announcement announce(
@@ -153,7 +153,7 @@ public final class LocalSystems {
     try {
       Files.deleteIfExists(file);
     } catch (IOException e) {
-      return Optional.empty(); // as on a disk that became read-only; it says nothing true anyway
+      return Optional.empty(); // e.g. the disk became read-only; the entry is outdated anyway
     }
     return Optional.empty();
   }

@@ -7,7 +7,7 @@ import java.time.Instant;
 import java.util.Optional;
 
 /**
- * Tells a process from a later one with the same number, by when it started.
+ * Distinguishes a process from a later one with the same PID, by its start time.
  *
  * <p>On Linux the start is counted from the machine's boot, which the boot's ID names: the time of
  * day, and with it the start that Java tells, moves when the clock is set.

@@ -126,7 +126,8 @@ public final class StopConfirmation {
     if (heard.isEmpty()) {
       missing.add("no service of system \"" + systemId + "\" is heard");
     } else if (holding.isEmpty()) {
-      missing.add("of its " + heard.size() + " services none says that it heeds emergency stops");
+      missing.add(
+          "of its " + heard.size() + " services, none reports that it obeys emergency " + "stops");
     }
     holding.forEach(
         (service, held) -> {

@@ -19,7 +19,7 @@ public final class StopOrder {
   /** Time in which a service with the default report period reports twice. */
   private static final double LISTEN_S = 0.6;
 
-  /** The Safety Manager's arming state is retained, so it arrives at once if there is one. */
+  /** The Safety Manager's arming state is retained, so it arrives immediately if it exists. */
   private static final double RETAINED_WITHIN_S = 0.1;
 
   /** Systems that one order stops. */
@@ -133,7 +133,7 @@ public final class StopOrder {
     return held -> held.contains(stopId);
   }
 
-  /** Whether a system was heard beyond {@link #MAX_SYSTEMS}, to which the stop was not sent. */
+  /** Whether more than {@link #MAX_SYSTEMS} systems were found, so that some were not stopped. */
   public synchronized boolean leftSome() {
     return leftSome;
   }

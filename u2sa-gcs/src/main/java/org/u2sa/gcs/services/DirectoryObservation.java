@@ -60,8 +60,8 @@ public final class DirectoryObservation {
   }
 
   /**
-   * Whether each heard service is among these, and there was time to hear all. A service counts
-   * from its first answer or health report. False while none was heard.
+   * Whether the given names include each known service, after enough time to discover all. A
+   * service counts from its first answer or health report. False while none was heard.
    */
   public boolean areAmong(Set<String> names) {
     directory.refresh();
