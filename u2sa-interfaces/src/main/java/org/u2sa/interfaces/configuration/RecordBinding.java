@@ -29,7 +29,7 @@ final class RecordBinding<T> {
   /**
    * @param prefix prefix of each variable's name
    * @throws IllegalArgumentException if it is not a record of correctly declared variables; names
-   *     the first wrong one
+   *     the first invalid one
    */
   static <T> RecordBinding<T> of(Class<T> type, String prefix) {
     return in(type, prefix)

@@ -91,8 +91,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Overrides a variable until the end of this object, before it is declared; the file stays as it
-   * is.
+   * Overrides a variable for the lifetime of this object, before it is declared; the file is not
+   * changed.
    *
    * @param value Integer, Double, Boolean, String or {@link InferredValue}, in the declared unit
    * @throws IllegalArgumentException if the value is of another class

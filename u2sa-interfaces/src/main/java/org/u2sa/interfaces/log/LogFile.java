@@ -44,7 +44,8 @@ public final class LogFile implements AutoCloseable {
   private final PrintStream complaints;
   private final Opener opener;
   private final DiskWriter disk;
-  private final Clock stopwatch; // not the run's: how often it is read differs in a repetition
+  private final Clock
+      stopwatch; // not the run's clock: the number of reads differs in a re-execution
   private final LogFile first; // first of the logs sharing the file; owns the fields below
   private final AtomicLong failures = new AtomicLong();
   private final Deque<FileLine> waiting = new ArrayDeque<>(); // also the lock of the next four

@@ -25,7 +25,7 @@ public final class ReplacedFile {
   }
 
   /**
-   * Makes the change, replacing a pending one.
+   * Schedules the change, replacing a pending one.
    *
    * @param failed called if it fails, possibly later on another thread
    */

@@ -76,7 +76,8 @@ public final class LocalToken {
   }
 
   /**
-   * Where a token was looked for in vain; empty if there is one, or the broker is on another host.
+   * Locations searched without finding a token; empty if one was found, or if the broker is on
+   * another host.
    */
   public static List<Path> missing(String host, int port) {
     return missing(AccountFolders.ofProcess(), host, port);

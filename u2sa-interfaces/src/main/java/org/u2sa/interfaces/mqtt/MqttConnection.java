@@ -270,8 +270,8 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   }
 
   /**
-   * Cache of outgoing topics by channel and type. Without a system of its own, each message's
-   * system counts, and nothing is cached.
+   * Cache of outgoing topics by channel and type. Without a system ID, each message's system ID is
+   * used, and nothing is cached.
    */
   static final class TopicNames {
     private final String systemId;

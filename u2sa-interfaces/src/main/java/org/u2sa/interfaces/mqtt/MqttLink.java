@@ -107,7 +107,7 @@ final class MqttLink {
             && options.get().getUserName() != null;
   }
 
-  /** Creates a session if there is none; returns whether it did. */
+  /** Creates a session if none exists; returns whether it did. */
   private boolean connectOnce() throws MqttException, InterruptedException {
     if (closed || current.get() != null) {
       return false;

@@ -43,7 +43,8 @@ final class RetainedTopics {
   static final class Published {
     private final byte[] payload;
     private volatile boolean confirmed;
-    private volatile MqttSession settled; // latest session whose broker holds it or a newer one
+    private volatile MqttSession
+        settled; // latest session whose broker holds this or a newer message
 
     private Published(byte[] payload) {
       this.payload = payload;
@@ -89,7 +90,7 @@ final class RetainedTopics {
     return !(first && Arrays.equals(before, payload));
   }
 
-  /** Forgets what was received on a channel, so that a new subscription delivers it again. */
+  /** Forgets the messages received on a channel, so that a new subscription delivers them again. */
   void forget(Channel<?> channel) {
     received.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }

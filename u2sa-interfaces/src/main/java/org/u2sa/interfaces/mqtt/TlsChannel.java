@@ -13,7 +13,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * A {@link BrokerChannel} with TLS, which never blocks after its handshake. Sends no close_notify,
- * because MQTT says itself when a session ends.
+ * because MQTT has its own end-of-session message.
  */
 final class TlsChannel implements BrokerChannel {
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);

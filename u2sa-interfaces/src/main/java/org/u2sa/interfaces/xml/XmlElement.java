@@ -108,7 +108,7 @@ public record XmlElement(
     }
   }
 
-  /** Error for a child that is none of the known ones; quotes both. */
+  /** Error for an unknown child; quotes it and the known ones. */
   public BadInputException unknown(XmlElement child, List<String> known) {
     return child.error(
         "unknown element in <" + name + ">; " + expected("element", known, child.name));
