@@ -8,8 +8,8 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.frame.UtmGrid;
 
 /**
- * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if there
- * is none.
+ * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if none
+ * exists.
  */
 final class StateConversion {
   /**

@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 
 /**
  * Reads consecutive CBOR data items (RFC 8949) from untrusted bytes. Tags are skipped. Allocates no
- * more memory than there are bytes; malformed input causes an {@link IllegalArgumentException}
+ * more memory than the input's size; malformed input causes an {@link IllegalArgumentException}
  * naming what was expected.
  */
 public final class CborInput {

@@ -243,7 +243,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Waiting messages replaced by newer ones of the same source on latest-value channels; not a
+   * Queued messages superseded by newer ones of the same source on latest-value channels; not a
    * loss. Empty if the service does not count them.
    */
   public OptionalLong replaced() {

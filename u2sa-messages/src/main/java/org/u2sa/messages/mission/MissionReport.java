@@ -115,7 +115,7 @@ public final class MissionReport extends U2SAData {
     return put(SEQUENCE, List.copyOf(value));
   }
 
-  /** Failsafe whose goals are pursued instead of the mission's; empty: none. */
+  /** Failsafe whose goals are pursued instead of the mission's goals; empty: none. */
   public Optional<String> failsafe() {
     return Optional.ofNullable(get(FAILSAFE));
   }
