@@ -26,7 +26,7 @@ final class FailsafeMissions {
   /**
    * What a file has.
    *
-   * @param home the file's own; empty if it has none
+   * @param home home position in the file, or empty
    */
   private record Goals(List<GoalInformation> goals, Optional<GoalInformation> home) {}
 

@@ -85,7 +85,7 @@ final class GoalBook {
   /**
    * Records the result of a goal.
    *
-   * @param report planner's report, whose fields replace the mission's; empty if none
+   * @param report planner's report, whose fields replace those of the mission; empty if none
    * @param micros time of the result [µs of the run's clock]
    */
   void finish(

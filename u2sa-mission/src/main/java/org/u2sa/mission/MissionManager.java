@@ -30,7 +30,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
+ * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
  * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every
  * change, and in answer to a report on a goal that is not current; mission, in answer to requests
  * and orders.
@@ -48,7 +48,7 @@ public final class MissionManager extends PeriodicService {
    */
   public record Defaults(
       @Variable(unit = "m", min = 0, minExcluded = true)
-          @Description("Horizontal threshold of waypoints without one.")
+          @Description("Default horizontal threshold of waypoints.")
           double defaultThreshold) {}
 
   private static final String NAME = "MissionManager";
@@ -293,7 +293,7 @@ public final class MissionManager extends PeriodicService {
     if (updated.update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {
-      String fate = "until another goal's next names it, or it is commanded, it is never pursued";
+      String fate = "it is not pursued until another goal's next names it, or it is commanded";
       log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" added; " + fate);
     }
     publishGoals();

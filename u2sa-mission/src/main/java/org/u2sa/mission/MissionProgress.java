@@ -23,7 +23,7 @@ final class MissionProgress {
   private static final String LEFT = "LEFT";
   private static final String BEFORE = "BEFORE";
 
-  private GoalSequence pursued; // the mission's or a failsafe's
+  private GoalSequence pursued; // goals of the mission or of a failsafe
   private GoalSequence left; // the mission's while a failsafe is pursued; else null
   private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
   private Optional<Position> before = Optional.empty(); // where the mission was before a GOTO
@@ -40,7 +40,7 @@ final class MissionProgress {
     pursued = mission;
   }
 
-  /** The pursued goals: the mission's or a failsafe's. */
+  /** The pursued goals: goals of the mission or of a failsafe. */
   GoalSequence pursued() {
     return pursued;
   }
@@ -50,7 +50,10 @@ final class MissionProgress {
     return left == null ? pursued : left;
   }
 
-  /** The goals that know one: the mission's before a failsafe's; if none, the mission's. */
+  /**
+   * The goal graph that contains a goal: the mission's takes precedence over a failsafe's; the
+   * mission's if neither does.
+   */
   GoalSequence knowing(String uid) {
     return mission().knows(uid) || !pursued.knows(uid) ? mission() : pursued;
   }
@@ -197,8 +200,8 @@ final class MissionProgress {
   }
 
   /**
-   * Returns to where the mission was before {@link #changeTo}, or the first of several in a row;
-   * false if there is no such position.
+   * Returns to the position before {@link #changeTo}, or before the first of several consecutive
+   * calls; false if there is no such position.
    */
   boolean goBack() {
     if (left != null || before.isEmpty()) {

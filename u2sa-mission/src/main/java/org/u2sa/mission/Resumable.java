@@ -77,10 +77,10 @@ final class Resumable {
   }
 
   /**
-   * Ends a pause, or else goes on where the process before ended, or returns to where the mission
-   * was left.
+   * Ends a pause; otherwise resumes where the previous process ended, or returns to the interrupted
+   * goal.
    *
-   * @return where it goes on, in words
+   * @return description of the position at which the mission resumes
    * @throws BadInputException if there is nothing to resume
    */
   String resume() {
@@ -95,7 +95,7 @@ final class Resumable {
               ? "the failsafe "
                   + progress.pursuedFor()
                   + " is pursued; the mission resumes after it"
-              : "there is nothing to resume: the mission was not left");
+              : "nothing to resume: the mission was not interrupted");
     }
     return "resumed at "
         + List.copyOf(progress.mission().currentNames())

@@ -88,7 +88,7 @@ final class SavedMission {
     }
   }
 
-  /** Deletes the file if it is there; may call {@code failed} later on another thread. */
+  /** Deletes the file if it exists; may call {@code failed} later on another thread. */
   void delete(Consumer<IOException> failed) {
     access.change(() -> Files.deleteIfExists(file), failed);
   }

@@ -91,7 +91,7 @@ class MissionOrdersTest extends ThreeWaypoints {
     accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
     run("2", "3");
     assertThat(report().resumable()).isEmpty();
-    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+    refused(order(MissionAction.RESUME), "nothing to resume: the mission was not interrupted");
   }
 
   @Test
@@ -123,7 +123,7 @@ class MissionOrdersTest extends ThreeWaypoints {
   @Test
   void resume_missionThatWasNotLeft_isRefused() {
     kit.start(MissionManager::new);
-    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+    refused(order(MissionAction.RESUME), "nothing to resume: the mission was not interrupted");
   }
 
   @Test
