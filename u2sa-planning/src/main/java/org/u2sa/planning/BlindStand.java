@@ -9,8 +9,8 @@ import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.service.U2SAService;
 
 /**
- * Whether a planner that avoids obstacles has to stand because it does not know its surroundings:
- * the World Modeler is silent, or lacks a sensor.
+ * Detects when an obstacle-avoiding planner must stop because its surroundings are unknown: the
+ * World Modeler is silent, or lacks a sensor.
  */
 final class BlindStand {
   private final U2SAService planner;
@@ -25,7 +25,7 @@ final class BlindStand {
   }
 
   /**
-   * Whether to stand now; tells the operator of each change.
+   * Whether to stop now; reports each change to the operator.
    *
    * @param failsafe LAND goes on, and RETURN too if the vehicle cannot stop: circling would not end
    */

@@ -12,7 +12,7 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.handover.HandOver;
 
-/** Behaviour of a planner without a goal: hold at a place, or nothing. */
+/** Behaviour of a planner without a goal: hold a position, or do nothing. */
 final class EndOfMission {
   private final Supplier<PlanningVariables> settings;
   private final Supplier<LineSettings> lines;

@@ -46,7 +46,7 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final BlindStand blind;
   private Optional<GoalList> goals = Optional.empty();
-  // The list handed over; it arrives again because it is retained.
+  // Goal list transferred by the predecessor; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
   private Optional<GoalInformation> finished = Optional.empty(); // last one reported
@@ -260,7 +260,7 @@ public class PathPlanner extends EventDrivenService {
     return stands ? standing(state) : pursue(chosen.get(), state, stateless);
   }
 
-  /** What a vehicle does that does not know its surroundings: brake, or circle if it cannot. */
+  /** Stops a vehicle whose surroundings are unknown, or circles if it cannot stop. */
   private List<NavigationPoint> standing(StateInformation state) {
     if (!avoidance.world().age().isKnown()) {
       return List.of(); // it was never in motion: not to take off either

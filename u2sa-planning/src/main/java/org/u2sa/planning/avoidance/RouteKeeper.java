@@ -12,8 +12,8 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
- * Keeps a route to the goal: plans when there is none, when it is blocked or was left, and when a
- * better one may exist. Confined to the planner's thread.
+ * Maintains a route to the goal: replans when there is none, when it is blocked or was left, and
+ * when a better one may exist. Confined to the planner's thread.
  */
 final class RouteKeeper {
   /** Hysteresis: a new route must cost no more than this share of the old one's remainder. */

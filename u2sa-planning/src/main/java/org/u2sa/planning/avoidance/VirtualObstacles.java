@@ -150,7 +150,7 @@ final class VirtualObstacles {
 
   /**
    * Closes the way back between two lines, such as those of a lane, behind a vehicle that has
-   * reached a waypoint: the way ahead is not seen yet and may be longer, but leads to the next
+   * reached a waypoint: the way ahead is still unseen and may be longer, but leads to the next
    * waypoint.
    */
   static final class WayBack {

@@ -27,8 +27,8 @@ import org.u2sa.planning.search.GridFrame;
  * ignoring obstacles; occasionally that curve itself is tried to the goal.
  *
  * <p>A search can be split into parts ({@link #begin}, {@link #search}), between which costs may
- * change; expanded nodes are not revisited. In one part or many, it expands the same nodes in the
- * same order.
+ * change; expanded nodes are not revisited. The order of expanded nodes does not depend on how the
+ * search is split.
  *
  * <p>Not thread-safe.
  */

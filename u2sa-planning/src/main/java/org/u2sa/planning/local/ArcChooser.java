@@ -128,7 +128,7 @@ public final class ArcChooser {
         : stand(ArcChoice.Kind.EVADE);
   }
 
-  /** Moves to where there is room to turn; stops first if still rolling. */
+  /** Moves to a position with room to turn; stops first if still rolling. */
   private ArcChoice makeRoom(ArcChoice.Kind standing) {
     if (Math.abs(speedMps) > CREEPS_MPS && !makesRoom) {
       return stand(standing);

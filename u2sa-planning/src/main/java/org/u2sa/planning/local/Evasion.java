@@ -55,7 +55,10 @@ final class Evasion {
     consider(onRoute, outcome);
   }
 
-  /** Chooses the best motion toward a place, or waiting; else the one that stays farthest away. */
+  /**
+   * Chooses the best motion toward a position, or waiting; otherwise the motion that stays farthest
+   * from obstacles.
+   */
   ArcChoice choose(double northM, double eastM, ArcChoice stand) {
     goalNorthM = northM;
     goalEastM = eastM;

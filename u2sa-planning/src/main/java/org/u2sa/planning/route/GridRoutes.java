@@ -93,7 +93,7 @@ final class GridRoutes implements RoutePlanner {
     return Route.of(points, path.cost());
   }
 
-  /** Start cells of paths through a grid, and the planners' messages if there is none. */
+  /** Start cells of paths through a grid, and the planners' messages if no start is free. */
   static final class Entrances {
     static final String ENCLOSED = "the vehicle is enclosed by obstacles";
     static final String GOAL_OCCUPIED = "an obstacle stands on the goal";

@@ -14,7 +14,9 @@ public final class CostGrid {
   /** Extra cost of unknown cells over cells seen free. */
   private static final float UNKNOWN_COST = 0.3f;
 
-  /** A point nearer to the corner of cells lies in none of them for certain [cells]. */
+  /**
+   * Points nearer than this to the corner of cells belong to none of them unambiguously [cells].
+   */
   private static final double CORNER = 1.0e-6;
 
   /** Flag of a cell's state: occupied. 0 is a cell seen free. */

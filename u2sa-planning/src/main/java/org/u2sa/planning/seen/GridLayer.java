@@ -185,8 +185,8 @@ final class GridLayer {
   }
 
   /**
-   * Draws columns that cover the same columns of the plan in each row: of the cells that cover one
-   * of the plan, the fullest decides, as unknown ones have the least value.
+   * Draws columns that cover the same columns of the plan in each row: of several source cells the
+   * one with the highest occupancy counts; unknown cells have the lowest value.
    */
   private void redraw(int planned, int from, int to, int left, byte[] fullest) {
     Spans eastward = placement.eastward;

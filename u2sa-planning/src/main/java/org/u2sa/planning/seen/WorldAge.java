@@ -7,7 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 
-/** How old the planner's knowledge of its surroundings is, and what is missing in it. */
+/** Age of the planner's world data, and the sensors missing in it. */
 public final class WorldAge {
   private long newestMicros = Long.MIN_VALUE; // of the newest list or grid
   private List<String> awaited = List.of();
