@@ -54,7 +54,7 @@ public final class RunFiles {
     }
   }
 
-  /** Attaches the file a variable names, if it is XML; only the service knows its meaning. */
+  /** Attaches the file that a variable names, if it is XML. */
   public void attachIfFile(Path folder, String value) {
     if (!value.endsWith(".xml")) {
       return; // passwords and keys must not be recorded

@@ -99,7 +99,7 @@ final class RepeatedExecution implements Execution {
 
   @Override
   public void succeeds(Inheritance inherited, String connection) {
-    throw new IllegalStateException("nobody runs in whose place the service could be");
+    throw new IllegalStateException("no running service to replace");
   }
 
   @Override
