@@ -68,7 +68,8 @@ final class CampaignOptions {
   @Option(
       names = "--keep",
       description =
-          "Keep the files of all runs, pictures included; without it, those of failed runs, without pictures.")
+          "Keep the files of all runs, including pictures; otherwise only those of failed runs, "
+              + "without pictures.")
   private boolean keep;
 
   @Option(names = "--json", description = "Print the summary to standard output, and nothing else.")
@@ -85,7 +86,7 @@ final class CampaignOptions {
   @Option(
       names = "--jobs",
       paramLabel = "N",
-      description = "Number of processes that work side by side. Default: one for each core.")
+      description = "Number of parallel processes. Default: one per core.")
   private void jobs(int value) {
     jobs = OptionalInt.of(atLeastOne("--jobs", value));
   }
@@ -94,7 +95,8 @@ final class CampaignOptions {
       names = "--master",
       paramLabel = "ADDRESS",
       description =
-          "Make the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. Default: local processes (--jobs).")
+          "Distribute the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. "
+              + "Default: local processes (--jobs).")
   private String master;
 
   @Option(
