@@ -87,7 +87,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * A lidar without faults; uses the random stream {@code laser}.
    *
-   * @param view what it sees from where it is now
+   * @param view range measurements from the current pose
    */
   public SimulatedLaser(Optics optics, NoiseStreams streams, Supplier<Sight> view) {
     this(optics, Faults.NONE, streams, view);
@@ -96,7 +96,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * Uses the random streams {@code laser} and {@code laser faults}.
    *
-   * @param view what it sees from where it is now
+   * @param view range measurements from the current pose
    */
   public SimulatedLaser(Optics optics, Faults faults, NoiseStreams streams, Supplier<Sight> view) {
     super(optics.rateHz(), 0.0);

@@ -45,7 +45,7 @@ final class AircraftParts {
     return List.copyOf(legs);
   }
 
-  /** Height of the centre of gravity above what it stands on [m]; 0 without legs. */
+  /** Height of the centre of gravity above the landing gear's contact [m]; 0 without legs. */
   static double standsM(List<LandingLeg> legs) {
     return legs.stream().mapToDouble(leg -> leg.place().z()).max().orElse(0.0);
   }

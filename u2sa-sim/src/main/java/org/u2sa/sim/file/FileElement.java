@@ -13,9 +13,9 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * An element of a vehicle file whose children are read as values in SI units. What the element
- * leaves out comes from its preset, if it names one. {@link #end} refuses children that nobody has
- * asked for.
+ * An element of a vehicle file whose children are read as values in SI units. Missing values come
+ * from the element's preset, if it names one. {@link #end} refuses children that nobody has asked
+ * for.
  */
 final class FileElement {
   private static final String UNIT = "unit";
@@ -192,7 +192,7 @@ final class FileElement {
         .toList();
   }
 
-  /** Makes something of values read before, whose constructor may refuse them together. */
+  /** Constructs an object from values read before; its constructor may reject their combination. */
   <T> T made(Supplier<T> maker) {
     try {
       return maker.get();
@@ -203,7 +203,7 @@ final class FileElement {
     }
   }
 
-  /** Makes something of all children, and refuses the first child that was not read for it. */
+  /** Constructs an object from all children, and rejects the first child that was not read. */
   <T> T complete(Supplier<T> maker) {
     T made = made(maker);
     end();

@@ -51,7 +51,7 @@ final class GroundParts {
   }
 
   /**
-   * How much stronger the right motor is than the left one.
+   * Mismatch: how much stronger the right motor is than the left.
    *
    * @param exact its value; NaN: by the seed of the run
    * @param largest its maximum by the seed, 0…0.5

@@ -33,7 +33,7 @@ record SensorEntry(
     SimulatedDevice<?> make(Aboard vehicle);
   }
 
-  /** Makes the device of one service. */
+  /** Creates the device of one service. */
   SimulatedDevice<?> make(Aboard vehicle) {
     SimulatedDevice<?> device = maker.make(vehicle);
     device.degrade(delayS, lost, vehicle.streams().of("losses"));

@@ -13,8 +13,8 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Measures what a vehicle can do, in simulations of it on level ground or in still water: each
- * actuator alone first, then together those that push the same way.
+ * Measures a vehicle's performance by simulating it on level ground, in still water or in calm air:
+ * each actuator alone first, then together those that act in the same direction.
  */
 public final class VehicleCheck {
   private static final double TICK_S = 0.05;

@@ -114,7 +114,10 @@ public final class VehicleFile {
     return home(World.at(new Geodetic(0.0, 0.0, 0.0)));
   }
 
-  /** The world, with still water up to its plane if the vehicle needs water and it has none. */
+  /**
+   * The world; if the vehicle needs water and the world has none, with still water up to its ground
+   * plane.
+   */
   public World home(World world) {
     return model.medium() == VehicleModel.Medium.WATER && world.water().isEmpty()
         ? world.with(new Water(0.0, 0.0, 0.0))
@@ -157,7 +160,7 @@ public final class VehicleFile {
   /**
    * Creates a vehicle at rest behind its IOIO board, which takes it on.
    *
-   * @throws BadInputException if it has none
+   * @throws BadInputException if absent
    */
   public MiniMolle board(World world, Point start, double headingRad, Hazards hazards, long seed) {
     BoardEntry entry =

@@ -56,7 +56,7 @@ public interface VehicleModel {
     return OptionalDouble.empty();
   }
 
-  /** Its wheels; empty if it has none to count. */
+  /** Wheels with encoders; empty if none. */
   default Optional<Wheels> wheels() {
     return Optional.empty();
   }

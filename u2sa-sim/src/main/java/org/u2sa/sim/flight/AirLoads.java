@@ -16,7 +16,7 @@ interface AirLoads {
    */
   void command(int actuator, double value);
 
-  /** Weakens what an actuator drives: remaining share of its effect, 0…1. */
+  /** Weakens an actuator: remaining fraction of its effect, 0…1. */
   void weaken(int actuator, double share);
 
   /** Whether what drives it forward is commanded to run, as a catapult waits for. */

@@ -7,7 +7,7 @@ import org.u2sa.sim.gear.Tyre;
 import org.u2sa.sim.gear.Wheel;
 
 /**
- * What an aircraft stands on: a skid, or an unbraked wheel that rolls straight ahead.
+ * Landing-gear leg of an aircraft: a skid, or an unbraked wheel that rolls straight ahead.
  *
  * @param place lowest point, unloaded, relative to the centre of gravity: forward, right, down [m]
  * @param rolls whether it is a wheel

@@ -19,8 +19,8 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * A simulated multirotor or small fixed-wing aircraft. Integrates internally at 400 Hz. A leg that
- * breaks, or a centre of gravity at the ground, ends the flight: it lies where it is. Not
+ * A simulated multirotor or small fixed-wing aircraft. Integrates internally at 400 Hz. A broken
+ * leg, or a centre of gravity at the ground, ends the flight: the aircraft stays where it is. Not
  * thread-safe.
  */
 public final class UnmannedAircraft implements SimulatedVehicle {
@@ -70,7 +70,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
    * full speed.
    *
    * @param frameDrag drag of the frame along each axis [N s²/m²]
-   * @param legs what it stands on
+   * @param legs landing gear
    * @param start centre of gravity: east, north, up [m]
    * @param headingRad clockwise from north [rad]
    */
@@ -90,7 +90,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   /**
    * Creates a fixed-wing aircraft at rest.
    *
-   * @param legs what it stands on
+   * @param legs landing gear
    * @param start centre of gravity: east, north, up [m]
    * @param headingRad clockwise from north [rad]
    */

@@ -36,7 +36,7 @@ public final class Hazards {
    * Random hazards, reproducible per seed: GPS outages, magnetic anomalies, slippery patches and
    * pushes, about one of each per minute or per 200 m².
    *
-   * @param radiusM radius around the origin in which places are drawn [m]
+   * @param radiusM radius around the origin within which positions are drawn at random [m]
    * @param durationS duration of the run [s]
    */
   public static Hazards random(long seed, double radiusM, double durationS) {

@@ -252,7 +252,7 @@ public final class IoioTcpServer implements AutoCloseable {
   /**
    * Call with the lock held.
    *
-   * @param leaving null if there is none
+   * @param leaving may be null
    */
   private void hangUp(Hosts.Host leaving) {
     if (host != null) {
