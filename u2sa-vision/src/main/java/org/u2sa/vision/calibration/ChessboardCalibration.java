@@ -68,7 +68,8 @@ public final class ChessboardCalibration {
     } else if (picture.width() != width || picture.height() != height) {
       throw new BadInputException(
           String.format(
-              "%s has %d x %d pixels, %s %d x %d: pictures of one camera are all of one size",
+              "%s has %d x %d pixels, %s %d x %d: all pictures of one camera must have the same "
+                  + "size",
               name, picture.width(), picture.height(), names.get(0), width, height));
     }
     boolean isThere = detector.process(grey(picture));

@@ -198,7 +198,8 @@ final class DrivenLane {
 
   /**
    * Distance of a side, at most that of the nearest certain line: in open ground such as no-man's
-   * land the width of a lane is a coincidence, and what follows from it would block the next lane.
+   * land an apparent lane width is a coincidence, and lines inferred from it would block the next
+   * lane.
    */
   private double beforeBarrierM(int i, double sign, double awayM, List<Known> barriers) {
     double[] along = direction(i);

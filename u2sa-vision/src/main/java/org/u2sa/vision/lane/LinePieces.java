@@ -74,7 +74,7 @@ final class LinePieces {
         .forEach(part -> pieces(part).forEach(piece -> add(piece, confidence(piece, isSide))));
   }
 
-  /** Confidence of an uncertain piece: far ones stay guesses until seen from closer. */
+  /** Confidence of an uncertain piece: distant pieces stay tentative until seen from closer. */
   private double confidence(List<Point> piece, Predicate<List<Point>> isSide) {
     boolean near = piece.stream().anyMatch(at -> LineGeometry.metres(at, vehicle) < NEAR_M);
     return near && isSide.test(piece) ? SIDE : GUESS;

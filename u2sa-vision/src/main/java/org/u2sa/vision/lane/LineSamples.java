@@ -199,8 +199,8 @@ final class LineSamples {
   }
 
   /**
-   * Counts against samples in a sector that were not seen in the last image although unoccluded,
-   * and against samples whose line was seen beside them: it is the same line unless the image shows
+   * Decreases the confidence of unoccluded samples in a sector that the last image does not show,
+   * and of samples whose line was seen beside them: it is the same line unless the image shows
    * both.
    */
   void doubt(

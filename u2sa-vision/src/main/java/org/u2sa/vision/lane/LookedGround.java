@@ -15,7 +15,7 @@ final class LookedGround {
 
   private final Map<Long, Integer> looks = new HashMap<>();
 
-  /** Tells whether a place is unoccluded. */
+  /** Tests whether a position is unoccluded. */
   interface View {
     boolean isOpen(double x, double y);
   }

@@ -62,7 +62,7 @@ final class DiscFinder {
     return tint <= GREYISH || tint <= PALER * ground(map.tints(), row, column);
   }
 
-  /** Mean of the surrounding patches; a maximum that nothing exceeds if too few are visible. */
+  /** Mean of the surrounding patches; infinite if too few are visible. */
   private double ground(SummedArea sums, int row, int column) {
     int off = (int) Math.round(1.7 * radiusM / area.cellM());
     int half = Math.max(1, (int) Math.round(0.3 * radiusM / area.cellM()));
