@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Which sensors should be measuring and are not. A sighting says nothing about the next one, since
- * there may be nothing to see; a scanner, however, scans empty ground too.
+ * Which sensors should be measuring and are not. The absence of sightings proves nothing, since
+ * there may be nothing to see, but a scanner also reports scans of empty ground.
  */
 final class AwaitedSensors {
   /** Stands for a scanner whose name is not known because it never scanned. */
@@ -17,7 +17,7 @@ final class AwaitedSensors {
   private static final long LONGEST_MICROS = 5_000_000; // interval that is allowed for
 
   /**
-   * What is known of a scanner.
+   * State of a scanner.
    *
    * @param newest end of its newest scan [µs]
    * @param interval to the one before [µs]
@@ -54,8 +54,8 @@ final class AwaitedSensors {
    * @param expected names of the sensors that should; if empty, each scanner that was ever heard
    * @param needsScans whether at least one scan is needed if nothing is named as expected
    * @param nowMicros time of the map [µs]
-   * @param silentMicros age from which a measurement is too old; without expected names, a scanner
-   *     whose scans are rarer may take twice its usual interval [µs]
+   * @param silentMicros age from which a measurement is too old; without expected names, a slower
+   *     scanner may take twice its usual interval [µs]
    */
   List<String> silent(
       List<String> expected, boolean needsScans, long nowMicros, long silentMicros) {

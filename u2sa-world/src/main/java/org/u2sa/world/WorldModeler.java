@@ -221,7 +221,7 @@ public final class WorldModeler extends PeriodicService {
     long micros = clock().micros();
     if (!frame.frame().isBody()
         && micros - heardStateMicros > Clock.micros(settings.get().stateLostAfter())) {
-      log(LogLevelEnum.WARN, "no state any more");
+      log(LogLevelEnum.WARN, "state lost");
       enter(MapFrame.BODY);
     }
     // measurements newer than the newest state wait: it may become possible to interpolate
