@@ -35,7 +35,7 @@ final class ServiceReceiver implements Receiver {
             switch (outcome) {
               case UNKNOWN_SOURCE ->
                   String.format(
-                      "more than %s sources on \"%s\", \"%s\" is one too many",
+                      "more than %s sources on \"%s\": dropped \"%s\"",
                       ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
               case TOO_LONG ->
                   String.format(
