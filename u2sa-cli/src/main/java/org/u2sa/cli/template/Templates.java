@@ -82,7 +82,7 @@ final class Templates implements AutoCloseable {
           .getParent()
           .getParent();
     } catch (URISyntaxException e) {
-      throw new IllegalStateException(url + " is no place of a file", e);
+      throw new IllegalStateException(url + " is not a file location", e);
     }
   }
 
