@@ -77,7 +77,7 @@ class ForgedNamesTest {
         .willing(LOST, lost("PathPlanner").serialize(), false)
         .introduced("attacker")
         .reset();
-    awaitLog("will refused, its source name is another connection's");
+    awaitLog("will refused, its source name belongs to another connection");
     planner.publish(Channels.HEALTH, after);
 
     assertThat(inbox.messages).noneMatch(ConnectionLost.class::isInstance).contains(after);

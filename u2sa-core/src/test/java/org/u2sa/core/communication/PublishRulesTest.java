@@ -91,7 +91,8 @@ class PublishRulesTest {
   @Test
   void refusalOfSystem_ofOnesOwnOrNone_isEmpty() {
     PacketRules rules = rulesOf(AccessRole.SERVICE);
-    assertThat(rules.refusalOfSystem("u2sa/boat/tide/Tide")).contains("it belongs to another system");
+    assertThat(rules.refusalOfSystem("u2sa/boat/tide/Tide"))
+        .contains("it belongs to another system");
     assertThat(rules.refusalOfSystem(OWN)).isEmpty();
     assertThat(rules.refusalOfSystem("somewhere/else")).isEmpty();
     assertThat(everybodys().refusalOfSystem("u2sa/boat/tide/Tide")).isEmpty();

@@ -52,7 +52,7 @@ class SlowClientTest {
     assertThat(client.log)
         .anyMatch(
             line ->
-                line.startsWith("client disconnected, it is too slow: ") && line.contains(reason));
+                line.startsWith("client disconnected: it is too slow: ") && line.contains(reason));
   }
 
   private Client.Owed owed() throws Exception {

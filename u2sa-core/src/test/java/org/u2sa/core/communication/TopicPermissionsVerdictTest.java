@@ -25,13 +25,13 @@ class TopicPermissionsVerdictTest {
 
   @ParameterizedTest
   @CsvSource({
-    "u2sa/boat/stop/StopCommand, it is another system",
+    "u2sa/boat/stop/StopCommand, it belongs to another system",
     "u2sa/cessna/stop/StopCommand, role observer may not publish on stop (StopCommand)",
     "u2sa/cessna/tide/StateInformation, role observer may not publish on its own channels"
         + " (StateInformation)",
     "u2sa/cessna/stop/StateInformation, stop does not carry StateInformation",
-    "u2sa/cessna/state/StateInformation/=GPS, its topic is not one of U2SA's",
-    "u2sa/cessna/state, its topic is not one of U2SA's",
+    "u2sa/cessna/state/StateInformation/=GPS, its topic is not a U2SA topic",
+    "u2sa/cessna/state, its topic is not a U2SA topic",
     "u2sa/cessna/discovery/DiscoveryRequest/StopCommand, its types are not a class and its ancestors"
   })
   void judge_forbidden_saysWhy(String topic, String why) {

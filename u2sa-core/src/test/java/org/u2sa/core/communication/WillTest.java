@@ -70,8 +70,7 @@ class WillTest {
 
   @Test
   void refusalOfWill_retainedAtQualityZero_isRefused() {
-    assertThat(refusal(STOP, stop(true), false, true))
-        .contains("retained messages require QoS 1");
+    assertThat(refusal(STOP, stop(true), false, true)).contains("retained messages require QoS 1");
   }
 
   @Test
