@@ -62,7 +62,7 @@ public abstract class StateEstimator extends EventDrivenService {
     } else if (Long.bitCount(++refused) == 1) { // exponential back-off of the log
       trouble(
           String.format(
-              "more than %s sensors, \"%s\" is one too many: %s measurements ignored so far",
+              "more than %s sensors: ignored %3$s measurements so far, last of \"%2$s\"",
               MAX_SOURCES, sensed.sensorName(), refused));
     }
   }

@@ -2,7 +2,7 @@ package org.u2sa.estimation.fusion;
 
 /**
  * The filter's estimate at one time: a view that is valid until the next query. The has… methods
- * tell which quantities are known.
+ * show which quantities are known.
  */
 public final class Estimate {
   private static final double VERTICAL = 0.02; // cos θ below which the heading's rate is undefined

@@ -45,7 +45,10 @@ final class History {
     return ring[(first + index) % ring.length];
   }
 
-  /** State before an entry; all earlier ones must be fused, and the previous one keep its state. */
+  /**
+   * State before an entry; all earlier entries must be fused, and the previous entry must hold its
+   * state.
+   */
   FilterState before(int index) {
     return index == 0 ? base : at(index - 1).after;
   }

@@ -6,8 +6,8 @@ package org.u2sa.estimation.fusion;
  * more than they claim only show the source's own noise: its claimed sigma is wrong in any case.
  *
  * <p>Differences between consecutive rejected positions have twice the noise variance (von Neumann
- * 1941). Their mean is removed, so that a steady drift does not count as scatter, and so is the
- * largest one, which may be a jump.
+ * 1941). Their mean is removed, so that a steady drift does not count as scatter, and the largest
+ * deviation, which may be a jump, is also removed.
  */
 final class RefusedScatter {
   private static final int MIN_STEPS = 4;
