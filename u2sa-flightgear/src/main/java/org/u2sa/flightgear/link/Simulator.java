@@ -186,7 +186,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     commands.takeOver(state);
   }
 
-  /** Leaves the controls as they are until the successor takes over. */
+  /** Keeps the controls unchanged until the successor takes over. */
   @Override
   protected void releaseToSuccessor() {
     link.close();
