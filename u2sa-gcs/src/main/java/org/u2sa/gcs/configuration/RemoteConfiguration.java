@@ -62,7 +62,7 @@ public final class RemoteConfiguration {
             .collect(Collectors.toCollection(TreeSet::new));
     throw new BadInputException(
         String.format(
-            "no service \"%s\" answered in system \"%s\"; there are %s%s",
+            "no service \"%s\" answered in system \"%s\"; found: %s%s",
             service,
             link.systemId(),
             String.join(", ", there),
@@ -70,8 +70,8 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Answers of the given services if they answer; otherwise of all. All are asked even for a single
-   * one, so that a mistyped name can be reported with the existing names.
+   * Answers of the given services if they answer; otherwise of all. All services are queried even
+   * for a single one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
     DirectoryObservation heard = DirectoryObservation.begin(link);
@@ -90,7 +90,7 @@ public final class RemoteConfiguration {
   /**
    * The variable of that name.
    *
-   * @throws BadInputException if the service has none
+   * @throws BadInputException if the service has no such variable
    */
   public static ConfigurationVariable variable(ConfigurationResponse of, String name) {
     List<String> names =

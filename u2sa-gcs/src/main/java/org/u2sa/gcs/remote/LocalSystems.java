@@ -121,8 +121,8 @@ public final class LocalSystems {
   }
 
   /**
-   * Returns the system of a file; empty if the process ended without removing it, if another
-   * process has its number now, or if it is another file.
+   * Returns the system of a file; empty if its process ended without removing it, if its PID now
+   * belongs to another process, or if it is not such a file.
    */
   private static Optional<LocalSystem> read(Path file, Consumer<String> failures) {
     String name = file.getFileName().toString();
@@ -166,7 +166,7 @@ public final class LocalSystems {
           .map(LocalSystem::systemId)
           .collect(Collectors.toSet());
     } catch (BadInputException e) {
-      return Set.of(); // the broker's messages tell them too
+      return Set.of(); // they are also in the broker's messages
     }
   }
 
@@ -205,7 +205,7 @@ public final class LocalSystems {
       throw new BadInputException(
           "several systems run on this machine: "
               + meant.stream().map(LocalSystem::toString).collect(Collectors.joining(", "))
-              + "; --system or --broker chooses one");
+              + "; choose one with --system or --broker");
     }
     return brokers.stream().findFirst();
   }
