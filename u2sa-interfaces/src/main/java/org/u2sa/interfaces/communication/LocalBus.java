@@ -18,7 +18,9 @@ import org.u2sa.messages.schema.U2SAData;
  * subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
-  /** Memory of a channel's retained messages of other processes, if it has several sources. */
+  /**
+   * Memory limit of a channel's retained messages from other processes, if it has several sources.
+   */
   private static final long MAX_RETAINED_BYTES =
       Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
 

@@ -103,7 +103,7 @@ final class RecordBinding<T> {
   private static String description(Variable said, Parameter parameter) {
     Description description = parameter.getAnnotation(Description.class);
     if (description == null) {
-      throw new IllegalArgumentException(said + ": expected a @Description beside it");
+      throw new IllegalArgumentException(said + ": expected a @Description");
     }
     return description.value();
   }

@@ -21,7 +21,7 @@ import org.u2sa.interfaces.time.SystemClock;
  *
  * <p>In real time lines wait in a bounded queue for the {@link DiskWriter}, so that no service
  * waits for a disk that hangs; further lines are dropped, counted, and reported in the next line.
- * In simulated time lines are written at once.
+ * In simulated time lines are written immediately.
  *
  * <p>Uses no logging library, because Logback's file appender silently drops lines for a while
  * after a failure, and Android needs a different library.

@@ -87,7 +87,7 @@ public final class AccountFile implements AutoCloseable {
     WholeFile.fillAndRename(beside, content, file);
   }
 
-  /** Removes the file, except where a later program has replaced it. */
+  /** Removes the file, unless a later program has replaced it. */
   @Override
   public void close() {
     timer.shutdownNow();

@@ -14,8 +14,8 @@ import java.util.Set;
 
 /**
  * Folders in which programs of one account share files: {@code $XDG_RUNTIME_DIR/u2sa} and {@code
- * ~/.u2sa/run}. Files are written to and looked for in both, because sessions of one account differ
- * in the variable, and its folder is removed with the last session.
+ * ~/.u2sa/run}. Files are written to and searched for in both, because the variable differs between
+ * sessions of one account, and its folder is removed with the last session.
  */
 public final class AccountFolders {
   private static final String UNKNOWN = "?"; // the JVM's name of an account without an entry
@@ -38,8 +38,8 @@ public final class AccountFolders {
   }
 
   /**
-   * The folders, existing or not; that in {@code XDG_RUNTIME_DIR} only if nobody else can replace
-   * its content.
+   * The folders, existing or not; {@code XDG_RUNTIME_DIR} only if no other account can replace its
+   * content.
    */
   public List<Path> all() {
     List<Path> all = new ArrayList<>();
@@ -101,7 +101,7 @@ public final class AccountFolders {
       others.retainAll(Files.getPosixFilePermissions(folder, LinkOption.NOFOLLOW_LINKS));
       return others.isEmpty();
     } catch (IOException e) {
-      return false; // removed meanwhile, or not ours to look at
+      return false; // removed in the meantime, or not accessible
     }
   }
 

@@ -38,7 +38,7 @@ public final class LocalToken {
 
   /**
    * Token of a local broker; empty if this account has none, or if others could read or write the
-   * file. Of several, the newest is the running broker's.
+   * file. Of several tokens, the newest belongs to the running broker.
    */
   public static Optional<char[]> read(String host, int port) {
     return read(AccountFolders.ofProcess(), host, port);

@@ -236,7 +236,8 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   void restored(double afterS) {
     receiver.trouble(
         String.format(
-            "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be sent meanwhile",
+            "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be "
+                + "sent in between",
             address,
             subscriptions.refused().isEmpty() ? "too" : "except " + subscriptions.refused(),
             afterS,

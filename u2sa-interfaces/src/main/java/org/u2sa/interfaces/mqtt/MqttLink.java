@@ -88,7 +88,8 @@ final class MqttLink {
           throw failure;
         }
       } catch (CancellationException | RejectedExecutionException e) {
-        throw new MqttException(MqttException.REASON_CODE_CLIENT_CLOSED, e); // closed meanwhile
+        throw new MqttException(
+            MqttException.REASON_CODE_CLIENT_CLOSED, e); // closed in the meantime
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
         throw new MqttException(e);
@@ -225,7 +226,7 @@ final class MqttLink {
     try {
       linkThread.schedule(task, delayMs, TimeUnit.MILLISECONDS);
     } catch (RejectedExecutionException e) {
-      current.set(null); // closed meanwhile
+      current.set(null); // closed in the meantime
     }
   }
 

@@ -50,7 +50,7 @@ final class RetainedTopics {
       this.payload = payload;
     }
 
-    /** Marks the message as held by the session's broker, or no longer needed there. */
+    /** Marks the message as stored by the session's broker, or no longer needed there. */
     void settle(MqttSession session) {
       settled = session;
     }
@@ -96,7 +96,7 @@ final class RetainedTopics {
   }
 
   /**
-   * Republishes what a new session's broker does not hold or may not have received, unless another
+   * Republishes messages that a new session's broker lacks or may not have received, unless another
    * connection has published since. The session is not in use yet.
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
@@ -156,8 +156,8 @@ final class RetainedTopics {
   }
 
   /**
-   * Publishes what the current session lacks: published while it was created, or rejected when
-   * sent.
+   * Publishes the messages missing in the current session: published while it was created, or
+   * rejected when sent.
    *
    * @param lockOf lock held while publishing on a topic, so that no message overtakes a newer one
    * @return whether the session now has everything

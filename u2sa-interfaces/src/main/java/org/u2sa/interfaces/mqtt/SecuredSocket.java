@@ -25,7 +25,7 @@ public final class SecuredSocket {
    *
    * @param access user and certificates
    * @param host host name that the certificate must contain
-   * @throws IOException if the device is not the expected one, or refuses the user
+   * @throws IOException if the device is not the expected one, or rejects the user
    */
   public static Socket logIn(BrokerAccess access, Socket plain, String host, int port)
       throws IOException {
