@@ -25,7 +25,7 @@ final class StateConversion {
   /**
    * Copy in another frame.
    *
-   * @param origin of the local frames; null if the caller has none
+   * @param origin of the local frames; may be null
    */
   static StateInformation convert(StateInformation state, ReferenceFrame target, Geodetic origin) {
     ReferenceFrame source = state.referenceFrame();

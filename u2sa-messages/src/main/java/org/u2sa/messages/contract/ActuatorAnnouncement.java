@@ -226,7 +226,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Remaining share of the announced effect [%, 0…100]: 0 if the actuator is withdrawn; empty: 100.
+   * Remaining fraction of the announced effect [%, 0…100]: 0 if the actuator is withdrawn; empty:
+   * 100.
    */
   public OptionalDouble available() {
     return get(AVAILABLE);

@@ -90,8 +90,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Messages lost because the inbox was full. Services whose reports lack {@link #replaced()} count
-   * replaced messages here too.
+   * Messages lost because the inbox was full. Reports without {@link #replaced()} include replaced
+   * messages here.
    */
   public long dropped() {
     return require(DROPPED);

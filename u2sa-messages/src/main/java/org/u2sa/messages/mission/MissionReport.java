@@ -106,7 +106,7 @@ public final class MissionReport extends U2SAData {
     return put(UPCOMING, List.copyOf(value));
   }
 
-  /** UIDs of the goals in default order, which applies unless a goal's next says otherwise. */
+  /** UIDs of the goals in default order, which applies unless overridden by a goal's next. */
   public List<String> sequence() {
     return require(SEQUENCE);
   }
@@ -151,7 +151,7 @@ public final class MissionReport extends U2SAData {
     return put(BEGAN, value);
   }
 
-  /** Where RESUME would return to, in words; empty: nowhere. */
+  /** Description of the position to which RESUME would return; empty: none. */
   public Optional<String> resumable() {
     return Optional.ofNullable(get(RESUMABLE));
   }
