@@ -72,7 +72,7 @@ final class GoalBook {
     return names.stream().map(present::get).collect(Collectors.toList());
   }
 
-  /** How often the goal was completed or abandoned. */
+  /** Number of times the goal was completed or abandoned. */
   long timesFinished(String uid) {
     return finished.getOrDefault(uid, 0L);
   }
@@ -200,7 +200,7 @@ final class GoalBook {
         .texts(name + " TIMES", Position.texts(finished));
   }
 
-  /** Restores the book handed over under a name; empty if none. */
+  /** Restores the book saved under a name; empty if none. */
   static Optional<GoalBook> takenOver(HandOver state, String name) {
     List<GoalInformation> goals = state.messages(name + " GOALS", GoalInformation.class);
     if (goals.isEmpty()) {

@@ -32,7 +32,7 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
   private static void lead(
       GoalInformation last, List<String> exit, GoalInformation before, boolean ends) {
     if (ends) {
-      last.nextIf(GoalResult.DONE, exit); // an end that the mission names, not a lap's
+      last.nextIf(GoalResult.DONE, exit); // an explicit end of the mission, not the end of a lap
     } else {
       last.next(exit);
     }

@@ -146,7 +146,7 @@ final class GoalLinks {
     if (message.timeLimit().orElse(1.0) == 0.0) {
       throw goal.child("timeLimit")
           .orElse(goal)
-          .error("0.0 s is over at once; expected more than 0 s");
+          .error("0.0 s expires immediately; expected more than 0 s");
     }
     if (message.choose().orElse(1) < 1) {
       throw goal.child("choose")

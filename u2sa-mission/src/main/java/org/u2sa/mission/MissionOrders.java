@@ -113,7 +113,7 @@ final class MissionOrders {
         order
             .uid()
             .map(name -> known(pursued, name))
-            .orElseGet(() -> only(pursued, ": there is no goal to skip", "the name of one of "));
+            .orElseGet(() -> only(pursued, ": no goal to skip", "the name of one of "));
     String reason = "skipped by " + order.operator();
     boolean skipped =
         run.progress().finish(uid, GoalResult.SKIPPED, Optional.empty(), reason, run.micros());

@@ -24,9 +24,9 @@ final class MissionProgress {
   private static final String BEFORE = "BEFORE";
 
   private GoalSequence pursued; // goals of the mission or of a failsafe
-  private GoalSequence left; // the mission's while a failsafe is pursued; else null
+  private GoalSequence left; // the mission's goals while a failsafe is pursued, or null
   private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
-  private Optional<Position> before = Optional.empty(); // where the mission was before a GOTO
+  private Optional<Position> before = Optional.empty(); // position in the mission before a GOTO
   private String commanded = ""; // goal of the latest GOTO
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
@@ -114,7 +114,7 @@ final class MissionProgress {
    * Handles a goal that was completed or abandoned.
    *
    * @param micros current time [µs of the run's clock]
-   * @return false if it is not pursued
+   * @return false if the goal is not current
    */
   boolean finish(
       String uid, GoalResult result, Optional<GoalInformation> report, String reason, long micros) {

@@ -32,7 +32,7 @@ record MissionVariables(
         Resumption resume) {
   /** Whether a mission continues after a restart in another process. */
   enum Resumption {
-    /** Starts over; nothing is saved. */
+    /** Restarts the mission; progress is not saved. */
     NEVER,
     /** Starts over; resumed on order. */
     ORDERED,

@@ -11,7 +11,7 @@ import org.u2sa.service.handover.HandOver;
 /** Position in a {@link GoalSequence}, by goal names only. Not thread-safe. */
 final class Position {
   final Set<String> current = new LinkedHashSet<>();
-  final Set<String> pending = new LinkedHashSet<>(); // follow once the current ones are finished
+  final Set<String> pending = new LinkedHashSet<>(); // follow when the current goals are finished
   final Set<String> finished = new LinkedHashSet<>(); // in this lap
   final Map<String, Long> repeats = new LinkedHashMap<>(); // start time of the goals in progress
 
