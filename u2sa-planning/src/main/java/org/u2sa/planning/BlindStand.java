@@ -27,7 +27,8 @@ final class BlindStand {
   /**
    * Whether to stop now; reports each change to the operator.
    *
-   * @param failsafe LAND goes on, and RETURN too if the vehicle cannot stop: circling would not end
+   * @param failsafe LAND continues, as does RETURN if the vehicle cannot stop, because circling
+   *     would not end
    */
   boolean stands(FailsafeAction failsafe, long nowMicros) {
     Optional<String> trouble =
@@ -37,7 +38,7 @@ final class BlindStand {
     boolean goesOn =
         failsafe == FailsafeAction.LAND
             || failsafe == FailsafeAction.RETURN && !settings.get().stops();
-    tell(trouble.map(what -> (goesOn ? "goes on blind: " : "stands: ") + what).orElse(""));
+    tell(trouble.map(what -> (goesOn ? "continues blind: " : "stands: ") + what).orElse(""));
     return trouble.isPresent() && !goesOn;
   }
 
@@ -46,7 +47,7 @@ final class BlindStand {
       return;
     }
     if (what.isEmpty()) {
-      planner.log(LogLevelEnum.WARN, "sees its surroundings again: goes on");
+      planner.log(LogLevelEnum.WARN, "surroundings known again: continues");
       avoidance.begin(); // the time without them was no failure to get on
     } else {
       planner.trouble(what);

@@ -50,7 +50,7 @@ final class WaypointState implements PlannerState {
   private double nearestM; // in this attempt, while approaching
   private double nowM; // from the waypoint
   private Optional<StateInformation> last = Optional.empty();
-  private Optional<Place> aimedAt = Optional.empty(); // where the waypoint was at the last state
+  private Optional<Place> aimedAt = Optional.empty(); // position of the waypoint at the last state
 
   WaypointState(
       WaypointGuidance guidance,

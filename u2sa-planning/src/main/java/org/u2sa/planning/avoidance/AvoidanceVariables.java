@@ -140,7 +140,7 @@ public record AvoidanceVariables(
             "Age of the World Modeler's newest objects or grid at which the vehicle stops, or "
                 + "circles if it cannot stop, until newer data arrive. Not with PLANNER = NONE.")
         double worldStaleAfter) {
-  /** Smaller distances to an obstacle are a collision, allowing for rounding [share of a cell]. */
+  /** Collision distance to an obstacle, allowing for rounding [fraction of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
   private static final double COVER_CELLS = 1.5; // spacing of discs that cover it closely
@@ -163,7 +163,7 @@ public record AvoidanceVariables(
   }
 
   /**
-   * How the world is read, for a vehicle that can turn in place or not.
+   * Settings for reading the world, for a vehicle that can or cannot turn in place.
    *
    * @param narrow whether routes may use every passage that it fits through
    */
@@ -210,7 +210,7 @@ public record AvoidanceVariables(
         .collect(Collectors.toList());
   }
 
-  /** Distance to an obstacle below which it is a collision, on cells of this size [m]. */
+  /** Collision distance to an obstacle, for cells of this size [m]. */
   double touchM(double cellM) {
     return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
   }
@@ -241,7 +241,7 @@ public record AvoidanceVariables(
     return Clock.micros(overlookAfter);
   }
 
-  /** Time without progress after which a goal is given up [µs]. */
+  /** Time without progress after which a goal is abandoned [µs]. */
   public long giveUpMicros() {
     return Clock.micros(giveUpAfter);
   }

@@ -12,7 +12,7 @@ import org.u2sa.planning.seen.PlanarShape;
 
 /**
  * Marks to be passed on one side only, such as IGVC's flags or a channel's buoys: the other side of
- * each is closed, across the approach, until the vehicle has passed. Confined to the planner's
+ * each is blocked, across the approach, until the vehicle has passed. Confined to the planner's
  * thread.
  */
 final class PassSides {
@@ -101,7 +101,7 @@ final class PassSides {
     return closed;
   }
 
-  /** Resets, such as for another plane. */
+  /** Resets, for example when the planning plane changes. */
   void forget() {
     marks.clear();
     closed = List.of();
@@ -155,7 +155,7 @@ final class PassSides {
     return changed;
   }
 
-  /** Course of the route past a place; without a route, the vehicle's heading. */
+  /** Course of the route past a position; without a route, the vehicle's heading. */
   private static double courseRad(
       Pose pose, Optional<RouteTrack> route, double north, double east) {
     double course = pose.headingRad();

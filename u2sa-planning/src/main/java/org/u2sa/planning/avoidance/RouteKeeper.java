@@ -16,7 +16,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * when a better one may exist. Confined to the planner's thread.
  */
 final class RouteKeeper {
-  /** Hysteresis: a new route must cost no more than this share of the old one's remainder. */
+  /** Hysteresis: maximum cost of a new route, as a fraction of the old route's remaining cost. */
   private static final double BETTER = 0.9;
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
@@ -64,7 +64,7 @@ final class RouteKeeper {
     tryAgain();
   }
 
-  /** Plans again although the world is the one in which no route was found. */
+  /** Replans although the world is unchanged since no route was found. */
   void tryAgain() {
     triedRevision = -1;
   }

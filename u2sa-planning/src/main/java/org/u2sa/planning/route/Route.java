@@ -28,7 +28,7 @@ public record Route(List<Point> points, double cost, String obstacle, boolean go
     return new Route(points, cost, "", false);
   }
 
-  /** Creates the result that there is no route. */
+  /** Creates a result without a route. */
   public static Route none(String why) {
     return new Route(List.of(), Double.POSITIVE_INFINITY, why, false);
   }

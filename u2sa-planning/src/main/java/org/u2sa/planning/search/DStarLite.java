@@ -158,7 +158,7 @@ public final class DStarLite {
     revision = grid.revision();
   }
 
-  /** Compares costs blockwise, and one by one only in blocks that differ. */
+  /** Compares costs blockwise, then cell by cell in blocks that differ. */
   private void findChanges(int row) {
     int end = frame.index(row, frame.columns());
     for (int from = frame.index(row, 0); from < end; from += BLOCK) {

@@ -172,7 +172,7 @@ final class GridLayer {
     redraw(planned, from, to, left, fullest);
   }
 
-  /** Draws one cell, as far as it covers the plan's. */
+  /** Draws the part of a cell that covers the plan. */
   private void redraw(int planned, int from, int to, int row, int column) {
     if (placement.firstRow(column, row) <= planned && placement.lastRow(column, row) >= planned) {
       fill(
