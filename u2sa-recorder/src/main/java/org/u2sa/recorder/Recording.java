@@ -173,7 +173,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private void drop() {
     long count = dropped.incrementAndGet();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
-      trouble.accept("messages come faster than they are recorded: " + count + " dropped so far");
+      trouble.accept("messages arrive faster than they are recorded: " + count + " dropped so far");
     }
   }
 

@@ -35,7 +35,7 @@ public final class RunFiles {
   /**
    * Attaches a system file, its configurations and the files they name.
    *
-   * @param configurations those of its services and of the Communication Manager
+   * @param configurations configurations of its services and of the Communication Manager
    * @throws org.u2sa.interfaces.BadInputException if a configuration is not well-formed
    */
   public RunFiles system(Path file, Collection<Path> configurations) {

@@ -96,7 +96,7 @@ public final class McapReader implements AutoCloseable {
       throw new McapException("the file's summary has no statistics");
     }
     if (statistics.chunks() != chunks.size() || statistics.messages() > 0 && chunks.isEmpty()) {
-      throw new McapException("the file's summary does not say where its messages are");
+      throw new McapException("the file's summary lacks the positions of its messages");
     }
     IndexedPlaces places = new IndexedPlaces();
     chunks.forEach(chunk -> places.add(chunk.offset(), chunk.length()));
