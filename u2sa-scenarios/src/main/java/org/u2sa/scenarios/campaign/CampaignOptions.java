@@ -31,7 +31,8 @@ final class CampaignOptions {
       index = "0",
       paramLabel = "DEMO",
       description =
-          "What to run, such as ugv, cessna or igvc; or simulate, with its system file and options after --.")
+          "Demo to run, such as ugv, cessna or igvc; or simulate, with its system file and "
+              + "options after --.")
   private String demo;
 
   @Parameters(
@@ -177,7 +178,7 @@ final class CampaignOptions {
       throw refused(
           "--jobs goes without --master; Spark's cores are local["
               + jobs.getAsInt()
-              + "], or those of the cluster");
+              + "], or all cores of the cluster");
     }
     return ServiceLoader.load(RunBackendProvider.class)
         .findFirst()

@@ -193,7 +193,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
         seed);
   }
 
-  /** What moves around the aircraft and reports its position by transponder. */
+  /** Moving objects around the aircraft that report their position by transponder. */
   private List<SimulatedTraffic.Other> traffic(VehicleTrial placed) {
     double timeS = placed.run().at(0L).timeS();
     LocalPlane plane = placed.world().plane();

@@ -121,7 +121,8 @@ public final class RunPlans {
           index,
           "goal \""
               + waypoint.uid()
-              + "\" is no place on the earth; expected <x> and <y> in longitude and latitude, or UTM");
+              + "\" is not a position on the earth; expected <x> and <y> in longitude and "
+              + "latitude, or UTM");
     }
     return new StateInformation()
         .referenceFrame(waypoint.referenceFrame())

@@ -58,7 +58,7 @@ final class CheckCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  /** A place from which the objects of the earth are near. */
+  /** Reference position close to the objects in GLOBAL. */
   private static Geodetic origin(List<ObjectDescription> objects) {
     return objects.stream()
         .filter(each -> each.referenceFrame().isEarth())
