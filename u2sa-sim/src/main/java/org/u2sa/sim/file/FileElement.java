@@ -14,8 +14,7 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * An element of a vehicle file whose children are read as values in SI units. Missing values come
- * from the element's preset, if it names one. {@link #end} refuses children that nobody has asked
- * for.
+ * from the element's preset, if it names one. {@link #end} rejects children that were not read.
  */
 final class FileElement {
   private static final String UNIT = "unit";
@@ -173,12 +172,12 @@ final class FileElement {
     return element.child(name).isPresent() || preset.isPresent() && preset.get().has(name);
   }
 
-  /** A required child with children of its own. */
+  /** A required child that has children. */
   FileElement part(String name) {
     return optionalPart(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
   }
 
-  /** An optional child with children of its own. */
+  /** An optional child that has children. */
   Optional<FileElement> optionalPart(String name, String... attributes) {
     asked.add(name);
     return element.child(name).map(child -> new FileElement(child, attributes));
@@ -213,7 +212,7 @@ final class FileElement {
   /**
    * Call when everything is read.
    *
-   * @throws BadInputException at the first child that nobody has asked for
+   * @throws BadInputException at the first child that was not read
    */
   void end() {
     element.refuseUnknownChildren(asked.toArray(new String[0]));

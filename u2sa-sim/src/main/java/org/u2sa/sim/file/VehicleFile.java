@@ -60,10 +60,10 @@ public final class VehicleFile {
   }
 
   /**
-   * Reads a vehicle with other values than those of its file.
+   * Reads a vehicle file with overridden values.
    *
-   * @param changes values by their places, such as {@code body/mass} or {@code gps/@preset}
-   * @throws BadInputException as {@link #load(Path)}, also if there is no such place
+   * @param changes values by path, such as {@code body/mass} or {@code gps/@preset}
+   * @throws BadInputException as {@link #load(Path)}, also if a path does not exist
    */
   public static VehicleFile load(Path file, Map<String, String> changes) {
     return new VehicleFile(VehicleChanges.apply(XmlReader.read(file, ROOT), changes));
@@ -79,7 +79,7 @@ public final class VehicleFile {
     return new VehicleFile(XmlReader.read(in, origin, ROOT));
   }
 
-  /** Refuses parameters whose motion the integration at a fixed rate cannot follow. */
+  /** Rejects parameters with dynamics too fast for the fixed integration rate. */
   private void probe(XmlElement root) {
     for (int pattern = 0; pattern < 4; pattern++) { // all ahead, all astern, and alternating
       SimulatedVehicle vehicle = make(emptyWorld(), Point.ORIGIN, 0.0, 1);
@@ -109,7 +109,7 @@ public final class VehicleFile {
     }
   }
 
-  /** A level world in which the vehicle can be alone: for a vessel, deep water. */
+  /** A level, empty world: for a vessel, deep water. */
   public World emptyWorld() {
     return home(World.at(new Geodetic(0.0, 0.0, 0.0)));
   }
@@ -158,7 +158,7 @@ public final class VehicleFile {
   }
 
   /**
-   * Creates a vehicle at rest behind its IOIO board, which takes it on.
+   * Creates a vehicle at rest behind its IOIO board, which steps it.
    *
    * @throws BadInputException if absent
    */

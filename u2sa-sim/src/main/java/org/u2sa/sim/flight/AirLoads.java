@@ -22,7 +22,7 @@ interface AirLoads {
   /** Whether what drives it forward is commanded to run, as a catapult waits for. */
   boolean isDriven();
 
-  /** Span of what the gusts act on [m]. */
+  /** Span on which the gusts act [m]. */
   double spanM();
 
   /**

@@ -25,7 +25,7 @@ public record LandingLeg(Point place, boolean rolls) {
   /**
    * Springs that carry an aircraft of this mass together.
    *
-   * @throws IllegalArgumentException if there are legs, but not at least three
+   * @throws IllegalArgumentException if there are one or two legs
    */
   static List<Wheel> wheels(List<LandingLeg> legs, double massKg) {
     if (!legs.isEmpty() && legs.size() < 3) {

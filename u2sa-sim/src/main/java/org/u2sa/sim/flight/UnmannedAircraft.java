@@ -66,7 +66,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   /**
-   * Creates a multirotor at rest, rotors stopped. The command 0…1 of a rotor is the share of its
+   * Creates a multirotor at rest, rotors stopped. The command 0…1 of a rotor is the fraction of its
    * full speed.
    *
    * @param frameDrag drag of the frame along each axis [N s²/m²]
@@ -119,7 +119,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     Arrays.fill(rate, 0.0);
   }
 
-  /** Throws the aircraft at once, without a stroke. */
+  /** Launches the aircraft immediately, without a stroke. */
   public void launch(Catapult how) {
     waitOn(how);
     state[BodyState.VELOCITY] = how.speedMps();
@@ -140,7 +140,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   /**
    * Breaks a rotor, a surface or a motor.
    *
-   * @param share remaining share of its effect, 0…1
+   * @param share remaining fraction of its effect, 0…1
    * @throws IllegalArgumentException if the actuator is unknown or the share out of range
    */
   public void weaken(String actuator, double share) {
@@ -237,12 +237,12 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     body.air.gustR = wind.gusts().yawRadPerS();
   }
 
-  /** Whether it has hit the ground too hard to fly on. */
+  /** Whether it has crashed. */
   public boolean crashed() {
     return crashed;
   }
 
-  /** Whether it stands on a leg. */
+  /** Whether a leg touches the ground. */
   public boolean stands() {
     return body.stands();
   }

@@ -9,7 +9,7 @@ import org.u2sa.sim.world.Surface;
 
 /**
  * Scripted faults and disturbances of a run, by time and place. Immutable; times are simulated
- * seconds since the start, places are on the local plane.
+ * seconds since the start, positions are on the local plane.
  */
 public final class Hazards {
   private static final Hazards NONE = new Hazards(List.of());
