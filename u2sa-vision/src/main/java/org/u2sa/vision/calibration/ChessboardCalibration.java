@@ -21,8 +21,8 @@ import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
  * Calibrates a camera from images of a chessboard at several positions and tilts (Zhang, A Flexible
- * New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds: for commands, not for
- * control loops.
+ * New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds, so it is for commands,
+ * not for control loops.
  */
 public final class ChessboardCalibration {
   /** Minimum number of board images for a well-determined geometry. */

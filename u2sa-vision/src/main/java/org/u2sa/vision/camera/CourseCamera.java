@@ -18,7 +18,7 @@ import org.u2sa.vision.ground.AttitudeHistory;
  * state, for roll and pitch. Out: sensed-objects in BODY, with the time of the image: lines as
  * PolyLine, potholes as Circle, the rest as Cylinder; standard deviations grow with distance. An
  * image without detections yields one ObjectDescription of type {@link SeenMessages#NOTHING}. Out:
- * images, the camera image itself, every IMAGE EVERY seconds if set.
+ * images (the camera image, every IMAGE EVERY seconds if set).
  */
 public final class CourseCamera extends CameraSensor {
   private record Showing(

@@ -99,7 +99,9 @@ final class LineModeller implements Modeller {
     sightings++;
   }
 
-  /** Counts against lines that should have been seen just now but were not. */
+  /**
+   * Decreases the confidence of lines that should have been seen in the last image but were not.
+   */
   private void doubt(Sighting sighting, LineModelVariables tuning) {
     MapFrame map = sighting.frame();
     Point at = map.vehicle(sighting.vehicle());
