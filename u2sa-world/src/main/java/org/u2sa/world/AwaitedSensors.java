@@ -6,11 +6,11 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Which sensors should be measuring and are not. The absence of sightings proves nothing, since
- * there may be nothing to see, but a scanner also reports scans of empty ground.
+ * Monitors which expected sensors are silent. The absence of sightings proves nothing, since there
+ * may be nothing to see, but a scanner also reports scans of empty ground.
  */
 final class AwaitedSensors {
-  /** Stands for a scanner whose name is not known because it never scanned. */
+  /** Placeholder for a scanner whose name is unknown because it never scanned. */
   static final String ANY_SCANNER = "any scanner";
 
   private static final double MISSED = 2.0; // intervals after which a slow scanner is silent
@@ -20,7 +20,7 @@ final class AwaitedSensors {
    * State of a scanner.
    *
    * @param newest end of its newest scan [µs]
-   * @param interval to the one before [µs]
+   * @param interval interval to the previous scan [µs]
    * @param usual the shorter one of the last two intervals: a gap is no habit [µs]
    */
   private record Scans(long newest, long interval, long usual) {
@@ -51,8 +51,8 @@ final class AwaitedSensors {
   /**
    * Sensors that should be measuring and are silent.
    *
-   * @param expected names of the sensors that should; if empty, each scanner that was ever heard
-   * @param needsScans whether at least one scan is needed if nothing is named as expected
+   * @param expected names of the expected sensors; if empty, each scanner heard so far
+   * @param needsScans whether at least one scan is needed if no sensor is named
    * @param nowMicros time of the map [µs]
    * @param silentMicros age from which a measurement is too old; without expected names, a slower
    *     scanner may take twice its usual interval [µs]

@@ -88,7 +88,7 @@ final class ChosenModellers {
   }
 
   /**
-   * Activates exactly these modellers. New ones take over the knowledge of those deactivated.
+   * Activates exactly these modellers. New modellers adopt the knowledge of deactivated ones.
    *
    * @return the newly activated modellers
    */

@@ -83,7 +83,7 @@ public final class WorldModeler extends PeriodicService {
         : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
   }
 
-  /** Reloads the a priori objects; those defined relative to the vehicle stay where they were. */
+  /** Reloads the a priori objects; those defined relative to the vehicle keep their positions. */
   private List<ObjectDescription> known(List<ObjectDescription> before) {
     Map<String, ObjectDescription> placed =
         before.stream()

@@ -61,7 +61,7 @@ record WorldVariables(
   static final String WORLD = "WORLD";
   static final String WORLD_MOVERS = "WORLD MOVERS";
 
-  /** Sensors that must go on measuring; empty: unnamed. */
+  /** Required sensors; empty: unnamed. */
   List<String> expected() {
     return Arrays.stream(expectedSensors.split(","))
         .map(String::trim)
