@@ -386,7 +386,7 @@ class HostileFileTest {
   void next_longerRecord_isNone(long length) throws IOException {
     assertThat(nextOf(length))
         .isInstanceOf(McapException.class)
-        .hasMessageContaining("no record: opcode 12, length " + length);
+        .hasMessageContaining("not a record: opcode 12, length " + length);
   }
 
   private RecordBuffer twoRecords() {
