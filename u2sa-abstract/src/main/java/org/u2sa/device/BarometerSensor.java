@@ -34,7 +34,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
 
   private record Variables(
       @Variable(unit = "Pa", min = 85_000, max = 110_000, ifAbsent = PressureAltitude.SEA_LEVEL_PA)
-          @Description("Current sea-level pressure; 101325 is the standard atmosphere's.")
+          @Description("Current sea-level pressure; 101325 in the standard atmosphere.")
           double qnh,
       @Variable(unit = "m", min = 0.01, max = 1000, ifAbsent = 100)
           @Description(

@@ -53,7 +53,7 @@ public abstract class CameraSensor extends DeviceSensor<CameraFrame> {
 
   @Override
   final void use(CameraFrame frame) {
-    look(frame); // its exceptions are the author's, not the camera's
+    look(frame); // exceptions from here are the author's, not the camera's
   }
 
   /** Empty: {@link #look} publishes. */

@@ -42,7 +42,7 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
           @Description("Water density: 1025 in the sea, 998 in a pool.")
           double waterDensity,
       @Variable(unit = "Pa", min = 0, max = 110_000, ifAbsent = PressureAltitude.SEA_LEVEL_PA)
-          @Description("Air pressure at the surface; 0 for a sensor of gauge pressure.")
+          @Description("Air pressure at the surface; 0 for a gauge-pressure sensor.")
           double surfacePressure,
       @Variable(unit = "m", min = -500, max = 9000, ifAbsent = 0)
           @Description("GLOBAL: altitude of the water surface above mean sea level.")

@@ -39,7 +39,7 @@ public abstract class DeviceProvider<D extends Device<?>> {
   }
 
   /**
-   * Creates the device at once: it need not be connected yet.
+   * Creates the device immediately; it need not be connected yet.
    *
    * @throws org.u2sa.interfaces.BadInputException if a variable does not fit the device
    */

@@ -40,7 +40,7 @@ public final class DeviceWatch {
   /**
    * Checks the device, at each step before reading.
    *
-   * @return whether it has reconnected: parsers reset, and it is set up again
+   * @return whether it has reconnected, so that parsers must reset and it must be configured again
    */
   public boolean look(long nowMicros) {
     boolean isConnected = link.isConnected();

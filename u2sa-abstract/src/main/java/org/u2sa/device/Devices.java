@@ -34,8 +34,8 @@ public final class Devices {
    * The device of a service. Declares CONNECTION, the variable that names the driver, and the
    * variables of all the port's drivers.
    *
-   * @param made device provided by the host, such as a phone's; overrides the configuration, as
-   *     does one from {@link ServiceContext#devices()}
+   * @param made device provided by the host, such as a phone; overrides the configuration, as do
+   *     devices from {@link ServiceContext#devices()}
    * @throws BadInputException if there is no such driver, or more than one
    */
   public static <D extends Device<?>> D open(
@@ -53,7 +53,7 @@ public final class Devices {
             .ifAbsent(usual.connection)
             .describedAs(
                 ("Address of the " + usual.noun)
-                    + ", as its driver takes it (docs/drivers/links.md)."));
+                    + ", in the driver's format (docs/drivers/links.md)."));
     Map<String, DeviceProvider<?>> providers = new LinkedHashMap<>();
     for (DeviceProvider<?> provider : ServiceLoader.load(DeviceProvider.class)) {
       if (provider.port() == port) {

@@ -31,10 +31,10 @@ public final class LidarSensor extends DeviceSensor<LaserScanner.Scan> {
       @Variable(min = 1, max = 1000, ifAbsent = 1) @Description("Publish every Nth scan.")
           int publishEvery,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.1)
-          @Description("Minimum range of the scans: closer echoes are the vehicle itself.")
+          @Description("Minimum range of the scans: closer echoes are from the vehicle itself.")
           double nearest,
       @Variable(unit = "m", min = 0.1, max = 1000, ifAbsent = 100)
-          @Description("Farther echoes are ignored: maximum of the scans' maxRange.")
+          @Description("Maximum range of the scans: farther echoes are ignored.")
           double farthest) {}
 
   private final MountingPose mounted = settings(MountingPose.class).get();

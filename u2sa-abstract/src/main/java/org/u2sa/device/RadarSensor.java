@@ -21,9 +21,9 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes a tracking radar's targets as moving keep-out spheres, in GLOBAL, once per measurement
- * (thesis 4.4.1.3). In: state on the earth, from which targets are placed; nothing is published
- * before the first one with a heading. Out: sensed-objects, uid {@code traffic}, the service's name
- * and the track number.
+ * (thesis 4.4.1.3). In: state in GLOBAL, to position the targets; nothing is published before the
+ * first state with a heading. Out: sensed-objects, uid {@code traffic}, the service's name and the
+ * track number.
  */
 public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
   private static final SensorKind<TrackingRadar> KIND =
@@ -48,7 +48,7 @@ public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
 
   private final Settings<Variables> tuning = settings(Variables.class);
   private final TrafficSpheres spheres = new TrafficSpheres(this, this::altitudeM);
-  private Optional<StateInformation> own = Optional.empty(); // on the earth, with a heading
+  private Optional<StateInformation> own = Optional.empty(); // in GLOBAL, with a heading
 
   /** Launcher constructor: opens the configured radar. */
   public RadarSensor(ServiceContext context) {

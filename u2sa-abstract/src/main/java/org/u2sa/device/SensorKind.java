@@ -6,7 +6,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.service.ServiceRole;
 
 /**
- * What distinguishes one kind of {@link DeviceSensor} from the others, besides its messages.
+ * Properties of one kind of {@link DeviceSensor}, besides its messages.
  *
  * @param serviceName default name of the service
  * @param usual device that it opens by default
@@ -22,7 +22,9 @@ public record SensorKind<D extends Device<?>>(
     double rateHz,
     double silentAfterS) {
 
-  /** The vehicle itself is measured (thesis 3.2.2.4), or its environment (3.2.2.3). */
+  /**
+   * Whether the sensor measures the vehicle itself (thesis 3.2.2.4) or its environment (3.2.2.3).
+   */
   ServiceRole role() {
     return channel.equals(Channels.SENSED_STATE)
         ? ServiceRole.PROPRIOCEPTIVE_SENSOR

@@ -31,7 +31,7 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
           @Description("Minimum strength of an echo that counts as an object; 255 is full scale.")
           int threshold,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.75)
-          @Description("Nearer echoes are from the transducer itself: minRange of the scans.")
+          @Description("Minimum range of the scans: closer echoes are transducer ringing.")
           double nearest,
       @Variable(min = 1, max = 1000, ifAbsent = 8) @Description("Pings in each published scan.")
           int pingsPerScan) {}

@@ -18,7 +18,9 @@ record ThrusterVariables(
         @Description("Maximum forward command.")
         double maximum,
     @Variable(unit = "%", min = 0, max = 50, ifAbsent = 0)
-        @Description("Commands smaller than this count as 0: the motor does not start below it.")
+        @Description(
+            "Dead band: the motor does not start below this command, so smaller ones "
+                + "count as 0.")
         double deadband,
     @Variable(unit = "%/s", min = 1, max = 100_000, ifAbsent = 400)
         @Description("Maximum rate of change of a command; stops are not limited.")
@@ -27,13 +29,16 @@ record ThrusterVariables(
         @Description("Thrust at 100 %, from the data sheet, for the announcement; 0: unknown.")
         double fullThrust,
     @Variable(unit = "N", min = 0, max = 1.0e6, ifAbsent = 0)
-        @Description("Reverse thrust at -100 %, for the announcement; 0: as FULL THRUST.")
+        @Description("Reverse thrust at -100 %, for the announcement; 0: same as FULL THRUST.")
         double reverseThrust,
     @Variable(unit = "N m", min = -1.0e6, max = 1.0e6, ifAbsent = 0)
         @Description(
-            "Torque on the vehicle about the direction of thrust at FULL THRUST, for the announcement: above 0 for a rotor that turns anticlockwise, seen from where the thrust points.")
+            "Torque on the vehicle about the direction of thrust at FULL THRUST, for the "
+                + "announcement: positive for a rotor that turns anticlockwise when viewed against "
+                + "the thrust direction.")
         double fullTorque,
     @Variable(unit = "s", min = 0.05, max = 60, ifAbsent = 1)
         @Description(
-            "Time after which a thruster that is connected counts as silent, or as stalled if it is commanded and does not turn.")
+            "Time after which a connected thruster counts as silent, or as stalled if it is "
+                + "commanded and does not turn.")
         double timeout) {}

@@ -19,7 +19,10 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.service.Sensor;
 
-/** Moving keep-out spheres of new reports about other traffic, with the variables of their size. */
+/**
+ * Converts reports about other traffic to moving keep-out spheres, and declares the variables of
+ * their size.
+ */
 final class TrafficSpheres {
   private static final double UNKNOWN_ALTITUDE_SIGMA_M = 3_000.0;
 
@@ -31,7 +34,7 @@ final class TrafficSpheres {
           @Description("Time for which a target's velocity remains valid.")
           double horizon,
       @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 30)
-          @Description("Standard deviation of a position, where the target reports none.")
+          @Description("Standard deviation of a position, if the target reports none.")
           double positionSigma,
       @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 30)
           @Description(
@@ -44,7 +47,7 @@ final class TrafficSpheres {
           @Description("Current sea-level pressure, for targets that report pressure altitudes.")
           double qnh,
       @Variable(ifAbsentText = "")
-          @Description("ID of the vehicle's own transponder, which is not traffic; empty: none.")
+          @Description("ID of the vehicle's own transponder, which is ignored; empty: none.")
           String ownId) {}
 
   private final Sensor sensor;

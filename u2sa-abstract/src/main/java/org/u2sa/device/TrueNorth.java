@@ -31,10 +31,11 @@ public final class TrueNorth {
   private record Source(
       @Variable(ifAbsentText = "MODEL")
           @Description(
-              "MODEL: World Magnetic Model at the vehicle's position, no heading until that is known; FIXED: DECLINATION.")
+              "MODEL: World Magnetic Model at the vehicle's position (no heading until the "
+                  + "position is known); FIXED: DECLINATION.")
           North north,
       @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
-          @Description("Magnetic declination, east positive, where NORTH is FIXED.")
+          @Description("Magnetic declination, east positive, if NORTH is FIXED.")
           double declination) {}
 
   private final boolean isModelled;

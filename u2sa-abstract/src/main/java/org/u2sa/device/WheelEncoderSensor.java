@@ -12,8 +12,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes speed and yaw rate of a differential vehicle, in BODY, from standalone encoders; {@link
- * WheelMotors} does so for those of a motor controller (thesis 4.1.1.1). Out: sensed-state.
+ * Publishes speed and yaw rate of a differential vehicle, in BODY, from standalone encoders; for
+ * encoders of a motor controller see {@link WheelMotors} (thesis 4.1.1.1). Out: sensed-state.
  */
 public final class WheelEncoderSensor extends DeviceSensor<WheelEncoder.Ticks> {
   private static final SensorKind<WheelEncoder> KIND =

@@ -162,7 +162,7 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
     return wheel.sign * dutyPerPercent * wheel.slew.towards(percent, nowMicros);
   }
 
-  /** Makes the controller hold both speeds, if speeds are commanded and it supports that. */
+  /** Enables the controller's speed control, if speeds are commanded and it supports that. */
   private boolean turn() {
     if (commands.command(left.name).orElse(null) instanceof SpeedCommand leftSpeed
         && commands.command(right.name).orElse(null) instanceof SpeedCommand rightSpeed) {

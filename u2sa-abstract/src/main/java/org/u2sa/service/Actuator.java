@@ -44,7 +44,7 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   /** Applies a command [%], −100…100. Called on the service's thread for each command. */
   protected abstract void actuate(double percentage);
 
-  /** Moves to the safe position, where nothing moves. */
+  /** Moves to the neutral, safe position. */
   protected abstract void neutral();
 
   /** Closes the device, after {@link #neutral}. */
@@ -76,7 +76,7 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
 
   @Override
   protected final void begin() {
-    // first: this class's limits differ from the predecessor's
+    // first, because this class's limits differ from the predecessor's
     commands.announce(actuators());
     if (commands.isCommanded()) {
       carryOut();

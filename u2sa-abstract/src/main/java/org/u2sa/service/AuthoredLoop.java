@@ -6,9 +6,9 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Runs an author's {@link U2SAService#run} loop beside a thread that handles the service's messages
- * (thesis 8.2.4). A simulation waits for each {@link U2SAService#sleep} of the loop, but not where
- * it blocks elsewhere, such as in {@link Thread#sleep}.
+ * Runs an author's {@link U2SAService#run} loop in parallel to a thread that handles the service's
+ * messages (thesis 8.2.4). A simulation waits for each {@link U2SAService#sleep} of the loop, but
+ * not where it blocks elsewhere, such as in {@link Thread#sleep}.
  */
 final class AuthoredLoop {
   /** Polling period of the field that an author's kill clears. */
@@ -63,7 +63,7 @@ final class AuthoredLoop {
   private void outOfStep() {
     configuration.log(
         LogLevelEnum.WARN,
-        "run() waits for something other than the run's clock, so the simulation goes on without"
+        "run() waits for something other than the run's clock, so the simulation continues without"
             + " it: with sleep(…) in place of Thread.sleep(…) the simulation waits for it");
   }
 
@@ -83,8 +83,8 @@ final class AuthoredLoop {
   }
 
   /**
-   * A loop that returns while the service should continue has failed; a run() that returns at once
-   * is not a loop.
+   * A loop that returns while the service should continue has failed; a run() that returns
+   * immediately is not a loop.
    */
   private void checkLoop() {
     if (hasReturned || !isRunning.getAsBoolean()) {

@@ -37,7 +37,9 @@ public final class CommandedActuators {
           @Description("Time without a command after which an actuator goes neutral.")
           double commandExpiry,
       @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
-          @Description("How far ahead of this clock a command's time may be before it is refused.")
+          @Description(
+              "Maximum time by which a command's timestamp may be ahead of this clock; "
+                  + "later ones are refused.")
           double clockTolerance,
       @Variable(ifAbsentText = "false")
           @Description(
@@ -46,7 +48,8 @@ public final class CommandedActuators {
       // The longest restart or outage measured took 7.5 s, and it listens 0.5 s.
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
           @Description(
-              "Time without an arming state after which a vehicle counts as disarmed, where arming is required; 0: never, for a vehicle that would fall.")
+              "Time without an arming state after which a vehicle that requires arming counts as "
+                  + "disarmed; 0: never, for a vehicle that would fall from the air.")
           double armingExpiry) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";
@@ -68,7 +71,7 @@ public final class CommandedActuators {
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private boolean armed;
-  private long armedMicros; // when that was last heard
+  private long armedMicros; // time at which that was last received
   private boolean ignoresArmed; // the last state, for its age
 
   /**
@@ -266,7 +269,7 @@ public final class CommandedActuators {
       warnOfOldState();
     }
     if (isIgnored && armed) {
-      return; // a delayed message tells of no disarming, nor that a Safety Manager still works
+      return; // a delayed message neither disarms nor proves that a Safety Manager still works
     }
     boolean isArmed = state.armed() && !isIgnored;
     boolean changed = isArmed != armed;
@@ -284,7 +287,7 @@ public final class CommandedActuators {
   private void warnOfOldState() {
     service.log(
         LogLevelEnum.WARN,
-        "ignored that the vehicle is armed: told more than "
+        "ignored an armed state: sent more than "
             + MAX_ARMED_AGE_MICROS / Clock.MICROS_PER_SECOND
             + " s ago, by an earlier run or a clock that is behind");
   }
@@ -298,7 +301,7 @@ public final class CommandedActuators {
       stopped.run();
       service.log(
           LogLevelEnum.WARN,
-          "no arming state for " + expiryS + " s: disarmed until a Safety Manager says armed");
+          "no arming state for " + expiryS + " s: disarmed until a Safety Manager reports armed");
     }
   }
 

@@ -32,7 +32,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class ConfigurationResponder {
   private static final int REMEMBERED = 64;
   private static final String TOO_MANY =
-      "too many changes at once, and nothing was changed: try again in a second";
+      "too many changes at once; nothing was changed: try again in a second";
 
   private final ServiceConfiguration service;
   private final XmlConfiguration configuration;

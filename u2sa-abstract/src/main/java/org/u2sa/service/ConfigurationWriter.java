@@ -9,8 +9,8 @@ import org.u2sa.interfaces.configuration.WrittenChange;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Validates and writes requested changes one by one on a thread that lives only while there is
- * something to write. The service applies written changes between two messages.
+ * Validates and writes requested changes in sequence, on a thread that exists only while changes
+ * are pending. The service applies written changes between two messages.
  *
  * <p>The thread takes turns on the run's clock, so in a simulation time stops until a change is
  * written.

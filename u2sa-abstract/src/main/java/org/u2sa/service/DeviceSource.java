@@ -5,8 +5,8 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Devices that the host of a run provides instead of the configured ones, such as those of a
- * simulated vehicle.
+ * Devices that the host of a run provides in place of the configured ones, such as a simulated
+ * vehicle's sensors.
  */
 public interface DeviceSource {
   /** Provides none: every service opens its configured device. */

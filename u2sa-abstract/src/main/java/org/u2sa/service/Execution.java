@@ -12,7 +12,7 @@ import org.u2sa.service.inbox.ServiceInbox;
 /**
  * Hook into everything that passes between a service's code and its environment, in order: clock
  * readings, waits, messages in and out. Recording it allows the service to be re-executed. By
- * default each method changes nothing.
+ * default, no method has an effect.
  *
  * <p>Called on the service's thread, and before its start on the thread that creates it; only what
  * {@link #clock} and {@link #outlet} return may be used on other threads.
@@ -33,12 +33,12 @@ public interface Execution {
     return run;
   }
 
-  /** Where the service publishes instead of its connection. */
+  /** Output to which the service publishes instead of its connection. */
   default Outlet outlet(Outlet connection) {
     return connection;
   }
 
-  /** ID that the service regards as its own thread's. */
+  /** ID that the service regards as its thread ID. */
   default int threadId(int own) {
     return own;
   }

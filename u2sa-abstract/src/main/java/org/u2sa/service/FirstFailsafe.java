@@ -6,9 +6,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.safety.FailsafeState;
 
 /**
- * Ignores the failsafe of an earlier run that a broker has kept: the first one heard in a run, if
- * it is old. A Safety Manager repeats its failsafe every second, so the next one counts even if its
- * clock is behind.
+ * Ignores a retained failsafe of an earlier run: the first failsafe received in a run, if it is
+ * old. A Safety Manager repeats its failsafe every second, so the next one counts even if its clock
+ * is behind.
  */
 public final class FirstFailsafe {
   private static final long MAX_AGE_MICROS = 5 * Clock.MICROS_PER_SECOND;
@@ -18,7 +18,7 @@ public final class FirstFailsafe {
   private boolean heardCurrent;
   private OptionalLong ignored = OptionalLong.empty(); // timestamp
 
-  /** A restarted service believes what this run has left. */
+  /** A restarted service accepts the state left by this run. */
   public FirstFailsafe(U2SAService service, ServiceContext context) {
     this.service = service;
     clock = context.clock();

@@ -8,8 +8,8 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Reports a service's health (thesis 3.5.3) periodically, and for others to publish when it is
- * silent.
+ * Reports a service's health (thesis 3.5.3) periodically, and provides substitute reports while the
+ * service is silent.
  */
 final class HealthReporter {
   /** Missed intervals after which a service counts as silent. */
@@ -54,7 +54,7 @@ final class HealthReporter {
     return true;
   }
 
-  /** Makes a report due before the next message is handled. */
+  /** Requests a report before the next message is handled. */
   void reportSoon() {
     dueMicros = Long.MIN_VALUE;
   }

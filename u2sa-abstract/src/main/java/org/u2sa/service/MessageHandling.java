@@ -12,8 +12,8 @@ import org.u2sa.service.inbox.MessageAge;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /**
- * Message loop of a service, on its thread: delivers messages one by one, answers those of the
- * service contract, reports health meanwhile, and survives exceptions of the author's code.
+ * Message loop on a service's thread: delivers messages in order, answers requests of the service
+ * contract, reports health, and survives exceptions of the author's code.
  */
 final class MessageHandling {
   private final ServiceConfiguration configuration;
@@ -57,7 +57,7 @@ final class MessageHandling {
   }
 
   /**
-   * Runs a ready-made loop on the calling service thread, and ends the service after it.
+   * Runs the default loop on the calling service thread, then ends the service.
    *
    * @param begin called once, before anything else
    * @param loop then takes turns until the service no longer runs

@@ -18,7 +18,7 @@ public abstract class PeriodicService extends U2SAService {
 
   private final long periodMicros;
   private int maxErrorsInSteps; // in a row
-  private long dueMicros; // touched by the service's thread, before by the predecessor's
+  private long dueMicros; // used by the service's thread, and before its start by the predecessor's
   private boolean hasSucceeded;
 
   /** See {@link U2SAService#U2SAService}; the variable RATE overrides {@code defaultRateHz}. */
@@ -48,7 +48,7 @@ public abstract class PeriodicService extends U2SAService {
   }
 
   /**
-   * Ends the service as failed at the first step that throws, so that it is restarted at once.
+   * Ends the service as failed at the first step that throws, so that it is restarted immediately.
    * Called in the constructor.
    */
   protected final void failAtFirstError() {

@@ -15,7 +15,7 @@ import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
 
 /**
- * Saved state of a service for its restart in this run: a text file beside its log, replaced
+ * Saved state of a service for its restart in this run: a text file in its log folder, replaced
  * atomically, and a copy in memory, so that a restart in this process does not depend on the disk.
  * Not synced, because a power cut ends the run. The service does not wait for a disk that hangs
  * ({@link ReplacedFile}).
@@ -77,7 +77,7 @@ final class ProgressFile {
   }
 
   /**
-   * Forgets the state.
+   * Deletes the saved state.
    *
    * @param failed called if that fails, possibly later on another thread
    */

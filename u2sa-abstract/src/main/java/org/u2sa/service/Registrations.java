@@ -48,7 +48,7 @@ final class Registrations {
     deadlinesMicros.put(channel, micros);
   }
 
-  /** {@link Clock#NEVER} if there is none. */
+  /** {@link Clock#NEVER} if none. */
   long deadlineMicros(Channel<?> channel) {
     Long micros = deadlinesMicros.get(channel);
     return micros == null ? Clock.NEVER : micros;

@@ -6,8 +6,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * The states that the services of one process last remembered, for restarts in that process while
- * its disk is full or hangs. Thread-safe.
+ * The last saved states of one process's services, for restarts in that process while its disk is
+ * full or hangs. Thread-safe.
  */
 public final class RememberedStates {
   private final Map<String, HandOver> states = new ConcurrentHashMap<>(); // by service name

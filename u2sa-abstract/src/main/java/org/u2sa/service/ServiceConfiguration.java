@@ -111,7 +111,7 @@ final class ServiceConfiguration {
               "Name of the service, unique within the system; empty: the default of its class.")
           String serviceName,
       @Variable(ifAbsentText = "")
-          @Description("Directory of the log file; empty: that of the run.")
+          @Description("Directory of the log file; empty: the run's directory.")
           String logPath,
       @Variable(ifAbsentText = "INFO") @Description("Lowest level written to the log file.")
           LogLevelEnum logLevel,
@@ -123,10 +123,13 @@ final class ServiceConfiguration {
           double healthInterval,
       @Variable(min = 1, max = 1_000_000, ifAbsent = 1024)
           @Description(
-              "Messages that may wait for the service; further ones are dropped and counted.")
+              "Capacity of the service's message queue; messages beyond it are dropped and "
+                  + "counted.")
           int inboxCapacity,
       @Variable(unit = "us", min = 0, max = 10_000, ifAbsent = 0)
           @Description(
-              "Time that the service spins (busy-waits) for the next message, or for its next step, before it sleeps: it reacts sooner and takes as much of a core. Real time only; 0: it sleeps at once.")
+              "Time for which the service spins (busy-waits) for the next message or step before "
+                  + "it sleeps: lower latency for more CPU load. Real time only; 0: sleeps "
+                  + "immediately.")
           double spin) {}
 }

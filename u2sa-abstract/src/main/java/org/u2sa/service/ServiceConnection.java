@@ -20,7 +20,7 @@ final class ServiceConnection {
   private final ServiceContext context;
   private final ServiceConfiguration configuration;
   private final Registrations registrations;
-  private final AuthoredLoop loop; // null: the service runs a ready-made loop
+  private final AuthoredLoop loop; // null: the service runs the default loop
   private final Transport transport;
   private final Execution.Outlet unconnected; // connects, or throws if that is not possible
   private final List<Channel<?>> prepared = new CopyOnWriteArrayList<>(); // on predecessor's
@@ -29,7 +29,7 @@ final class ServiceConnection {
   private volatile Execution.Outlet
       outlet; // the connection's if it is open; writes guarded by this
   private volatile boolean staged; // waits for the predecessor's connection
-  private volatile boolean silent; // the connection is the successor's, or never existed
+  private volatile boolean silent; // the successor owns the connection, or it never existed
   private volatile long refused; // final count of the closed connection
   private volatile long missed; // likewise
   private volatile String instance; // of the connection, even after closing
@@ -40,7 +40,7 @@ final class ServiceConnection {
 
   /**
    * @param service gets the messages
-   * @param loop null if the service runs a ready-made one
+   * @param loop null if the service runs the default loop
    */
   ServiceConnection(ServiceContext context, ServiceReceiver.Recipient service, AuthoredLoop loop) {
     this.context = context;

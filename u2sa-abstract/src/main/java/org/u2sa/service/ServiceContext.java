@@ -17,7 +17,7 @@ import org.u2sa.messages.schema.MessageTypes;
  * Everything a service gets at construction: its system, configuration, clock and communication.
  */
 public final class ServiceContext {
-  private final Builder made; // not changed any more
+  private final Builder made; // no longer modified
   private final Clock clock;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
   private volatile ServiceInstance predecessor; // null if none, or already released
@@ -112,9 +112,9 @@ public final class ServiceContext {
   }
 
   /**
-   * Called where a constructor is about to open a device or another resource that only one service
-   * can hold. A restart first constructs the successor as a trial, so that a wrong file leaves the
-   * running service alone; the trial ends here.
+   * Called before a constructor opens a device or another exclusive resource. A restart first
+   * constructs the successor as a trial, so that a wrong file leaves the running service alone; the
+   * trial ends here.
    *
    * @throws TrialEndedException if this is the trial
    */
@@ -186,21 +186,21 @@ public final class ServiceContext {
     }
 
     /**
-     * Makes the service replace a running one by a {@link ServiceSwap}: it does not connect on its
-     * own.
+     * Makes the service replace a running one by a {@link ServiceSwap}, so that it does not connect
+     * by itself.
      */
     public Builder inPlaceOf(ServiceInstance running) {
       predecessor = Objects.requireNonNull(running, "running");
       return this;
     }
 
-    /** Sets where devices come from that replace the configured ones. */
+    /** Sets the source of devices that replace the configured ones. */
     public Builder devices(DeviceSource value) {
       devices = Objects.requireNonNull(value, "devices");
       return this;
     }
 
-    /** Sets where the services of this process keep what they remember, besides their files. */
+    /** Sets the directory for the persistent state of this process's services. */
     public Builder remembered(RememberedStates value) {
       remembered = Objects.requireNonNull(value, "remembered");
       return this;

@@ -32,7 +32,7 @@ final class ServiceHealth {
   private boolean died;
   private List<String> emergencyStops; // null if it does not obey emergency stops
   private final AtomicLong busySinceMicros =
-      new AtomicLong(IDLE); // real time; lazily set, as it is only for monitoring
+      new AtomicLong(IDLE); // real time; lazily set, because it is only for monitoring
 
   ServiceHealth(CallbackStopwatch stopwatch) {
     this.stopwatch = stopwatch;
@@ -64,7 +64,7 @@ final class ServiceHealth {
     }
   }
 
-  /** How long the author's code has been running [s]; empty if it is not. */
+  /** Time for which the author's code has been running [s]; empty if it is not running. */
   OptionalDouble runningS() {
     long since = busySinceMicros.get();
     return since == IDLE

@@ -19,7 +19,7 @@ final class ServiceLife {
   private final Thread thread;
   private final ServiceConfiguration configuration;
   private final ServiceHealth health;
-  private final AuthoredLoop loop; // null: the thread runs a ready-made loop
+  private final AuthoredLoop loop; // null: the thread runs the default loop
   private final Host host;
   private final Clock clock;
   private final long createdMicros;
@@ -50,7 +50,7 @@ final class ServiceLife {
 
   /**
    * @param thread not started
-   * @param loop null if the thread runs a ready-made loop
+   * @param loop null if the thread runs the default loop
    */
   ServiceLife(
       Thread thread,
@@ -80,7 +80,10 @@ final class ServiceLife {
   private synchronized boolean startUnlessAskedToStop() {
     if (thread.getState() != Thread.State.NEW || ended.get()) {
       throw new IllegalThreadStateException(
-          "service " + configuration.name() + " was started or killed before; make a new one");
+          "service "
+              + configuration.name()
+              + " was started or killed before; create a new "
+              + "instance");
     }
     if (askedToStop) {
       return false;
@@ -110,8 +113,8 @@ final class ServiceLife {
   }
 
   /**
-   * Takes all turns of the calling service thread, which lends them unless it {@linkplain
-   * #keepToOwnThread keeps to itself}.
+   * Runs all turns on the calling service thread, unless it {@linkplain #keepToOwnThread keeps to
+   * itself}.
    */
   void takeAll(Clock.Turns turns) throws InterruptedException {
     if (!keepsToOwnThread) {
@@ -128,7 +131,7 @@ final class ServiceLife {
     keepsToOwnThread = true;
   }
 
-  /** Defers non-urgent messages until the service wakes by itself. */
+  /** Defers non-urgent messages until the service's next scheduled wake-up. */
   void bePatient() {
     patient = true;
   }
@@ -192,7 +195,7 @@ final class ServiceLife {
     return Optional.of(endReason).filter(reason -> !reason.isEmpty());
   }
 
-  /** {@link U2SAService#kill} of a service with a ready-made loop. */
+  /** {@link U2SAService#kill} of a service with the default loop. */
   void kill() {
     stopWaiting();
     if (Clock.runningThread() == thread) {

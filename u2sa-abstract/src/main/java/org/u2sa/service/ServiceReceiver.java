@@ -9,8 +9,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.inbox.ServiceInbox;
 
 /**
- * Dispatches messages from the transport: obeys stop orders at once, and queues other messages in
- * the inbox. Called on the transport's or another service's thread, so it never blocks.
+ * Dispatches messages from the transport: obeys stop orders immediately, and queues other messages
+ * in the inbox. Called on the transport's or another service's thread, so it never blocks.
  *
  * <p>Belongs to the connection rather than to the service: in a swap, messages go to the successor
  * from one message to the next.
@@ -35,11 +35,11 @@ final class ServiceReceiver implements Receiver {
             switch (outcome) {
               case UNKNOWN_SOURCE ->
                   String.format(
-                      "more than %s sources on \"%s\", \"%s\" is one too many",
+                      "more than %s sources on \"%s\": dropped \"%s\"",
                       ServiceInbox.MAX_SOURCES, channel, channel.sourceOf(message));
               case TOO_LONG ->
                   String.format(
-                      "long messages of many sources on \"%s\", that of \"%s\" is one too many",
+                      "too many sources of long messages on \"%s\": dropped one of \"%s\"",
                       channel, channel.sourceOf(message));
               default -> "inbox full";
             };
@@ -50,8 +50,8 @@ final class ServiceReceiver implements Receiver {
   }
 
   /**
-   * @param next prospective successor, which gets messages to which only it has subscribed; null if
-   *     none
+   * @param next prospective successor, which receives messages on channels that only it subscribes
+   *     to; null if none
    */
   private record Served(Recipient present, Recipient next) {}
 
@@ -83,7 +83,7 @@ final class ServiceReceiver implements Receiver {
     if (!channel.carries(message)) {
       refuse(channel, message);
     } else if (ServiceContract.isOrderToStop(name, channel, message)) {
-      now.present.life.stopFor("told to stop on \"" + channel + "\": " + message);
+      now.present.life.stopFor("ordered to stop on \"" + channel + "\": " + message);
     } else {
       Recipient recipient =
           now.present.isSubscribed(channel) || ServiceContract.concerns(name, channel, message)
@@ -102,7 +102,7 @@ final class ServiceReceiver implements Receiver {
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: limits the log
       trouble(
           String.format(
-              "refused on \"%s\", which does not carry %s (%s so far): %s",
+              "rejected on \"%s\", which does not carry %s (%s so far): %s",
               channel, message.type().name(), count, message));
     }
   }

@@ -34,7 +34,7 @@ record ServiceRegistration(ServiceConnection connection, ServiceRole role) {
     return attempt("unregistering from " + channel, () -> connection.unregisterSubscriber(channel));
   }
 
-  /** Standard channel for publishing the class; logs an error if there is none. */
+  /** Standard channel for publishing the class; logs an error if the class has none. */
   Optional<Channel<?>> toPublish(Class<? extends U2SAData> dataType) {
     return orRefuse(role.channelToPublish(dataType), "publishes", dataType);
   }

@@ -46,9 +46,9 @@ public enum ServiceRole {
   EXTEROCEPTIVE_SENSOR(List.of(SENSED_OBJECTS, SCANS, IMAGES), List.of(STATE)),
   /** Publishes the best estimate of the vehicle's state (3.2.3.1). */
   STATE_ESTIMATOR(List.of(STATE, LOCAL_STATE), List.of(SENSED_STATE)),
-  /** Keeps the goals (3.2.3.2). */
+  /** Manages the goals (3.2.3.2). */
   MISSION_MANAGER(List.of(GOALS), List.of(GOAL_REPORTS, GOAL_COMMANDS, STATE)),
-  /** Keeps the map of objects (3.2.3.3). */
+  /** Maintains the map of objects (3.2.3.3). */
   WORLD_MODELER(List.of(OBJECTS, GRID), List.of(SENSED_OBJECTS, SCANS, STATE, GOALS)),
   /** Decides where to go next (3.2.3.4). */
   PATH_PLANNER(List.of(NAVIGATION, GOAL_REPORTS, PLANS), List.of(STATE, OBJECTS, GRID, GOALS)),

@@ -40,12 +40,12 @@ public final class ServiceSwap {
   private volatile Stage stage = Stage.PREPARING; // writes guarded by this
   private volatile String refusal = "";
   private boolean prepared; // accessed by the ordering thread, later by one that refuses
-  private volatile U2SAService waiting; // service whose thread awaits the outcome; null if none
+  private volatile U2SAService waiting; // service whose thread awaits the outcome, or null
 
   /**
-   * @param successor made with a context in place of the old service, and not started
+   * @param successor created with a context in place of the old service, and not started
    * @param agreement called on the old service's thread when the successor is about to run; false
-   *     if it must end at once, because all services are ending
+   *     if it must end immediately because all services are ending
    */
   public ServiceSwap(U2SAService old, U2SAService successor, BooleanSupplier agreement) {
     this.old = old;
@@ -62,7 +62,7 @@ public final class ServiceSwap {
     if (obstacle.isPresent()) {
       refuse(Stage.PREPARING, obstacle.get());
     } else if (!old.succession.order(order)) {
-      refuse(Stage.PREPARING, "it is being swapped already");
+      refuse(Stage.PREPARING, "it is already being swapped");
     } else {
       prepare();
     }
@@ -108,7 +108,7 @@ public final class ServiceSwap {
    * @param withinS timeout after which the request is withdrawn, because the old service may hang
    *     [s]
    * @return empty if the successor runs; otherwise the reason, and the old one continues
-   * @throws InterruptedException if the calling thread was interrupted; the order stands
+   * @throws InterruptedException if the calling thread was interrupted; the swap continues
    */
   public Optional<String> await(double withinS) throws InterruptedException {
     if (Clock.runningThread() instanceof U2SAService caller) {
@@ -118,7 +118,7 @@ public final class ServiceSwap {
       decided.await(Clock.micros(withinS), TimeUnit.MICROSECONDS);
     }
     if (!isDecided()) {
-      refuse("it did not come to a pause between two messages within " + withinS + " s");
+      refuse("it was busy with a message for more than " + withinS + " s");
       decided.await(); // a swap in progress ends soon
     }
     return outcome();
@@ -187,7 +187,8 @@ public final class ServiceSwap {
   private boolean change() {
     if (old.context().configuration().revision()
         != successor.context().configuration().revision()) {
-      refuse(Stage.UNDER_WAY, "its configuration was changed meanwhile; order the swap again");
+      refuse(
+          Stage.UNDER_WAY, "its configuration was changed during the swap; order the swap again");
       return false;
     }
     Optional<HandOver> values = handOver();
@@ -195,7 +196,7 @@ public final class ServiceSwap {
       return false;
     }
     if (!old.connection.moveTo(successor.connection)) {
-      refuse(Stage.UNDER_WAY, "it ended meanwhile");
+      refuse(Stage.UNDER_WAY, "it ended during the swap");
       return false;
     }
     old.recipient.inbox().moveTo(successor.recipient.inbox(), old.succession.retained());

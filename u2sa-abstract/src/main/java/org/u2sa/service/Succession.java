@@ -87,7 +87,7 @@ final class Succession {
   private void resumeFrom(HandOver before) {
     try {
       takeOver.accept(before);
-      configuration.log(LogLevelEnum.INFO, "resumes where it was before the restart");
+      configuration.log(LogLevelEnum.INFO, "resumes its state from before the restart");
     } catch (RuntimeException e) {
       configuration.log().log(LogLevelEnum.ERROR, "cannot resume from " + progress.path(), e);
       progress.delete(this::startsFresh);
@@ -143,8 +143,8 @@ final class Succession {
 
   /**
    * Records a handled message. A successor gets the last messages of retained channels again, as if
-   * it had newly subscribed. Where no message may be lost several are kept, because the last one
-   * may be meaningless alone, such as a clear of an older stop.
+   * it had newly subscribed. Channels that must not lose messages keep several, because the last
+   * one may be meaningless alone, such as a clear of an older stop.
    */
   void note(ServiceInbox.Delivery delivery) {
     if (!delivery.channel().isRetained()) {
@@ -165,7 +165,7 @@ final class Succession {
     }
   }
 
-  /** The last messages of retained channels; those of one source in handling order. */
+  /** The last messages on retained channels; messages of one source are in handling order. */
   List<ServiceInbox.Delivery> retained() {
     List<ServiceInbox.Delivery> all = new ArrayList<>();
     retained.values().forEach(ofChannel -> ofChannel.values().forEach(all::addAll));

@@ -56,7 +56,7 @@ public abstract class U2SAService extends Thread
   protected volatile boolean running;
 
   final ServiceHealth health;
-  final AuthoredLoop loop; // null: run() is a ready-made loop
+  final AuthoredLoop loop; // null: run() is the default loop
   final ServiceLife life;
   final ServiceReceiver.Recipient recipient;
   final ServiceConnection connection;
@@ -172,7 +172,7 @@ public abstract class U2SAService extends Thread
     }
   }
 
-  /** Waits until the service has ended; returns at once if it was never started. */
+  /** Waits until the service has ended; returns immediately if it was never started. */
   public final void awaitEnd() throws InterruptedException {
     join();
     if (loop != null) {
@@ -379,7 +379,7 @@ public abstract class U2SAService extends Thread
   }
 
   /**
-   * Reports the emergency stops active here, at once and in all further health reports: an
+   * Reports the emergency stops active here, immediately and in all further health reports: an
    * operator's stop is confirmed when all services that obey stops have reported it. Called on the
    * service's thread, and in its constructor with an empty list to declare that it obeys stops.
    *
@@ -394,7 +394,7 @@ public abstract class U2SAService extends Thread
   // Life cycle (thesis 8.2.3.1)
 
   /**
-   * Starts the thread. A service already told to stop ends without running. A restarted service
+   * Starts the thread. A service already ordered to stop ends without running. A restarted service
    * resumes its saved state.
    *
    * @throws org.u2sa.interfaces.configuration.ConfigurationException if the configuration contains
@@ -416,7 +416,7 @@ public abstract class U2SAService extends Thread
     life.keepToOwnThread();
   }
 
-  /** Whether {@link #run} is a ready-made loop that handles messages, too. */
+  /** Whether {@link #run} is the default loop, which also handles messages. */
   boolean hasReadyMadeLoop() {
     return false;
   }
@@ -457,8 +457,8 @@ public abstract class U2SAService extends Thread
 
   /**
    * Substitute health report for the host to publish on {@link
-   * org.u2sa.interfaces.communication.Channels#HEALTH} because the service's own is overdue; empty
-   * if it is not, or the service has ended. Thread-safe.
+   * org.u2sa.interfaces.communication.Channels#HEALTH} if the service's report is overdue; empty if
+   * it is not, or if the service has ended. Thread-safe.
    */
   public final Optional<HealthReport> overdueHealth() {
     return reporter.onBehalf(clock().micros());
@@ -478,14 +478,14 @@ public abstract class U2SAService extends Thread
    * {@linkplain #remember remembered} before a restart. Called once, before the thread runs, and
    * not at a first start. Nothing can be published yet.
    *
-   * @throws RuntimeException if the service cannot resume from there: in a {@link ServiceSwap} the
-   *     predecessor stays; a restart fails, and the next one starts without saved state
+   * @throws RuntimeException if the service cannot resume from that state: a {@link ServiceSwap}
+   *     keeps the predecessor; a restart fails, and the next one starts without saved state
    */
   protected void takeOver(HandOver state) {}
 
   /**
-   * Saves the current {@link #handOver} state in a file beside the log, for {@link #takeOver} after
-   * a restart in this run, even if the process was killed. Called on the service's thread whenever
+   * Saves the current {@link #handOver} state in the log folder, for {@link #takeOver} after a
+   * restart in this run, even if the process was killed. Called on the service's thread whenever
    * state changes that must not be lost.
    */
   protected final void remember() {

@@ -152,7 +152,7 @@ class ActuatorTest {
 
     assertThat(armed.moves).containsExactly("neutral");
     assertThat(kit.log("ARMED WHEEL"))
-        .filteredOn(line -> line.contains("ignored that the vehicle is armed"))
+        .filteredOn(line -> line.contains("ignored an armed state"))
         .hasSize(1);
   }
 
@@ -176,7 +176,7 @@ class ActuatorTest {
     kit.publish(Channels.ACTUATION, PercentageCommand.of("ARMED WHEEL", 60.0));
     assertThat(armed.moves).endsWith("neutral");
     assertThat(kit.log("ARMED WHEEL"))
-        .filteredOn(line -> line.contains("ignored that the vehicle is armed"))
+        .filteredOn(line -> line.contains("ignored an armed state"))
         .hasSize(1);
   }
 

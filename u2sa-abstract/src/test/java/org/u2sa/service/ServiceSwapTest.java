@@ -124,7 +124,7 @@ class ServiceSwapTest {
     assertThat(old.setVariable("LOG LEVEL", "DEBUG")).isTrue();
 
     assertThat(swap(successor))
-        .contains("its configuration was changed meanwhile; order the swap again");
+        .contains("its configuration was changed during the swap; order the swap again");
 
     assertThat(old.isRunning()).isTrue();
     assertThat(swap(make(Counting::new))).isEmpty();
@@ -239,7 +239,7 @@ class ServiceSwapTest {
     kit.settle();
 
     assertThat(one.outcome()).isEmpty();
-    assertThat(two.outcome()).contains("it is being swapped already");
+    assertThat(two.outcome()).contains("it is already being swapped");
     number(1);
     kit.settle();
     assertThat(first.handled).containsExactly("n1");

@@ -14,7 +14,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "completion",
     description = {
-      "Print what a shell needs to complete u2sa's commands, options and values.",
+      "Print the shell script that completes u2sa's commands, options and values.",
       "",
       "  source <(./u2sa completion bash)     in bash, for ./u2sa and u2sa; in ~/.bashrc for always",
       "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"

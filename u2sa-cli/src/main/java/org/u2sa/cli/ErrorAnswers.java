@@ -87,7 +87,7 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
               : command.getSubcommands().isEmpty() ? "argument" : "command";
       return "unknown " + kind + " '" + typed + "'";
     }
-    // picocli names Java types, which mean nothing to a user
+    // picocli names Java types, which are meaningless to a user
     return e.getMessage().replaceFirst("is not an? (long|int)$", "is not a whole number");
   }
 

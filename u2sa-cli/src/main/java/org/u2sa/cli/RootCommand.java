@@ -29,14 +29,14 @@ import picocli.CommandLine.Spec;
       "                            ten waypoints, in the built-in simulator",
       "",
       "@|bold THEN TRY|@",
-      "  ./u2sa demo                               which demos there are",
-      "  ./u2sa demo cessna --seed 7               other wind and gusts",
+      "  ./u2sa demo                               list the demos",
+      "  ./u2sa demo cessna --seed 7               different wind and gusts",
       "  ./u2sa demo cessna --realtime             watch it in real time",
       "  ./u2sa demo cessna --mission my.xml       your own waypoints",
       "  ./u2sa demo cessna --json | jq .          the result for a program",
-      "  ./u2sa new sensor barometer               a project with a sensor of yours",
+      "  ./u2sa new sensor barometer               a project with your own sensor",
       "  ./u2sa apk                                assemble the Android application",
-      "  ./u2sa <command> --help                   all about one command",
+      "  ./u2sa <command> --help                   help on one command",
       "",
       "A run leaves a picture of its track (SVG, PNG), KML, CSV, summary.json and logs in out/<run>/.",
     },
@@ -61,7 +61,7 @@ final class RootCommand implements Runnable {
   @Option(
       names = {"-V", "--version"},
       versionHelp = true,
-      description = "Show the version of U2SA and of Java.")
+      description = "Show the versions of U2SA and Java.")
   private boolean version;
 
   @Option(

@@ -7,8 +7,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the last commands, and blends from another control system's commands to this one's: when
- * one law takes over from another, surfaces move gradually instead of jumping.
+ * Stores the last commands, and blends from another control system's commands to this one's
+ * (bumpless transfer), so that surfaces do not jump when one law takes over from another.
  */
 final class CommandBlend {
   private static final String NAME = "COMMAND ";
@@ -26,8 +26,8 @@ final class CommandBlend {
   /**
    * Reads the last commands of the previous control system.
    *
-   * @param alike whether it was of the same class: then its state is complete, and nothing is
-   *     blended
+   * @param alike whether the predecessor had the same class: then its state is complete, and
+   *     nothing is blended
    */
   void takeOver(HandOver state, boolean alike) {
     for (String actuator : state.texts("COMMANDED")) {

@@ -27,8 +27,8 @@ import org.u2sa.service.handover.HandOver;
  * actuation.
  *
  * <p>{@link #control} is called once per new state, on the service's thread. A navigation point
- * older than STALE AFTER counts as absent. When states stop, nothing is commanded, and the last
- * commands expire after COMMAND EXPIRY; when the service ends, actuators are left {@linkplain
+ * older than STALE AFTER counts as absent. When states stop, no commands are sent, and the last
+ * ones expire after COMMAND EXPIRY; when the service ends, actuators are left {@linkplain
  * #neutral() neutral}.
  *
  * <p>A control system that {@linkplain #obeysWithoutState() needs no state} obeys each navigation
@@ -39,15 +39,16 @@ public abstract class ControlSystem extends EventDrivenService {
   protected static final String VEHICLE = "VEHICLE";
 
   private static final double FULL_PERCENT = 100.0;
-  private static final int MAX_SUBSYSTEMS = 500; // beyond it, silent ones are forgotten
+  private static final int MAX_SUBSYSTEMS = 500; // beyond this number, silent ones are dropped
 
   private record Limits(
       @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 0.5)
-          @Description("How long an actuator obeys a command that is not renewed.")
+          @Description("Lifetime of a command that is not renewed.")
           double commandExpiry,
       @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.5)
           @Description(
-              "Time over which commands blend from those of a control system that this one replaces.")
+              "Time over which commands blend from those of the control system that this one "
+                  + "replaces (bumpless transfer).")
           double blendTime,
       @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 1)
           @Description("Age at which a navigation point counts as absent.")
@@ -58,7 +59,7 @@ public abstract class ControlSystem extends EventDrivenService {
   private StateHistory states = new StateHistory();
   private final Map<String, NavigationPoint> points = new HashMap<>(); // newest, by subsystem
   private final Map<String, NavigationPoint> placed =
-      new HashMap<>(); // newest point whose state is remembered
+      new HashMap<>(); // newest point whose state is stored
   private double stepS;
   private long heardStateMicros = Long.MIN_VALUE; // by the run's clock
   private boolean isStateless; // if so, states are origins, one per navigation point
@@ -155,8 +156,8 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * The state in GLOBAL or LOCAL_NED, where psi is clockwise from north. One on a grid whose place
-   * is unknown, which the conversion needs, stays as it is.
+   * The state in GLOBAL or LOCAL_NED, where psi is clockwise from north. A point on a grid whose
+   * position is unknown is left unconverted.
    */
   private static StateInformation fromNorth(StateInformation state) {
     if (state.referenceFrame().equals(ReferenceFrame.LOCAL_ENU)) {
@@ -189,8 +190,8 @@ public abstract class ControlSystem extends EventDrivenService {
 
   /**
    * The newest navigation point of a subsystem, unless it is stale by the newest state's time. If
-   * its state was not seen, because it has not arrived yet or was replaced by a newer one in the
-   * inbox, the last point whose state was seen is used.
+   * its state was not received, because it has not arrived yet or was superseded in the inbox, the
+   * last point with a received state is used.
    */
   protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
     Optional<NavigationPoint> newest =
@@ -204,8 +205,8 @@ public abstract class ControlSystem extends EventDrivenService {
   }
 
   /**
-   * State from which a navigation point was computed, that is the one with the same timestamp;
-   * empty if no longer remembered.
+   * State from which a navigation point was computed, with the same timestamp; empty if no longer
+   * stored.
    */
   protected final Optional<StateInformation> stateOf(NavigationPoint point) {
     return point.timestamp().isEmpty()
@@ -215,7 +216,7 @@ public abstract class ControlSystem extends EventDrivenService {
 
   /**
    * Rotates a navigation point from BODY to north, east, down relative to the vehicle [m], by the
-   * attitude from which it was computed; empty if that state is no longer remembered.
+   * attitude from which it was computed; empty if that state is no longer stored.
    */
   protected final Optional<Point> nedOf(NavigationPoint point) {
     return stateOf(point).map(state -> ned(point.point(), state));
@@ -268,7 +269,7 @@ public abstract class ControlSystem extends EventDrivenService {
             : PercentageCommand.of(actuator, blended).expiry(expiryS));
   }
 
-  /** Commands an actuator by a share of full command [−1…1]. */
+  /** Commands an actuator by a fraction of full command, −1…1. */
   protected final void commandShare(String actuator, double share) {
     command(actuator, FULL_PERCENT * share);
   }
@@ -283,7 +284,7 @@ public abstract class ControlSystem extends EventDrivenService {
     return blend.last(actuator);
   }
 
-  /** Whether a control system of the same class hands over, so that its state is complete. */
+  /** Whether the predecessor has the same class, so that its state is complete. */
   protected final boolean isOfMyClass(HandOver state) {
     return state.className().equals(getClass().getName());
   }
@@ -315,7 +316,7 @@ public abstract class ControlSystem extends EventDrivenService {
     blend.takeOver(state, isOfMyClass(state));
   }
 
-  /** Leaves the actuators neutral, at once; overrides must call super. */
+  /** Sets the actuators to neutral immediately; overrides must call super. */
   @Override
   protected void release() {
     blend.end();

@@ -13,7 +13,7 @@ final class StateHistory {
   private final TreeMap<Long, StateInformation> states = new TreeMap<>();
   private long lastStepMicros;
 
-  /** Sets how long a state is remembered, and how old a message may be to be fresh [µs]. */
+  /** Sets the history span, and the maximum age of a fresh message [µs]. */
   void span(long newSpanMicros) {
     spanMicros = newSpanMicros;
   }
@@ -21,8 +21,8 @@ final class StateHistory {
   /**
    * Adds a state that has a timestamp.
    *
-   * @return false if it is not newer than the newest; a state older by more than the span starts a
-   *     new history, because the clock was set back
+   * @return false if it is not newer than the newest state; a state older by more than the span
+   *     restarts the history, because the clock was set back
    */
   boolean add(StateInformation state) {
     long time = state.timestamp().orElseThrow();

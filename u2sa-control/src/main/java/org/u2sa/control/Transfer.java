@@ -3,8 +3,8 @@ package org.u2sa.control;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * A pass over the values of a control law at a hand-over, which either saves each of them or
- * restores it, so that a law names its values once.
+ * Saves or restores the values of a control law at a hot swap (bumpless transfer); a law lists its
+ * values once for both.
  */
 public final class Transfer {
   private final HandOver state;
@@ -68,7 +68,7 @@ public final class Transfer {
     return now;
   }
 
-  /** Whether values that may be absent follow: present now, or saved under that name. */
+  /** Whether an optional group of values follows: present now, or saved under that name. */
   public boolean has(String name, boolean now) {
     return isRestoring ? state.number(name).isPresent() : now;
   }

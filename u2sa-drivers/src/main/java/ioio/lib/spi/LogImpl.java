@@ -4,9 +4,10 @@ import java.util.logging.Level;
 import java.util.logging.Logger;
 
 /**
- * Where the IOIO library's own messages go. The library looks for a class of this name and does not
- * start without one; those of its Android and desktop parts are not used here. Its messages go to
- * {@code java.util.logging} as details, because what matters to a user the service says itself.
+ * Destination of the IOIO library's log messages. The library loads a class of this name at
+ * startup; the classes of its Android and desktop parts are not used here. Its messages go to
+ * {@code java.util.logging} at detail level, because the service logs everything relevant to a
+ * user.
  */
 public final class LogImpl implements Log.ILogger {
   private static final Logger LOGGER = Logger.getLogger("ioio");

@@ -24,7 +24,7 @@ import org.u2sa.service.handover.HandOver;
  * heading with their rates. A measurement older than the newest, such as a GPS fix with 0.1 s
  * latency, is extrapolated to the state's time by the measured rates.
  *
- * <p>Each standard deviation is that of the value's latest source. Sources are not checked for
+ * <p>Each standard deviation comes from the value's latest source. Sources are not checked for
  * faults.
  */
 public final class ComplementaryStateEstimator extends StateEstimator {
@@ -34,14 +34,14 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   private record Variables(
       @Variable(unit = "s", min = 0, ifAbsent = 1)
-          @Description("Time constant with which measured positions pull the estimate; 0: at once.")
+          @Description("Time constant of the correction by measured positions; 0: immediate.")
           double positionTime,
       @Variable(unit = "s", min = 0, ifAbsent = 0.5)
-          @Description("Time constant with which measured headings pull the estimate; 0: at once.")
+          @Description("Time constant of the correction by measured headings; 0: immediate.")
           double headingTime,
       @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 2)
           @Description(
-              "Age at which a measured rate, position or heading no longer counts, late ones included.")
+              "Age at which a measured rate, position or heading expires, even if it arrives late.")
           double staleAfter) {}
 
   /** A value that is pulled by its measurements and propagated by its rate. */

@@ -57,7 +57,7 @@ final class Completeness {
         "\"" + name + "\": expected numbers of a state, such as x, y, psi");
   }
 
-  /** Checks a published state, which was made of these sensors' measurements. */
+  /** Checks a published state, computed from these sensors' measurements. */
   void look(StateInformation state, Collection<StateInformation> sensors) {
     long now = state.timestamp().orElseThrow();
     List<StateField> missing = new ArrayList<>();

@@ -16,17 +16,16 @@ import org.u2sa.interfaces.configuration.Variable;
  */
 record FusionVariables(
     @Variable(ifAbsentText = "GROUND")
-        @Description(
-            "Where the vehicle moves; gives the defaults for motion that nothing measures.")
+        @Description("Domain in which the vehicle moves; sets the defaults of the motion model.")
         MotionDomain domain,
     @Variable(unit = "Hz", min = 0.1, max = 1000, ifAbsent = 50)
-        @Description("Maximum rate of published states; each measurement may cause one.")
+        @Description("Maximum rate of published states; each measurement may trigger one.")
         double outputRate,
     @Variable(unit = "s", min = 0, max = 30, ifAbsent = 1)
-        @Description("Age at which a late measurement is still fused where it belongs in time.")
+        @Description("Maximum age at which a late measurement is still fused, at its own time.")
         double horizon,
     @Variable(min = 8, max = 20000, ifAbsent = 512)
-        @Description("Number of measurements kept for late ones; about 7 kB each.")
+        @Description("Number of past measurements kept for fusing late ones; about 7 kB each.")
         int history,
     @Variable(min = 0, ifAbsent = 0)
         @Description(
@@ -42,11 +41,13 @@ record FusionVariables(
         double turnSigma,
     @Variable(unit = "m/s", min = 0, ifAbsent = 0)
         @Description(
-            "Speed sideways, 1 sigma, over ground (GROUND) or through air or water; 0: the domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
+            "Sideways speed, 1 sigma, over ground (GROUND) or through air or water; 0: the "
+                + "domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
         double sideSlipSigma,
     @Variable(unit = "s", min = 0, ifAbsent = 0.2)
         @Description(
-            "Interval of the constraint that the vehicle does not slip sideways; 0: none, for vehicles that move in all directions.")
+            "Interval of the no-sideslip (non-holonomic) constraint; 0: none, for vehicles that "
+                + "move in all directions.")
         double constraintInterval,
     @Variable(unit = "rad/s", min = 0, minExcluded = true, ifAbsent = 0.02)
         @Description("Initial bias of gyroscopes, 1 sigma.")
@@ -68,7 +69,7 @@ record FusionVariables(
             "Scale error of speeds along the vehicle, 1 sigma, which the filter estimates; 0: none; -1: 0.03 for GROUND, otherwise none.")
         double wheelScaleSigma,
     @Variable(min = 2, max = 20, ifAbsent = 4)
-        @Description("Normal deviations beyond which a measurement is gated.")
+        @Description("Gate, in standard deviations, beyond which a measurement is rejected.")
         double gate,
     @Variable(unit = "s", min = 0, ifAbsent = 30)
         @Description(
@@ -80,7 +81,8 @@ record FusionVariables(
         double headingCorrelation,
     @Variable(unit = "s", min = 0, max = 1, ifAbsent = 0.1)
         @Description(
-            "How well the delays of position sources are known, 1 sigma: the filter estimates what their services' DELAY lacks. 0: exactly.")
+            "Uncertainty of the delays of position sources, 1 sigma: the filter estimates the "
+                + "deviation from their services' DELAY. 0: exactly known.")
         double delaySigma,
     @Variable(unit = "deg", min = -180, max = 180, ifAbsent = 0)
         @Description("Longitude of the surveyed place where each run starts.")
@@ -90,7 +92,8 @@ record FusionVariables(
         double startY,
     @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 0)
         @Description(
-            "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts it by more than the gate is believed instead.")
+            "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts "
+                + "it by more than the gate takes precedence.")
         double startSigma,
     @Variable(unit = "deg", min = -360, max = 360, ifAbsent = 0)
         @Description("Heading at the start, clockwise from true north.")
@@ -101,7 +104,8 @@ record FusionVariables(
         double startPsiSigma,
     @Variable(ifAbsentText = "")
         @Description(
-            "Positions of sensors that are not at the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, as MOUNTED X, Y, Z of other sensors.")
+            "Positions of sensors away from the vehicle's reference point: \"SENSOR NAME = "
+                + "FORWARD LEFT DOWN; …\" in metres, like MOUNTED X, Y, Z of other sensors.")
         String leverArms,
     @Variable(ifAbsentText = "")
         @Description(

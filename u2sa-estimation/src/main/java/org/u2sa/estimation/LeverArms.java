@@ -37,7 +37,7 @@ final class LeverArms {
       arm[i] = metres(part, numbers[i]);
     }
     if (arms.put(sensor, arm) != null) {
-      throw new IllegalArgumentException("\"" + part + "\": " + sensor + " is there already");
+      throw new IllegalArgumentException("\"" + part + "\": " + sensor + " appears twice");
     }
   }
 

@@ -9,10 +9,11 @@ import org.u2sa.service.U2SAService;
 record NeededNumbers(
     @Variable(ifAbsentText = "x, y, psi")
         @Description(
-            "Numbers that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
+            "State values that the vehicle needs; health reports those absent for longer than "
+                + "COMPLETE WITHIN.")
         String needed,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 5)
-        @Description("Time for which a needed number may be absent before health reports it.")
+        @Description("Time for which a needed value may be absent before health reports it.")
         double completeWithin) {
   NeededNumbers {
     try {

@@ -46,8 +46,8 @@ final class NewestMeasurements {
   }
 
   /**
-   * Adds a measurement and returns the state: that measurement, completed by the newest ones of
-   * other sensors in the same frame.
+   * Adds a measurement and returns it, completed with the newest measurements of other sensors in
+   * the same frame.
    *
    * @param sensed measurement, which must have a timestamp
    * @return empty if another sensor's measurement is newer, because the state must not go back in

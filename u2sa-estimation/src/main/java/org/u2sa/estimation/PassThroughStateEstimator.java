@@ -28,7 +28,7 @@ public final class PassThroughStateEstimator extends StateEstimator {
           double velocitySigma,
       @Variable(unit = "m/s^2", min = 0, ifAbsent = 1)
           @Description(
-              "Unmeasured acceleration, 1 sigma: position uncertainty grows by half of it times age squared.")
+              "Unmeasured acceleration, 1 sigma: position uncertainty grows by ½ a t² with age t.")
           double acceleration,
       @Variable(unit = "m/s", min = 0, ifAbsent = 1) @Description("Speed, 1 sigma, if unmeasured.")
           double unknownSpeed,
@@ -36,7 +36,7 @@ public final class PassThroughStateEstimator extends StateEstimator {
           @Description("Assumed turn rate, 1 sigma, where none is measured.")
           double unknownTurnRate,
       @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 2)
-          @Description("Maximum age of one sensor's measurement to complete another's.")
+          @Description("Maximum age of one sensor's measurement for combination with another's.")
           double staleAfter) {}
 
   private final NewestMeasurements measurements;

@@ -16,7 +16,7 @@ import org.u2sa.service.ServiceRole;
  * 3.2.3.1). In: sensed-state. Out: state.
  *
  * <p>A subclass implements {@link #estimate}. The estimate's sensorName is set to this service's
- * name, so that receivers can tell estimators apart; its timestamp defaults to that of the
+ * name, so that receivers can distinguish estimators; its timestamp defaults to that of the
  * measurement. Implausible measurements are ignored, as are sensors beyond the first 32.
  */
 public abstract class StateEstimator extends EventDrivenService {
@@ -62,7 +62,7 @@ public abstract class StateEstimator extends EventDrivenService {
     } else if (Long.bitCount(++refused) == 1) { // exponential back-off of the log
       trouble(
           String.format(
-              "more than %s sensors, \"%s\" is one too many: %s measurements ignored so far",
+              "more than %s sensors: ignored %3$s measurements so far, last of \"%2$s\"",
               MAX_SOURCES, sensed.sensorName(), refused));
     }
   }

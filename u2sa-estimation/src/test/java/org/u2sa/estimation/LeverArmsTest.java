@@ -26,7 +26,7 @@ class LeverArmsTest {
         "GPS = 1 x 0 | \"x\" is no number",
         "GPS = 1 NaN 0 | NaN m is outside -100.0…100.0",
         "GPS = 1 0 200 | 200 m is outside",
-        "GPS = 1 0 0; GPS = 2 0 0 | GPS is there already"
+        "GPS = 1 0 0; GPS = 2 0 0 | GPS appears twice"
       })
   void construct_unreadable_saysWhere(String text, String why) {
     assertThatThrownBy(() -> new LeverArms(text))

@@ -21,7 +21,7 @@ public final class JsonText {
   private final Map<String, Object> fields = new LinkedHashMap<>();
 
   /**
-   * Adds a text, number, boolean, object, collection, or an Optional of one; empty ones are
+   * Adds a text, number, boolean, object, collection, or an Optional of these; empty Optionals are
    * omitted.
    */
   public JsonText put(String name, Object value) {

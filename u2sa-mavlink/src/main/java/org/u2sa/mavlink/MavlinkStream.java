@@ -54,8 +54,8 @@ public final class MavlinkStream {
   /**
    * Consumes bytes and delivers completed messages.
    *
-   * @param to may throw IllegalArgumentException for a message with values that nobody can use,
-   *     whose checksum is right all the same; it counts as malformed
+   * @param to may throw IllegalArgumentException for a message with unusable values despite a
+   *     correct checksum; it then counts as malformed
    */
   public void accept(byte[] bytes, int length, Consumer<Received> to) {
     int kept = pending.length;

@@ -1,5 +1,5 @@
 /**
- * MAVLink framing and dialect, for drivers and bridges. What the messages mean to a vehicle belongs
- * to those who send and receive them.
+ * MAVLink framing and dialect, for drivers and bridges. The meaning of messages to a vehicle
+ * belongs to their senders and receivers.
  */
 package org.u2sa.mavlink;

@@ -33,8 +33,8 @@ public class AircraftState extends StateInformation {
   }
 
   /**
-   * Height of the aircraft's reference point above the ground below [m, up]; 0…1.5 when it stands
-   * on its wheels; empty if unknown.
+   * Height of the aircraft's reference point above the ground below [m, up]; 0…1.5 when on its
+   * wheels; empty if unknown.
    */
   public OptionalDouble heightAboveGround() {
     return get(HEIGHT_ABOVE_GROUND);
@@ -44,7 +44,7 @@ public class AircraftState extends StateInformation {
     return put(HEIGHT_ABOVE_GROUND, metres);
   }
 
-  /** Calibrated airspeed, what an ideal airspeed indicator shows [m/s]; empty if unknown. */
+  /** Calibrated airspeed, as shown by an ideal airspeed indicator [m/s]; empty if unknown. */
   public OptionalDouble calibratedAirspeed() {
     return get(CALIBRATED_AIRSPEED);
   }

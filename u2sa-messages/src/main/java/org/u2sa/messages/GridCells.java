@@ -66,13 +66,13 @@ final class GridCells {
    * Unpacks the cells of a received message; never allocates more memory than columns and rows
    * imply.
    *
-   * @throws IllegalStateException naming what is wrong
+   * @throws IllegalStateException naming the inconsistency
    */
   static byte[] unpack(List<String> pieces, int columns, int rows) {
     return unpack(pieces, columns, rows, maxReceived(Runtime.getRuntime().maxMemory()));
   }
 
-  /** Maximum cells of a received grid in a process with a heap of that many bytes. */
+  /** Maximum cells of a received grid in a process with the given heap size [bytes]. */
   static long maxReceived(long heapBytes) {
     return Math.min(MAX_CELLS, heapBytes / HEAP_BYTES_PER_CELL);
   }

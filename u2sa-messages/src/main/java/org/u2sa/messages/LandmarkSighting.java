@@ -6,10 +6,9 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Range and bearing of a landmark whose place is known, from the World Modeler to the State
- * Estimator. The place is in {@link #referenceFrame}, GLOBAL or local; the fields of {@link
- * StateInformation} stay absent, so that a reader that does not know this class receives an empty
- * state.
+ * Range and bearing of a landmark at a known position, from the World Modeler to the State
+ * Estimator. The position is in {@link #referenceFrame}, GLOBAL or local; the fields of {@link
+ * StateInformation} stay absent, so that a reader unaware of this class receives an empty state.
  */
 public class LandmarkSighting extends StateInformation {
   private static final Schema<LandmarkSighting> SCHEMA =
@@ -68,7 +67,7 @@ public class LandmarkSighting extends StateInformation {
     return this;
   }
 
-  /** Standard deviation of the range, with that of the landmark's place [m]. */
+  /** Standard deviation of the range, including the landmark's position error [m]. */
   public OptionalDouble rangeSigma() {
     return get(RANGE_SIGMA);
   }
@@ -90,7 +89,7 @@ public class LandmarkSighting extends StateInformation {
     return this;
   }
 
-  /** Standard deviation of the bearing, with that of the landmark's place [rad]. */
+  /** Standard deviation of the bearing, including the landmark's position error [rad]. */
   public OptionalDouble bearingSigma() {
     return get(BEARING_SIGMA);
   }

@@ -108,7 +108,7 @@ public class ObjectDescription extends U2SAData {
     return put(Z, value);
   }
 
-  /** How strictly to avoid it; empty if unknown. */
+  /** Strictness of avoidance; empty if unknown. */
   public Optional<ObjectLevel> level() {
     return Optional.ofNullable(get(LEVEL));
   }
@@ -137,7 +137,7 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Motion and its uncertainty: velocity, standard deviations, and how long the velocity is valid.
+   * Motion and its uncertainty: velocity, standard deviations, and validity period of the velocity.
    */
   public final ObjectMotion motion() {
     return new ObjectMotion(MOTION, this);

@@ -32,8 +32,8 @@ public final class ObjectList extends U2SAData {
   }
 
   /**
-   * Sensors whose measurements are missing: while there are any, the objects and the grid may lack
-   * what is around the vehicle now. Empty if none is, and from senders that predate the field.
+   * Sensors whose measurements are missing; if not empty, the objects and the grid may be
+   * incomplete. Empty if none is, and from senders that predate the field.
    */
   public List<String> awaited() {
     List<String> value = get(AWAITED);

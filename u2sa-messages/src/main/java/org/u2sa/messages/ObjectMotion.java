@@ -74,7 +74,7 @@ public final class ObjectMotion {
     return this;
   }
 
-  /** How long the velocity is valid [s]; empty if unknown. */
+  /** Validity period of the velocity [s]; empty if unknown. */
   public OptionalDouble horizon() {
     return number(fields.horizon());
   }

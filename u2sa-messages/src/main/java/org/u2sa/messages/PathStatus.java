@@ -1,6 +1,6 @@
 package org.u2sa.messages;
 
-/** What a vehicle does about its planned path. Names are part of the wire format; append only. */
+/** Vehicle's reaction to its planned path. Names are part of the wire format; append only. */
 public enum PathStatus {
   /** Follows the path. */
   FOLLOWED,

@@ -61,7 +61,7 @@ public final class PlannedPath extends U2SAData {
     return put(PLANNER, name);
   }
 
-  /** What the vehicle does about it. */
+  /** Vehicle's reaction to the path. */
   public PathStatus status() {
     return require(STATUS);
   }

@@ -79,7 +79,7 @@ public final class PointConversion {
   /**
    * Converts a horizontal direction, measured as each frame measures psi.
    *
-   * @param at where it is, in the source frame
+   * @param at position in the source frame
    */
   public double heading(Point at, double psi) {
     double along = source.isEarth() ? Math.PI / 2.0 - psi : psi;
@@ -94,7 +94,7 @@ public final class PointConversion {
    * Rotates a vector, such as a velocity, into the axes of the target frame; in GLOBAL east, north,
    * up.
    *
-   * @param at where it is, in the source frame
+   * @param at position in the source frame
    */
   Point vector(Point at, Point vector) {
     Point[] axes = axes(at);
@@ -109,7 +109,7 @@ public final class PointConversion {
    * the contribution of the vehicle's position and attitude when converting from or to BODY.
    * Correlations are dropped.
    *
-   * @param at where it is, in the source frame
+   * @param at position in the source frame
    */
   Point positionSigma(Point at, Point sigma) {
     Point[] axes = axes(at);

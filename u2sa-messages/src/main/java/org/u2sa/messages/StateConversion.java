@@ -8,8 +8,8 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.frame.UtmGrid;
 
 /**
- * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if there
- * is none.
+ * Finds a chain of conversions between two frames for {@link StateInformation}, or throws if none
+ * exists.
  */
 final class StateConversion {
   /**
@@ -25,7 +25,7 @@ final class StateConversion {
   /**
    * Copy in another frame.
    *
-   * @param origin of the local frames; null if the caller has none
+   * @param origin of the local frames; may be null
    */
   static StateInformation convert(StateInformation state, ReferenceFrame target, Geodetic origin) {
     ReferenceFrame source = state.referenceFrame();

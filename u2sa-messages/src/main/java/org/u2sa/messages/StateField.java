@@ -2,8 +2,8 @@ package org.u2sa.messages;
 
 /**
  * The 48 optional numbers of {@link StateInformation} in the order of figure 6, column by column:
- * the ordinal is the presence bit. Append only. Meaning, unit and sign are stated at the getter of
- * the same name, where there is one.
+ * the ordinal is the presence bit. Append only. See the getter of the same name, if any, for
+ * meaning, unit and sign.
  */
 public enum StateField {
   X("x", "m"),

@@ -53,7 +53,7 @@ enum StateTriple {
         state.number(fields[2]).orElse(0.0));
   }
 
-  /** Sets those of the fields that are present in {@code source}. */
+  /** Copies the fields that are present in {@code source}. */
   void put(TranslationState<?> state, TranslationState<?> source, Point values) {
     double[] put = {values.x(), values.y(), values.z()};
     for (int i = 0; i < put.length; i++) {

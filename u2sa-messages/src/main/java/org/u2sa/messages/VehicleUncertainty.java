@@ -20,7 +20,7 @@ record VehicleUncertainty(
     Point place, double yaw, double pitch, double roll, Point right, Point forward) {
   private static final Point DOWN = Point.of(0.0, 0.0, 1.0);
 
-  /** Takes the uncertainty of a state in GLOBAL or LOCAL_NED that has a heading. */
+  /** Uncertainty of a state in GLOBAL or LOCAL_NED that has a heading. */
   static VehicleUncertainty of(StateInformation vehicle) {
     double psi = vehicle.psi().orElseThrow();
     Point sigma = StateTriple.POSITION_SIGMA.values(vehicle);

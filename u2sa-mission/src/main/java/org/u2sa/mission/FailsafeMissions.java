@@ -24,9 +24,9 @@ final class FailsafeMissions {
   private final Map<FailsafeAction, Goals> loaded = new EnumMap<>(FailsafeAction.class);
 
   /**
-   * What a file has.
+   * Content of a file.
    *
-   * @param home the file's own; empty if it has none
+   * @param home home position in the file, or empty
    */
   private record Goals(List<GoalInformation> goals, Optional<GoalInformation> home) {}
 
@@ -50,7 +50,7 @@ final class FailsafeMissions {
     return loaded.get(FailsafeAction.LAND).goals().size();
   }
 
-  /** Reloads the files; if one is wrong, throws and changes nothing. */
+  /** Reloads the files; if one is invalid, throws and keeps the previous ones. */
   void load() {
     MissionVariables now = settings.get();
     Goals returning =

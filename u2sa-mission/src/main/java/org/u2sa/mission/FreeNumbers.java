@@ -26,7 +26,7 @@ final class FreeNumbers {
     read.forEach(goal -> goal.field("uid").ifPresent(uid -> names.add(goal.message().uid())));
   }
 
-  /** The name of the next goal in the file's order; empty if it has one. */
+  /** A free name for the next goal in the file's order; empty if it is named. */
   Optional<String> next(GoalElement goal) {
     place++;
     if (goal.field("uid").isPresent()) {

@@ -72,7 +72,7 @@ final class GoalBook {
     return names.stream().map(present::get).collect(Collectors.toList());
   }
 
-  /** How often the goal was completed or abandoned. */
+  /** Number of times the goal was completed or abandoned. */
   long timesFinished(String uid) {
     return finished.getOrDefault(uid, 0L);
   }
@@ -85,7 +85,7 @@ final class GoalBook {
   /**
    * Records the result of a goal.
    *
-   * @param report planner's report, whose fields replace the mission's; empty if none
+   * @param report planner's report, whose fields replace those of the mission; empty if none
    * @param micros time of the result [µs of the run's clock]
    */
   void finish(
@@ -200,7 +200,7 @@ final class GoalBook {
         .texts(name + " TIMES", Position.texts(finished));
   }
 
-  /** Restores the book handed over under a name; empty if none. */
+  /** Restores the book saved under a name; empty if none. */
   static Optional<GoalBook> takenOver(HandOver state, String name) {
     List<GoalInformation> goals = state.messages(name + " GOALS", GoalInformation.class);
     if (goals.isEmpty()) {

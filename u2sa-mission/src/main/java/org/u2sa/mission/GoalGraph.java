@@ -72,8 +72,8 @@ final class GoalGraph {
   }
 
   /**
-   * Goals from which no end of the mission is reachable, whatever their results: all but those that
-   * end it and what leads to them, found backwards, so that each link is looked at once.
+   * Goals from which no end of the mission is reachable, whatever their results; found by a
+   * backward search from the end goals, so that each link is visited once.
    */
   private Set<String> endless(Set<String> reachable) {
     Map<String, List<String>> before = new HashMap<>();

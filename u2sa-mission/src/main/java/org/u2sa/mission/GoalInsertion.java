@@ -28,11 +28,11 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
     mission.update(change);
   }
 
-  /** Makes an inserted goal lead to where the goal before it has led, and by the same rules. */
+  /** Gives an inserted goal the successors and rules of the goal before it. */
   private static void lead(
       GoalInformation last, List<String> exit, GoalInformation before, boolean ends) {
     if (ends) {
-      last.nextIf(GoalResult.DONE, exit); // an end that the mission names, not a lap's
+      last.nextIf(GoalResult.DONE, exit); // an explicit end of the mission, not the end of a lap
     } else {
       last.next(exit);
     }

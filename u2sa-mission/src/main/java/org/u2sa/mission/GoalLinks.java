@@ -84,7 +84,10 @@ final class GoalLinks {
     GoalResult result = result(child);
     if (byResult.containsKey(result)) {
       throw child.error(
-          "contradicts <next if=\"" + child.attribute(IF) + "\"> of the same goal; expected one");
+          "contradicts <next if=\""
+              + child.attribute(IF)
+              + "\"> of the same goal; expected only "
+              + "one");
     }
     ends.put(result, child);
     byResult.put(result, new ArrayList<>());
@@ -143,7 +146,7 @@ final class GoalLinks {
     if (message.timeLimit().orElse(1.0) == 0.0) {
       throw goal.child("timeLimit")
           .orElse(goal)
-          .error("0.0 s is over at once; expected more than 0 s");
+          .error("0.0 s expires immediately; expected more than 0 s");
     }
     if (message.choose().orElse(1) < 1) {
       throw goal.child("choose")
@@ -154,7 +157,9 @@ final class GoalLinks {
         names.keySet().stream().filter(each -> result(each, "timed out")).findFirst();
     if (late.isPresent() && message.timeLimit().isEmpty()) {
       throw late.get()
-          .error("if: the goal never times out: it has no <timeLimit>; expected one beside it");
+          .error(
+              "if: the goal never times out because it has no <timeLimit>; expected one in "
+                  + "the same goal");
     }
   }
 

@@ -22,7 +22,7 @@ import org.u2sa.service.handover.HandOver;
  * a new lap starts. Not thread-safe.
  */
 final class GoalSequence {
-  /** How to treat several current goals. */
+  /** Policy for several current goals. */
   enum Options {
     /** All must be finished, in any order, before their followers. */
     ALL,
@@ -68,7 +68,7 @@ final class GoalSequence {
         .text(name + " FIRST", first);
   }
 
-  /** Restores the sequence handed over under a name, with its progress; empty if none. */
+  /** Restores the sequence saved under a name, with its progress; empty if none. */
   static Optional<GoalSequence> takenOver(
       HandOver state, String name, boolean loop, Options options) {
     return GoalBook.takenOver(state, name)
@@ -249,7 +249,7 @@ final class GoalSequence {
     return at.wanted > 0 || !at.pending.isEmpty();
   }
 
-  /** Pursues a goal before the current ones, which follow by its {@code next}. */
+  /** Pursues a goal before the current goals, which follow by its {@code next}. */
   void putBefore(String uid) {
     at.current.clear();
     at.current.add(uid);
@@ -265,7 +265,7 @@ final class GoalSequence {
 
   /**
    * A current goal whose time limit has expired. This always takes some time, however short the
-   * limit, because a loop of goals that expire at once would not terminate.
+   * limit, because a loop of goals that expire immediately would not terminate.
    */
   Optional<GoalInformation> timedOut() {
     return current().stream()

@@ -30,14 +30,15 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
+ * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
  * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every
  * change, and in answer to a report on a goal that is not current; mission, in answer to requests
  * and orders.
  *
  * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
- * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes where it was
- * left. After a restart in the same run it resumes too, unless the mission file has changed.
+ * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes at the
+ * interrupted goal. After a restart in the same run it resumes too, unless the mission file has
+ * changed.
  */
 public final class MissionManager extends PeriodicService {
   /**
@@ -48,7 +49,7 @@ public final class MissionManager extends PeriodicService {
    */
   public record Defaults(
       @Variable(unit = "m", min = 0, minExcluded = true)
-          @Description("Horizontal threshold of waypoints without one.")
+          @Description("Default horizontal threshold of waypoints.")
           double defaultThreshold) {}
 
   private static final String NAME = "MissionManager";
@@ -226,7 +227,7 @@ public final class MissionManager extends PeriodicService {
     }
   }
 
-  /** Switches to a failsafe's own mission, or back to where the mission was left. */
+  /** Switches to a failsafe's own mission, or back to the interrupted goal. */
   private void react(FailsafeAction action) {
     if (action == run.progress().pursuedFor()) {
       return;
@@ -258,7 +259,7 @@ public final class MissionManager extends PeriodicService {
     if (!known
         || isRepeated(goal)
         || !run.progress()
-            .finish(uid, result, Optional.of(goal), "given up by the planner", run.micros())) {
+            .finish(uid, result, Optional.of(goal), "abandoned by the planner", run.micros())) {
       String what = current ? "came before" : known ? "is not current" : "is not known";
       ignore("report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
@@ -270,12 +271,12 @@ public final class MissionManager extends PeriodicService {
       log("goal \"" + uid + "\" completed");
     } else {
       String why = goal.reason().map(text -> ": " + text).orElse("");
-      log(LogLevelEnum.WARN, "goal \"" + uid + "\" given up by the planner" + why);
+      log(LogLevelEnum.WARN, "goal \"" + uid + "\" abandoned by the planner" + why);
     }
     publishGoals();
   }
 
-  /** Logs what others sent in vain, but not a flood of it. */
+  /** Logs rejected messages of others, rate-limited. */
   private void ignore(String what) {
     ignored++;
     if (ignored <= ALWAYS_LOGGED || Long.bitCount(ignored) == 1) {
@@ -293,7 +294,7 @@ public final class MissionManager extends PeriodicService {
     if (updated.update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {
-      String fate = "until another goal's next names it, or it is commanded, it is never pursued";
+      String fate = "it is not pursued until another goal's next names it, or it is commanded";
       log(LogLevelEnum.WARN, "goal \"" + goal.uid() + "\" added; " + fate);
     }
     publishGoals();
@@ -301,7 +302,7 @@ public final class MissionManager extends PeriodicService {
 
   private void changeTo(String uid) {
     if (!run.progress().pursued().knows(uid)) {
-      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" refused: it is not known");
+      log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: unknown");
       return;
     }
     passTime();

@@ -97,7 +97,7 @@ final class MissionOrders {
   private String pause() {
     MissionProgress progress = run.progress();
     if (progress.mission().isOver()) {
-      throw new BadInputException("the mission is over: there is nothing to pause");
+      throw new BadInputException("the mission is over: nothing to pause");
     }
     boolean already = progress.isPaused();
     progress.pause(true);
@@ -113,7 +113,7 @@ final class MissionOrders {
         order
             .uid()
             .map(name -> known(pursued, name))
-            .orElseGet(() -> only(pursued, ": there is no goal to skip", "the name of one of "));
+            .orElseGet(() -> only(pursued, ": no goal to skip", "the name of one of "));
     String reason = "skipped by " + order.operator();
     boolean skipped =
         run.progress().finish(uid, GoalResult.SKIPPED, Optional.empty(), reason, run.micros());
@@ -159,7 +159,8 @@ final class MissionOrders {
     if (!mission.followers.reachable(mission.currentNames()).contains(after)) {
       throw new BadInputException(
           String.format(
-              "goal \"%s\" does not follow what is pursued, so nothing after it would be reached;"
+              "goal \"%s\" is not a successor of a current goal, so nothing after it would be "
+                  + "reached;"
                   + " current: %s; expected one of what follows, or insertion now",
               after, currentOf(mission)));
     }

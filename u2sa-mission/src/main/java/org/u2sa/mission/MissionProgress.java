@@ -23,10 +23,10 @@ final class MissionProgress {
   private static final String LEFT = "LEFT";
   private static final String BEFORE = "BEFORE";
 
-  private GoalSequence pursued; // the mission's or a failsafe's
-  private GoalSequence left; // the mission's while a failsafe is pursued; else null
+  private GoalSequence pursued; // goals of the mission or of a failsafe
+  private GoalSequence left; // the mission's goals while a failsafe is pursued, or null
   private FailsafeAction pursuedFor = FailsafeAction.CONTINUE;
-  private Optional<Position> before = Optional.empty(); // where the mission was before a GOTO
+  private Optional<Position> before = Optional.empty(); // position in the mission before a GOTO
   private String commanded = ""; // goal of the latest GOTO
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
@@ -40,7 +40,7 @@ final class MissionProgress {
     pursued = mission;
   }
 
-  /** The pursued goals: the mission's or a failsafe's. */
+  /** The pursued goals: goals of the mission or of a failsafe. */
   GoalSequence pursued() {
     return pursued;
   }
@@ -50,7 +50,10 @@ final class MissionProgress {
     return left == null ? pursued : left;
   }
 
-  /** The goals that know one: the mission's before a failsafe's; if none, the mission's. */
+  /**
+   * The goal graph that contains a goal: the mission's takes precedence over a failsafe's; the
+   * mission's if neither does.
+   */
   GoalSequence knowing(String uid) {
     return mission().knows(uid) || !pursued.knows(uid) ? mission() : pursued;
   }
@@ -111,7 +114,7 @@ final class MissionProgress {
    * Handles a goal that was completed or abandoned.
    *
    * @param micros current time [µs of the run's clock]
-   * @return false if it is not pursued
+   * @return false if the goal is not current
    */
   boolean finish(
       String uid, GoalResult result, Optional<GoalInformation> report, String reason, long micros) {
@@ -197,8 +200,8 @@ final class MissionProgress {
   }
 
   /**
-   * Returns to where the mission was before {@link #changeTo}, or the first of several in a row;
-   * false if there is no such position.
+   * Returns to the position before {@link #changeTo}, or before the first of several consecutive
+   * calls; false if there is no such position.
    */
   boolean goBack() {
     if (left != null || before.isEmpty()) {

@@ -117,7 +117,7 @@ record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
     read.forEach(goal -> add(goals, numbers, goal, complete));
     if (goals.isEmpty()) {
       throw root.error(
-          "holds no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
+          "contains no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>");
     }
     return goals;
   }
@@ -168,7 +168,8 @@ record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
           .orElse(goal.element())
           .error(
               String.format(
-                  "the goal in line %s is named \"%s\" already; names must differ (without one, a"
+                  "the goal in line %s already has the name \"%s\"; names must differ (without "
+                      + "one, a"
                       + " goal's name is its number in the file)",
                   other.element().line(), goal.message().uid()));
     }

@@ -14,7 +14,8 @@ record MissionVariables(
         boolean loop,
     @Variable(ifAbsentText = "ALL")
         @Description(
-            "Of several next goals, whether ALL must be finished before what follows, or ANY one.")
+            "Whether ALL of several next goals must be finished before the mission continues, or "
+                + "ANY one.")
         GoalSequence.Options options,
     @Variable(ifAbsentText = "")
         @Description(
@@ -26,11 +27,12 @@ record MissionVariables(
         String landMission,
     @Variable(ifAbsentText = "NEVER")
         @Description(
-            "Whether another process takes up the mission where this one ends: ALWAYS; on the order resume: ORDERED; or NEVER.")
+            "Whether a restarted process resumes the mission where this one ended: ALWAYS, when "
+                + "ORDERED by resume, or NEVER.")
         Resumption resume) {
   /** Whether a mission continues after a restart in another process. */
   enum Resumption {
-    /** Starts over; nothing is saved. */
+    /** Restarts the mission; progress is not saved. */
     NEVER,
     /** Starts over; resumed on order. */
     ORDERED,

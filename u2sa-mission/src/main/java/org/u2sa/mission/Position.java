@@ -11,12 +11,13 @@ import org.u2sa.service.handover.HandOver;
 /** Position in a {@link GoalSequence}, by goal names only. Not thread-safe. */
 final class Position {
   final Set<String> current = new LinkedHashSet<>();
-  final Set<String> pending = new LinkedHashSet<>(); // follow once the current ones are finished
+  final Set<String> pending = new LinkedHashSet<>(); // follow when the current goals are finished
   final Set<String> finished = new LinkedHashSet<>(); // in this lap
-  final Map<String, Long> repeats = new LinkedHashMap<>(); // started, of goals in the middle of one
+  final Map<String, Long> repeats = new LinkedHashMap<>(); // start time of the goals in progress
 
   /**
-   * How many of the current goals must still be completed, no matter which; 0: as the options say.
+   * Number of current goals that must still be completed, no matter which; 0: as given by the
+   * options.
    */
   long wanted;
 

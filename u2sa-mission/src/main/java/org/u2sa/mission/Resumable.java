@@ -36,8 +36,8 @@ final class Resumable {
   }
 
   /**
-   * Loads the progress of an earlier process. Returns it if it must be resumed immediately; else
-   * empty.
+   * Loads the progress of an earlier process. Returns the saved progress if it must be resumed
+   * immediately; otherwise empty.
    */
   Optional<MissionProgress> atStart() {
     Resumption rule = settings.get().resume();
@@ -60,7 +60,7 @@ final class Resumable {
             logger.log(
                 LogLevelEnum.WARN,
                 String.format(
-                    "the previous process ended at goal %s: the order resume continues there",
+                    "the previous process ended at goal %s: order resume to continue there",
                     before.mission().currentNames())));
     return Optional.empty();
   }
@@ -69,7 +69,7 @@ final class Resumable {
     return Paths.get(run.mission().origin());
   }
 
-  /** Takes the loaded progress, once. */
+  /** Consumes the loaded progress. */
   Optional<MissionProgress> taken() {
     Optional<MissionProgress> taken = found;
     found = Optional.empty();
@@ -77,10 +77,10 @@ final class Resumable {
   }
 
   /**
-   * Ends a pause, or else goes on where the process before ended, or returns to where the mission
-   * was left.
+   * Ends a pause; otherwise resumes where the previous process ended, or returns to the interrupted
+   * goal.
    *
-   * @return where it goes on, in words
+   * @return description of the position at which the mission resumes
    * @throws BadInputException if there is nothing to resume
    */
   String resume() {
@@ -95,14 +95,14 @@ final class Resumable {
               ? "the failsafe "
                   + progress.pursuedFor()
                   + " is pursued; the mission resumes after it"
-              : "there is nothing to resume: the mission was not left");
+              : "nothing to resume: the mission was not interrupted");
     }
     return "resumed at "
         + List.copyOf(progress.mission().currentNames())
         + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
   }
 
-  /** Discards the loaded progress if it is of another mission than the one that begins now. */
+  /** Discards the loaded progress if it belongs to another mission than the starting one. */
   void forgetOther() {
     found = found.filter(before -> isOf(file()));
   }
@@ -117,7 +117,7 @@ final class Resumable {
     }
   }
 
-  /** Where {@link #taken} would resume, in words. */
+  /** Description of the position at which {@link #taken} would resume. */
   Optional<String> where() {
     return found.map(before -> String.join(", ", before.mission().currentNames()));
   }

@@ -16,7 +16,7 @@ import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
 
 /**
- * Mission progress saved beside the logs, so that another process can resume it. Replaced
+ * Mission progress saved in the log folder, so that another process can resume it. Replaced
  * atomically: a power cut leaves the old or the new file intact.
  */
 final class SavedMission {
@@ -29,7 +29,7 @@ final class SavedMission {
   private final ReplacedFile access;
 
   /**
-   * @param writer class of the service that saves, as told in the file
+   * @param writer class of the saving service, as written in the file
    */
   SavedMission(ServiceContext context, String serviceName, String writer) {
     this.writer = writer;
@@ -42,8 +42,7 @@ final class SavedMission {
   /**
    * Replaces the file.
    *
-   * @param digest of the mission's file as it was loaded, which must be the same for it to be
-   *     resumed
+   * @param digest digest of the mission file as loaded, which must match for a resume
    * @param failed called if writing fails, possibly later on another thread; the previous file is
    *     kept
    */
@@ -88,12 +87,12 @@ final class SavedMission {
     }
   }
 
-  /** Deletes the file if it is there; may call {@code failed} later on another thread. */
+  /** Deletes the file if it exists; may call {@code failed} later on another thread. */
   void delete(Consumer<IOException> failed) {
     access.change(() -> Files.deleteIfExists(file), failed);
   }
 
-  /** Digest of a mission's file, which tells missions apart. */
+  /** Digest of a mission file, to distinguish missions. */
   static String digest(Path mission) throws IOException {
     try {
       byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission));

@@ -74,10 +74,11 @@ final class WaypointRules {
     }
     if (!vertical && waypoint.x().isEmpty() && waypoint.y().isEmpty()) {
       throw element(goal, "z")
-          .error("is the only coordinate; expected a <verticalThreshold> beside it");
+          .error("is the only coordinate; expected a <verticalThreshold> as well");
     }
     if (waypoint.speed().orElse(1.0) == 0.0) {
-      throw element(goal, "speed").error("0.0 m/s never gets there; expected more than 0 m/s");
+      throw element(goal, "speed")
+          .error("0.0 m/s never reaches the waypoint; expected more than " + "0 m/s");
     }
   }
 

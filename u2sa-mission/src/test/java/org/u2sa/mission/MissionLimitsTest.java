@@ -197,7 +197,7 @@ class MissionLimitsTest extends ThreeWaypoints {
     assertThat(goalOf("1").reason()).contains("walled in");
     assertThat(goalOf("1").result()).contains(GoalResult.FAILED);
     assertThat(goalOf("1").arrivedAt()).isEmpty();
-    assertThat(logged("given up by the planner: walled in")).isTrue();
+    assertThat(logged("abandoned by the planner: walled in")).isTrue();
   }
 
   @Test

@@ -141,7 +141,7 @@ class MissionManagerTest extends ThreeWaypoints {
     kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("home"));
 
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("1");
-    assertThat(logged("command to change to goal \"home\" refused: it is not known")).isTrue();
+    assertThat(logged("command to change to goal \"home\" rejected: unknown")).isTrue();
   }
 
   @Test

@@ -91,7 +91,7 @@ class MissionOrdersTest extends ThreeWaypoints {
     accepted(order(MissionAction.GOTO).uid("2"), "pursuing goal \"2\"");
     run("2", "3");
     assertThat(report().resumable()).isEmpty();
-    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+    refused(order(MissionAction.RESUME), "nothing to resume: the mission was not interrupted");
   }
 
   @Test
@@ -123,7 +123,7 @@ class MissionOrdersTest extends ThreeWaypoints {
   @Test
   void resume_missionThatWasNotLeft_isRefused() {
     kit.start(MissionManager::new);
-    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+    refused(order(MissionAction.RESUME), "nothing to resume: the mission was not interrupted");
   }
 
   @Test
@@ -153,7 +153,7 @@ class MissionOrdersTest extends ThreeWaypoints {
   void skip_overMission_isRefused() {
     kit.start(MissionManager::new);
     run("1", "2", "3");
-    refused(order(MissionAction.SKIP), "the mission is over: there is no goal to skip");
+    refused(order(MissionAction.SKIP), "the mission is over: no goal to skip");
   }
 
   @Test
@@ -291,7 +291,7 @@ class MissionOrdersTest extends ThreeWaypoints {
     complete("1");
     refused(
         goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>").uid("1"),
-        "goal \"1\" does not follow what is pursued, so nothing after it would be reached; current: 2; expected one of what follows, or insertion now");
+        "goal \"1\" is not a successor of a current goal, so nothing after it would be reached; current: 2; expected one of what follows, or insertion now");
   }
 
   @Test

@@ -95,7 +95,7 @@ class MissionPauseTest extends ThreeWaypoints {
     assertThat(paused()).isFalse();
     assertThat(report().paused()).isFalse();
     run("2", "3");
-    refused(order(MissionAction.PAUSE), "the mission is over: there is nothing to pause");
+    refused(order(MissionAction.PAUSE), "the mission is over: nothing to pause");
   }
 
   @Test
@@ -119,7 +119,7 @@ class MissionPauseTest extends ThreeWaypoints {
     accepted(order(MissionAction.SKIP), "goal \"2\" skipped; current: 3");
     accepted(order(MissionAction.SKIP), "goal \"3\" skipped; current: none, the mission is over");
     assertThat(paused()).isFalse();
-    refused(order(MissionAction.RESUME), "there is nothing to resume: the mission was not left");
+    refused(order(MissionAction.RESUME), "nothing to resume: the mission was not interrupted");
   }
 
   @Test

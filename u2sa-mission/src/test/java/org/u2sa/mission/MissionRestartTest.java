@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.goal.Waypoint;
 
-/** Where a mission goes on when its manager is restarted or swapped. */
+/** Where a mission continues when its manager is restarted or swapped. */
 class MissionRestartTest extends ThreeWaypoints {
   @Test
   void restart_inTheMiddle_goesOnAtTheGoalItWasAt() {

@@ -14,7 +14,7 @@ import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
 
-/** Where a mission goes on in another process, of which the kit's next start is one. */
+/** Where a mission continues in another process, of which the kit's next start is one. */
 class SavedMissionTest extends ThreeWaypoints {
   private void nextProcess(MissionManager before) {
     before.kill();

@@ -9,8 +9,8 @@ import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.service.U2SAService;
 
 /**
- * Whether a planner that avoids obstacles has to stand because it does not know its surroundings:
- * the World Modeler is silent, or lacks a sensor.
+ * Detects when an obstacle-avoiding planner must stop because its surroundings are unknown: the
+ * World Modeler is silent, or lacks a sensor.
  */
 final class BlindStand {
   private final U2SAService planner;
@@ -25,9 +25,10 @@ final class BlindStand {
   }
 
   /**
-   * Whether to stand now; tells the operator of each change.
+   * Whether to stop now; reports each change to the operator.
    *
-   * @param failsafe LAND goes on, and RETURN too if the vehicle cannot stop: circling would not end
+   * @param failsafe LAND continues, as does RETURN if the vehicle cannot stop, because circling
+   *     would not end
    */
   boolean stands(FailsafeAction failsafe, long nowMicros) {
     Optional<String> trouble =
@@ -37,7 +38,7 @@ final class BlindStand {
     boolean goesOn =
         failsafe == FailsafeAction.LAND
             || failsafe == FailsafeAction.RETURN && !settings.get().stops();
-    tell(trouble.map(what -> (goesOn ? "goes on blind: " : "stands: ") + what).orElse(""));
+    tell(trouble.map(what -> (goesOn ? "continues blind: " : "stands: ") + what).orElse(""));
     return trouble.isPresent() && !goesOn;
   }
 
@@ -46,7 +47,7 @@ final class BlindStand {
       return;
     }
     if (what.isEmpty()) {
-      planner.log(LogLevelEnum.WARN, "sees its surroundings again: goes on");
+      planner.log(LogLevelEnum.WARN, "surroundings known again: continues");
       avoidance.begin(); // the time without them was no failure to get on
     } else {
       planner.trouble(what);

@@ -12,7 +12,7 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.handover.HandOver;
 
-/** Behaviour of a planner without a goal: hold at a place, or nothing. */
+/** Behaviour of a planner without a goal: hold a position, or do nothing. */
 final class EndOfMission {
   private final Supplier<PlanningVariables> settings;
   private final Supplier<LineSettings> lines;
@@ -46,15 +46,15 @@ final class EndOfMission {
   /**
    * Plans the next step of holding.
    *
-   * @param place where to hold; if empty or without coordinates, the vehicle's position when
-   *     holding began; its altitude at that time if the place has none
+   * @param place position to hold; if empty or without coordinates, the vehicle's position when
+   *     holding began; without altitude, its altitude at that time
    */
   List<NavigationPoint> plan(Vehicle vehicle, Optional<Place> place) {
     return settings.get().holdsAtEnd() ? hold(vehicle, place) : List.of();
   }
 
   /**
-   * Plans the next step of holding for a failsafe, whatever AT END says: vehicles that cannot stop
+   * Plans the next step of holding for a failsafe, regardless of AT END: vehicles that cannot stop
    * circle. A vehicle with AT END = STOP and no circle stops here too.
    *
    * @param place as in {@link #plan}

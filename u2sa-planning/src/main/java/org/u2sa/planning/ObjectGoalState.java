@@ -115,7 +115,7 @@ final class ObjectGoalState implements PlannerState {
         Plan.Progress.ABANDONED,
         String.format(
             Locale.ROOT,
-            "given up: no %s was seen for %.0f s",
+            "abandoned: no %s was seen for %.0f s",
             goal.objectType(),
             Clock.seconds(waited)));
   }

@@ -46,11 +46,11 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final BlindStand blind;
   private Optional<GoalList> goals = Optional.empty();
-  // The list handed over; it arrives again because it is retained.
+  // Goal list transferred by the predecessor; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
   private Optional<GoalInformation> finished = Optional.empty(); // last one reported
-  private Optional<Place> holdAt = Optional.empty(); // last place reached or given up
+  private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private String foreseen = ""; // UID of the goal expected next
   private long reportedMicros;
@@ -152,7 +152,7 @@ public class PathPlanner extends EventDrivenService {
     boolean held = isHolding();
     goals = Optional.of(list);
     if (isHolding() != held) {
-      log(list.paused() ? "mission paused" : "mission goes on");
+      log(list.paused() ? "mission paused" : "mission continues");
       changeHolding();
     }
     missionMicros = missionBegan(list);
@@ -164,8 +164,8 @@ public class PathPlanner extends EventDrivenService {
   /**
    * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
    * axes suffice for a goal that is one of them: the vehicle is at their origin (thesis 4.3.2). Any
-   * other goal, a holding place or a failsafe needs the vehicle's position: without it there are no
-   * navigation points.
+   * other goal, a holding position or a failsafe needs the vehicle's position; without it no
+   * navigation points are published.
    */
   private void onObjects(ObjectList list) {
     long now = clock().micros();
@@ -183,7 +183,7 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** Whether some current goal can be pursued without a state, and nothing else is to be done. */
+  /** Whether a current goal can be pursued without a state, and there is no other task. */
   private boolean needsNoState() {
     return failsafe == FailsafeAction.CONTINUE
         && !isHolding()
@@ -260,7 +260,7 @@ public class PathPlanner extends EventDrivenService {
     return stands ? standing(state) : pursue(chosen.get(), state, stateless);
   }
 
-  /** What a vehicle does that does not know its surroundings: brake, or circle if it cannot. */
+  /** Stops a vehicle whose surroundings are unknown, or circles if it cannot stop. */
   private List<NavigationPoint> standing(StateInformation state) {
     if (!avoidance.world().age().isKnown()) {
       return List.of(); // it was never in motion: not to take off either
@@ -402,7 +402,7 @@ public class PathPlanner extends EventDrivenService {
     if (finished.isPresent()) {
       // the path to an abandoned goal may be obstructed: hold here
       holdAt = WaypointState.placeOf(finished.filter(done -> !done.abandoned()));
-      finished = Optional.empty(); // the next leg does not start there
+      finished = Optional.empty(); // the next leg does not start at that position
     }
     goal = Optional.empty();
     Vehicle vehicle = Vehicle.of(state).orElseThrow();

@@ -20,7 +20,7 @@ public record Plan(
     String remark,
     Optional<GoalInformation> changed) {
   public enum Progress {
-    /** Neither reached nor given up. */
+    /** Neither reached nor abandoned. */
     UNDER_WAY,
     /** Reached; reported to the Mission Manager as completed. */
     COMPLETED,
@@ -37,7 +37,7 @@ public record Plan(
     return new Plan(points, progress, remark, Optional.of(goal));
   }
 
-  /** Creates a step of a pursuit that is given up for a reason, or else continues. */
+  /** Creates a step that abandons the goal for a reason or, without one, continues. */
   static Plan unless(Optional<String> givenUp, List<NavigationPoint> points) {
     return givenUp
         .map(reason -> new Plan(points, Progress.ABANDONED, "given up: " + reason))

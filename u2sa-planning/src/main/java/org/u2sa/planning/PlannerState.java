@@ -25,7 +25,7 @@ public interface PlannerState {
     return false;
   }
 
-  /** Starts the pursuit of a goal and resets what was remembered of the previous one. */
+  /** Starts the pursuit of a goal and resets the state of the previous one. */
   void enter(Pursuit pursuit);
 
   /** Plans the next step. Called for each state estimate while the goal is pursued. */

@@ -22,7 +22,7 @@ final class PlannerStates {
     }
   }
 
-  /** State for a goal, whose class is the goal's own or its nearest ancestor. */
+  /** State for the goal's class or its nearest ancestor class. */
   Optional<PlannerState> forGoal(GoalInformation goal) {
     PlannerState nearest = null;
     for (PlannerState state : states) {

@@ -25,7 +25,9 @@ record PlanningVariables(
             "Maximum distance by which a turn may cut the corner at a waypoint, however large its threshold.")
         double cornerLimit,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 1)
-        @Description("Minimum look-ahead distance along the line. Shorter holds the line tighter.")
+        @Description(
+            "Minimum look-ahead distance along the line. A shorter one holds the line "
+                + "more tightly.")
         double lookAhead,
     @Variable(unit = "s", min = 0, ifAbsent = 1)
         @Description(
@@ -33,7 +35,8 @@ record PlanningVariables(
         double lookAheadTime,
     @Variable(ifAbsentText = "IMMEDIATE")
         @Description(
-            "IMMEDIATE takes the altitude of a leg's end at once, LINEAR changes it in proportion to the distance flown.")
+            "IMMEDIATE changes to the altitude of a leg's end at once, LINEAR in proportion to "
+                + "the distance flown.")
         AltitudeProfile altitudeProfile,
     @Variable(min = 1, max = 1000, ifAbsent = 3)
         @Description("Passes at a waypoint before giving up.")

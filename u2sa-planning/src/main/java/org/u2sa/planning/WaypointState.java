@@ -23,7 +23,7 @@ import org.u2sa.service.handover.HandOver;
  * Guides the vehicle to a waypoint.
  *
  * <p>The waypoint is reached within its horizontal threshold and, if it has one, its vertical
- * threshold (thesis 3.2.3.4), and is reported when the vehicle comes no nearer. After a miss the
+ * threshold (thesis 3.2.3.4), and is reported at the point of closest approach. After a miss the
  * vehicle turns round for another attempt; after the last attempt the waypoint is abandoned and
  * reported as such.
  */
@@ -50,7 +50,7 @@ final class WaypointState implements PlannerState {
   private double nearestM; // in this attempt, while approaching
   private double nowM; // from the waypoint
   private Optional<StateInformation> last = Optional.empty();
-  private Optional<Place> aimedAt = Optional.empty(); // where the waypoint was at the last state
+  private Optional<Place> aimedAt = Optional.empty(); // position of the waypoint at the last state
 
   WaypointState(
       WaypointGuidance guidance,
@@ -86,7 +86,7 @@ final class WaypointState implements PlannerState {
     aimedAt = Optional.empty();
   }
 
-  /** A waypoint that was moved is reached, passed or missed where it is now. */
+  /** A moved waypoint is reached, passed or missed at its current position. */
   private void follow(Place target) {
     if (aimedAt.filter(before -> !before.equals(target)).isPresent()) {
       guidance.begin(Optional.empty());

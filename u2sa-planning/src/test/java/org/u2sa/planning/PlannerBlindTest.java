@@ -66,11 +66,11 @@ class PlannerBlindTest extends PlannedVehicle {
     empty();
     assertThat(pointsIn(40)).as("2 s of 4").isEqualTo(20);
     assertThat(kit.latest(Channels.NAVIGATION).orElseThrow().speed()).as("brakes").hasValue(0.0);
-    assertThat(logged("stands: nothing from the World Modeler for more than 2.0 s")).isEqualTo(1);
+    assertThat(logged("stands: no data from the World Modeler for more than 2.0 s")).isEqualTo(1);
 
     empty();
     assertThat(pointsIn(10)).isEqualTo(10);
-    assertThat(logged("sees its surroundings again: goes on")).isEqualTo(1);
+    assertThat(logged("surroundings known again: continues")).isEqualTo(1);
   }
 
   @Test
@@ -98,7 +98,7 @@ class PlannerBlindTest extends PlannedVehicle {
     start("GRID");
     empty("LidarSensor");
     assertThat(pointsIn(10)).isZero();
-    assertThat(logged("stands: the World Modeler hears nothing from LidarSensor")).isEqualTo(1);
+    assertThat(logged("stands: the World Modeler receives no data from LidarSensor")).isEqualTo(1);
 
     empty();
     assertThat(pointsIn(10)).isEqualTo(10);

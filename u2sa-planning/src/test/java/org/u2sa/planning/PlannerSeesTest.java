@@ -157,7 +157,7 @@ class PlannerSeesTest extends PlannedVehicle {
 
     GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
     assertThat(report.abandoned()).isTrue();
-    assertThat(report.reason().orElseThrow()).contains("an obstacle stands on the goal");
+    assertThat(report.reason().orElseThrow()).contains("the goal is occupied by an obstacle");
     assertThat(path().status()).isEqualTo(PathStatus.GIVEN_UP);
   }
 

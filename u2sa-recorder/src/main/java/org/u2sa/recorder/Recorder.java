@@ -20,7 +20,7 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Records every message of a system into MCAP files (thesis 3.2.1.5). In: all channels, over a
- * connection of its own that delivers every message on publication, without replacing older ones.
+ * separate connection that delivers every message on publication, without superseding older ones.
  * Out: only the messages every service publishes; health reports dropped messages.
  *
  * <p>Can also be listed in a system file, including on a phone.

@@ -11,8 +11,9 @@ record RecorderVariables(
         @Description(
             "File to record into, relative to the folder of the log files. If it exists, a number is appended to the name.")
         String file,
-    @Variable(ifAbsentText = "BOTH") @Description("In which form messages are recorded.") Form form,
-    @Variable(ifAbsentText = "LZ4") @Description("How the file is compressed.")
+    @Variable(ifAbsentText = "BOTH") @Description("Format in which messages are recorded.")
+        Form form,
+    @Variable(ifAbsentText = "LZ4") @Description("Compression of the file.")
         ChunkCompression compression,
     @Variable(min = 0, max = 1_000_000, ifAbsent = 0)
         @Description("Size at which the next file is started, in megabytes (10^6 bytes); 0: never.")
@@ -25,10 +26,11 @@ record RecorderVariables(
         int keep,
     @Variable(ifAbsentText = "true")
         @Description(
-            "Whether executions are recorded, too: when which service handled what, so that services can be executed again.")
+            "Whether to record which service handled which message when, so that services can be "
+                + "re-executed.")
         boolean executions,
     @Variable(min = 16, max = 1_000_000, ifAbsent = 8192)
-        @Description("Messages that may wait to be written; more are dropped and counted.")
+        @Description("Capacity of the write queue in messages; more are dropped and counted.")
         int waitingAtMost) {
   enum Form {
     /** Native messages (CBOR). */

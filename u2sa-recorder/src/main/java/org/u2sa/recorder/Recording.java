@@ -25,8 +25,8 @@ import org.u2sa.recorder.mcap.McapWriter;
 
 /**
  * Accepts messages from any thread and writes them on its own. Publishers never wait for the disk:
- * messages that do not fit into the queue are dropped and counted. In simulated time, where waiting
- * costs nothing, publishers block instead, and nothing is dropped.
+ * messages that do not fit into the queue are dropped and counted. In simulated time publishers
+ * block instead, and nothing is dropped.
  */
 final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private static final long NANOS_PER_MICRO = 1_000L;
@@ -173,7 +173,7 @@ final class Recording implements Receiver, LocalBus.Bridge, AutoCloseable {
   private void drop() {
     long count = dropped.incrementAndGet();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: a flood does not fill the log
-      trouble.accept("messages come faster than they are recorded: " + count + " dropped so far");
+      trouble.accept("messages arrive faster than they are recorded: " + count + " dropped so far");
     }
   }
 

@@ -13,8 +13,8 @@ import org.u2sa.recorder.mcap.record.McapAttachment;
 import org.u2sa.recorder.mcap.record.McapMetadata;
 
 /**
- * Facts about a run stored beside its messages: named texts and attached files. Filled before
- * recording starts.
+ * Metadata of a run in its recording: named texts and attached files. Filled before recording
+ * starts.
  */
 public final class RecordingFacts {
   private static final long LARGEST_ATTACHMENT = 16L << 20;

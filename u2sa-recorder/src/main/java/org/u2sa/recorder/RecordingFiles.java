@@ -44,7 +44,7 @@ final class RecordingFiles {
   private final Deque<Path> written = new ArrayDeque<>();
   private int number;
   private McapWriter writer; // null if no file could be started
-  private FileChannel channel; // the writer's
+  private FileChannel channel; // confined to the writer thread
   private long begunNanos;
   private long tryAgainNanos = Long.MIN_VALUE;
   private long lost;

@@ -35,7 +35,7 @@ public final class RunFiles {
   /**
    * Attaches a system file, its configurations and the files they name.
    *
-   * @param configurations those of its services and of the Communication Manager
+   * @param configurations configurations of its services and of the Communication Manager
    * @throws org.u2sa.interfaces.BadInputException if a configuration is not well-formed
    */
   public RunFiles system(Path file, Collection<Path> configurations) {
@@ -54,7 +54,7 @@ public final class RunFiles {
     }
   }
 
-  /** Attaches the file a variable names, if it is XML; only the service knows its meaning. */
+  /** Attaches the file that a variable names, if it is XML. */
   public void attachIfFile(Path folder, String value) {
     if (!value.endsWith(".xml")) {
       return; // passwords and keys must not be recorded

@@ -12,8 +12,8 @@ import org.u2sa.recorder.mcap.McapWriter;
 
 /**
  * Writes a message to nowhere, so that classes and schemas are loaded before the first message.
- * Loading takes a tenth of a second of processor time, which a busy machine may stretch to seconds
- * during which nothing would be saved.
+ * Loading takes 0.1 s of processor time, which may become seconds on a busy machine, during which
+ * nothing would be saved.
  */
 final class WarmUp {
   private static final String SYSTEM = "warm-up";

@@ -74,7 +74,7 @@ public final class ReportFile {
   }
 
   /**
-   * Refuses to write where a recording is.
+   * Refuses to overwrite a recording.
    *
    * @throws BadInputException if the file is a recording
    */
@@ -109,7 +109,7 @@ public final class ReportFile {
       return "its directory does not exist";
     }
     if (e instanceof FileAlreadyExistsException) {
-      return "a file of that name is in the way";
+      return "a file of that name already exists";
     }
     return e.getMessage();
   }

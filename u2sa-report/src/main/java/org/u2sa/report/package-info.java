@@ -1,5 +1,5 @@
 /**
- * Reports of runs: pages, charts, tables, exports. Here: how files are written and text is escaped;
- * the parts that know a format are in packages of their own.
+ * Reports of runs: pages, charts, tables, exports. Here: file output and escaping; each format has
+ * its own package.
  */
 package org.u2sa.report;

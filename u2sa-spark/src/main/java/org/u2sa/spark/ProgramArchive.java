@@ -25,7 +25,7 @@ final class ProgramArchive {
 
   private ProgramArchive() {}
 
-  /** Archives the class path, and config and missions of {@code home} as far as they are there. */
+  /** Archives the class path, and config and missions of {@code home} if present. */
   static void write(Path archive, String classPath, Path home) throws IOException {
     try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(archive))) {
       zip.setLevel(Deflater.BEST_SPEED); // mostly jars, which are already compressed

@@ -23,7 +23,7 @@ record SparkHome(Path jars, String version) {
 
   /**
    * @param folder value of {@link #VARIABLE}; null if not set
-   * @throws BadInputException if no supported Spark is found there
+   * @throws BadInputException if it contains no supported Spark
    */
   static SparkHome of(String folder) {
     if (folder == null || folder.isBlank()) {

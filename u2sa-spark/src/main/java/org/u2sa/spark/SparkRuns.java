@@ -140,7 +140,7 @@ final class SparkRuns implements RunBackend {
     return new RunFailedException(
         "Spark broke the campaign off: "
             + why
-            + "; what it said is in "
+            + "; its output is in "
             + directory.resolve(LOG)
             + ". The same command continues with the remaining runs");
   }

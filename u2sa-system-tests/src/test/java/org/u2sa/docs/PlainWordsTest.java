@@ -18,7 +18,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PlainWordsTest {
   private static final Pattern DATED =
       Pattern.compile(
-          "\\b[Mm]aybe\\b|\\b(?i:anew|whither|thither|at will|none any more|such a one|it is said)\\b"
+          "\\b[Mm]aybe\\b|\\b(?i:anew|whither|thither|at will|none any more|such a one|it is said"
+              + "|the one before|is there already|says otherwise|in vain|for ever|heeds|takes note)\\b"
               + "|\\b(?:MOST|LEAST)_[A-Z]" // MAX_ and MIN_
               + "|\\bso many (?:seconds|messages|bytes|times|metres|steps)\\b");
 
@@ -45,6 +46,7 @@ class PlainWordsTest {
         "The filter begins anew.",
         "int MOST_BYTES = 7;",
         "Waits so many seconds.",
+        "Applies unless the file says otherwise.",
         "   * * Opens the pins.",
         "  /** Adds a channel. @return whether it could be opened */"
       })

@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Bounded queue of measurements waiting for the vehicle state of their time. Drops the oldest when
- * full, so that a fast scanner, or a long scan of somebody else's, cannot exhaust the memory.
+ * full, so that a fast scanner or an oversized scan cannot exhaust memory.
  */
 final class Arrivals {
   private static final int MAX_WAITING = 20_000;

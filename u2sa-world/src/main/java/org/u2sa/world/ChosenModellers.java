@@ -20,7 +20,7 @@ import org.u2sa.world.modeller.Sighting;
 import org.u2sa.world.object.ObjectMapModeller;
 import org.u2sa.world.scanmap.ScanMapModeller;
 
-/** The modellers currently selected by MODELLERS, out of all available ones. */
+/** The modellers selected by MODELLERS. */
 final class ChosenModellers {
   static final String REACTIVE = "REACTIVE";
   static final String OBJECTS = "OBJECTS";
@@ -72,7 +72,8 @@ final class ChosenModellers {
     }
     if (names.contains(REACTIVE) && names.contains(OBJECTS)) {
       throw new IllegalArgumentException(
-          "MODELLERS: REACTIVE and OBJECTS would both publish the same objects; expected one");
+          "MODELLERS: REACTIVE and OBJECTS would both publish the same objects; expected only "
+              + "one of them");
     }
     if (names.contains(GRID) && names.contains(SCAN_MAP)) {
       throw new IllegalArgumentException(
@@ -87,7 +88,7 @@ final class ChosenModellers {
   }
 
   /**
-   * Activates exactly these modellers. New ones take over the knowledge of those deactivated.
+   * Activates exactly these modellers. New modellers adopt the knowledge of deactivated ones.
    *
    * @return the newly activated modellers
    */

@@ -30,7 +30,9 @@ final class ReactiveModeller implements Modeller {
           @Description("REACTIVE: time after which a sensor's latest sighting is dropped.")
           double memory,
       @Variable(ifAbsentText = "true")
-          @Description("REACTIVE: whether a scan's echoes become a point cloud among the objects.")
+          @Description(
+              "REACTIVE: whether a scan's echoes are published as a point cloud among "
+                  + "the objects.")
           boolean scansAsObjects) {}
 
   private record Memory(long micros, List<ObjectDescription> objects) {}

@@ -84,7 +84,7 @@ public final class WorldModeler extends PeriodicService {
         : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
   }
 
-  /** Reloads the a priori objects; those defined relative to the vehicle stay where they were. */
+  /** Reloads the a priori objects; those defined relative to the vehicle keep their positions. */
   private List<ObjectDescription> known(List<ObjectDescription> before) {
     Map<String, ObjectDescription> placed =
         before.stream()
@@ -222,7 +222,7 @@ public final class WorldModeler extends PeriodicService {
     long micros = clock().micros();
     if (!frame.frame().isBody()
         && micros - heardStateMicros > Clock.micros(settings.get().stateLostAfter())) {
-      log(LogLevelEnum.WARN, "no state any more");
+      log(LogLevelEnum.WARN, "state lost");
       enter(MapFrame.BODY);
     }
     // measurements newer than the newest state wait: it may become possible to interpolate

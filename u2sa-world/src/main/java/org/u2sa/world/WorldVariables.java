@@ -19,33 +19,38 @@ record WorldVariables(
         String world,
     @Variable(ifAbsentText = "true")
         @Description(
-            "Whether objects of WORLD that move are known beforehand too; false: sensors have to find them, as traffic that no chart shows.")
+            "Whether objects of WORLD that move are known beforehand too; false: sensors have to "
+                + "detect them, like uncharted traffic.")
         boolean worldMovers,
     @Variable(unit = "Hz", min = 0.01, max = 100, ifAbsent = 2)
         @Description("Grids published per second, at most RATE.")
         double gridRate,
     @Variable(ifAbsentText = "GOAL")
         @Description(
-            "GOAL leaves out, while every current goal names types of objects, passable ones (HINDRANCE) of other types; ALL publishes everything.")
+            "GOAL omits passable objects (HINDRANCE) of other types while every current goal "
+                + "names types of objects; ALL publishes everything.")
         Relevant relevant,
     @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.3)
         @Description(
-            "Maximum time that a measurement waits for the state of its time; then the newest state is carried on to it.")
+            "Maximum time that a measurement waits for the state of its time; then the newest "
+                + "state is extrapolated.")
         double waitForState,
     @Variable(unit = "s", min = 0.001, max = 10, ifAbsent = 0.5)
         @Description(
-            "Maximum time between two states to place a measurement between, and beyond the newest; without, the measurement is dropped.")
+            "Maximum time between states for interpolating the pose of a measurement, and for "
+                + "extrapolating the newest state; otherwise the measurement is dropped.")
         double stateGap,
     @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 3)
         @Description("Time without a state after which the map continues in BODY.")
         double stateLostAfter,
     @Variable(ifAbsentText = "")
         @Description(
-            "Names of sensors that must go on measuring, separated by commas; while one is silent, the Path Planner stands. Empty: every scanner heard so far and, with GRID among MODELLERS and no WORLD, at least one.")
+            "Names of required sensors, separated by commas; while one is silent, the Path "
+                + "Planner stops the vehicle. Empty: every scanner heard so far and, with GRID among "
+                + "MODELLERS and no WORLD, at least one.")
         String expectedSensors,
     @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 1)
-        @Description(
-            "Age of an expected sensor's newest measurement from which it counts as silent.")
+        @Description("Age of its newest measurement at which an expected sensor counts as silent.")
         double silentAfter) {
   enum Relevant {
     GOAL,
@@ -56,7 +61,7 @@ record WorldVariables(
   static final String WORLD = "WORLD";
   static final String WORLD_MOVERS = "WORLD MOVERS";
 
-  /** Sensors that must go on measuring; empty: unnamed. */
+  /** Required sensors; empty: unnamed. */
   List<String> expected() {
     return Arrays.stream(expectedSensors.split(","))
         .map(String::trim)

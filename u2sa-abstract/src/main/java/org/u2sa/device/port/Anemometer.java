@@ -6,8 +6,8 @@ public interface Anemometer extends Device<Anemometer.Wind> {
    * The apparent wind: the air's motion relative to the vehicle.
    *
    * @param speedMps its speed [m/s], not negative
-   * @param fromRad direction it comes from, from the instrument's own zero, positive to the left
-   *     [rad], −π…π
+   * @param fromRad direction from which it blows, relative to the instrument's zero, positive to
+   *     the left [rad], −π…π
    */
   record Wind(long measuredAtMicros, double speedMps, double fromRad) implements Reading {}
 }

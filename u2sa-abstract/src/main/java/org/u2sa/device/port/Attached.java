@@ -4,7 +4,10 @@ package org.u2sa.device.port;
 public interface Attached {
   boolean isConnected();
 
-  /** Number of connections so far: on a change, parsers reset and the device is set up again. */
+  /**
+   * Number of connections so far: when it changes, parsers reset and the device is configured
+   * again.
+   */
   int connections();
 
   /** Current fault, for the log and the health report; empty if none. */

@@ -3,8 +3,8 @@ package org.u2sa.device.port;
 import java.util.Optional;
 
 /**
- * Port of one kind of device: serial, network, phone, simulated and replayed devices look alike to
- * a service. Not thread-safe.
+ * Port of one kind of device, so that a service treats serial, network, phone, simulated and
+ * replayed devices alike. Not thread-safe.
  *
  * @param <R> type of its readings
  */

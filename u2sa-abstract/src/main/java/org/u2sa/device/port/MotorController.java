@@ -4,8 +4,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * A controller of two motors with encoders. Both motors are off until it is commanded, and after
- * its own command time-out.
+ * A controller of two motors with encoders. Both motors are off until commanded, and after the
+ * controller's command time-out.
  */
 public interface MotorController extends Device<MotorController.Counts> {
   /**
@@ -29,8 +29,8 @@ public interface MotorController extends Device<MotorController.Counts> {
   /**
    * Sets the power of both motors.
    *
-   * @param first share of full power [%], −100…100
-   * @param second share of full power [%], −100…100
+   * @param first power [%], −100…100
+   * @param second power [%], −100…100
    */
   void drive(double first, double second);
 

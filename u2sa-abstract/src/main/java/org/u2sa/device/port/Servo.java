@@ -12,12 +12,12 @@ public interface Servo extends Device<Servo.Position> {
   record Position(long measuredAtMicros, OptionalDouble angleRad) implements Reading {}
 
   /**
-   * Sets the angle, which holds until the next one.
+   * Sets the angle, which the servo holds until the next call.
    *
-   * @param angleRad from the middle of its travel [rad]
+   * @param angleRad from the centre of the travel [rad]
    */
   void turn(double angleRad);
 
-  /** Releases the servo without moving it, for a successor. */
+  /** Releases the servo without moving it, for a hot swap. */
   void leave();
 }

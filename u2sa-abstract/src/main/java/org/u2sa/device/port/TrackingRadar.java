@@ -21,8 +21,8 @@ public interface TrackingRadar extends Device<TrackingRadar.Tracks> {
    * @param measuredAtMicros time of its last measurement [µs of the run's clock]
    * @param rangeM slant range [m]
    * @param elevationRad above the horizon [rad]; empty if the radar does not measure it
-   * @param speedMps over ground [m/s]; empty if unknown, as then is the course
-   * @param course over ground
+   * @param speedMps over ground [m/s]; empty if unknown
+   * @param course over ground; empty if the speed is
    */
   record Track(
       String id,
@@ -37,7 +37,7 @@ public interface TrackingRadar extends Device<TrackingRadar.Tracks> {
    * A horizontal direction.
    *
    * @param rad clockwise [rad]
-   * @param isTrue whether from true north, otherwise from the radar's own zero
+   * @param isTrue whether from true north, otherwise from the radar's zero
    */
   record Direction(double rad, boolean isTrue) {}
 }

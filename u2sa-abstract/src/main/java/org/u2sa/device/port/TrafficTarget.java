@@ -7,8 +7,8 @@ import org.u2sa.messages.frame.Point;
 /**
  * An aircraft or ship reported by a receiver or radar. Unknown values are empty.
  *
- * @param id the same for all reports of one target, whichever receiver reports it: the ICAO address
- *     as six hexadecimal digits, the MMSI, a track number
+ * @param id ID of the target, independent of the receiver: the ICAO address as six hexadecimal
+ *     digits, the MMSI, or a track number
  * @param name call sign or ship's name; empty text if unknown
  * @param kind kind of target, such as {@code aircraft}; empty text if unknown
  * @param heardAtMicros time at which the position was received or measured [µs of the run's clock]

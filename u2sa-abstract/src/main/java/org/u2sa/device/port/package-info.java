@@ -1,5 +1,5 @@
 /**
- * Ports to devices: what a driver, a simulator or a test implements, and the readings that services
- * get.
+ * Ports to devices, implemented by drivers, simulators and tests, and the readings that services
+ * receive.
  */
 package org.u2sa.device.port;

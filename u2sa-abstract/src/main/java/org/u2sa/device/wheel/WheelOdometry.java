@@ -33,7 +33,7 @@ public final class WheelOdometry {
     this.fastestMps = fastestMps;
   }
 
-  /** Discards the last counts: the next ones only start an interval. */
+  /** Discards the last counts; the next reading starts a new interval. */
   public void reset() {
     hasBegun = false;
   }

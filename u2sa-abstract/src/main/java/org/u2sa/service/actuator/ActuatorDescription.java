@@ -15,18 +15,21 @@ import org.u2sa.messages.frame.Point;
 public record ActuatorDescription(
     @Variable(ifAbsentText = "")
         @Description(
-            "Force and moment on the vehicle at full command, in forward, right and down axes: \"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number astern, or \"wrench X Y Z K M N\" in N and N m; empty: not announced in numbers.")
+            "Force and moment on the vehicle at full command, in forward, right and down axes: "
+                + "\"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number "
+                + "being the reverse thrust, or \"wrench X Y Z K M N\" in N and N m; empty: no "
+                + "effect is announced.")
         String effect,
     @Variable(min = 0.1, max = 10, ifAbsent = 1)
-        @Description(
-            "Exponent with which the effect grows with the command; about 2 for propellers.")
+        @Description("Exponent of the effect over the command; about 2 for propellers.")
         double effectExponent,
     @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 0)
         @Description(
-            "Speed through air or water at which the effect holds, growing with its square; 0: does not depend on speed.")
+            "Speed through air or water at which the effect holds; it scales with speed squared. "
+                + "0: independent of speed.")
         double effectSpeed,
     @Variable(unit = "%", min = 0, max = 99, ifAbsent = 0)
-        @Description("Command below which nothing moves.")
+        @Description("Dead band: smaller commands have no effect.")
         double deadband,
     @Variable(unit = "%/s", min = 0, max = 1.0e6, ifAbsent = 0)
         @Description("Maximum rate of change to announce; 0: immediate.")
@@ -35,11 +38,11 @@ public record ActuatorDescription(
         @Description("Time constant of the response; 0: unknown.")
         double timeConstant,
     @Variable(unit = "deg", min = -360, max = 360, ifAbsent = 0)
-        @Description("Angle at +100 %, so that angles may be commanded; 0: none.")
+        @Description("Angle at +100 %, needed to accept angle commands; 0: none accepted.")
         double fullAngle,
     @Variable(unit = "rad/s", min = -10_000, max = 10_000, ifAbsent = 0)
         @Description(
-            "Speed of rotation at +100 %, so that speeds of rotation may be commanded; 0: none.")
+            "Rotation speed at +100 %, needed to accept rotation-speed commands; 0: none accepted.")
         double fullSpeed,
     @Variable(unit = "s", min = 0, max = 60, ifAbsent = 0)
         @Description(
@@ -58,7 +61,7 @@ public record ActuatorDescription(
    * Writes a thruster's effect into an announcement, for services with their own variables for it.
    *
    * @param place position relative to the vehicle's reference point: forward, right, down [m]
-   * @param direction of the push at +100 %, in the same axes, of any length
+   * @param direction thrust direction at +100 %, in the same axes, of any length
    * @param forwardN thrust at +100 % [N]
    * @param reverseN thrust at −100 % [N]
    */

@@ -27,10 +27,10 @@ public final class CommandHold {
   private final Map<String, Held> newest = new LinkedHashMap<>();
 
   /**
-   * @param systemId system whose commands are obeyed
+   * @param systemId system ID of accepted commands
    * @param defaultExpiryS lifetime of a command without its own expiry [s], positive
    * @param toleranceS maximum lead of a command's timestamp over this clock [s]
-   * @param actuators names to which commands are addressed, with the accepted percentages
+   * @param actuators actuator names with the accepted percentages
    */
   public CommandHold(
       Clock clock,
@@ -96,8 +96,8 @@ public final class CommandHold {
   }
 
   /**
-   * The active commands with their remaining lifetimes: accepted at once by another hold, they
-   * expire when they would have here.
+   * The active commands with their remaining lifetimes, for transfer to another hold, where they
+   * expire at the same time.
    */
   public List<ActuatorCommand> standing() {
     long now = clock.micros();

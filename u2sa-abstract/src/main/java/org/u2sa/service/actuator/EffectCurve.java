@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Point;
  * Thrust curve of an actuator: no effect inside the dead band, beyond it share = ((|u| − deadband)
  * / (100 − deadband))^exponent of the full effect.
  *
- * @param deadband command below which nothing moves [%, 0…99]
+ * @param deadband dead band [%, 0…99]
  * @param exponent 1 is linear, about 2 for propellers
  * @param forwardN force at +100 % [N]; NaN if unknown
  * @param reverseN force at −100 %, positive [N]; NaN if unknown
@@ -28,7 +28,7 @@ public record EffectCurve(double deadband, double exponent, double forwardN, dou
         announced.deadband().orElse(0.0), announced.exponent().orElse(1.0), forward, reverse);
   }
 
-  /** Command [%], −100…100, for a share of the full effect, −1…1. */
+  /** Command [%], −100…100, for a fraction of the full effect, −1…1. */
   public double percent(double share) {
     double size = Math.min(1.0, Math.abs(share));
     if (size < MIN_SHARE) {

@@ -29,7 +29,7 @@ record EffectText(
       "expected \"thrust N [/ N] at x y z towards x y z\" or \"wrench X Y Z K M N [/ X Y Z K M N]\"";
 
   /**
-   * @throws IllegalArgumentException with the text and what was expected
+   * @throws IllegalArgumentException quoting the text and the expected form
    */
   static EffectText parse(String text) {
     List<String> words = new ArrayList<>(List.of(text.trim().split("[\\s,]+")));

@@ -15,18 +15,18 @@ import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Latch for emergency stops. Each stop latches separately, and is lifted only by a clear that names
- * it, or that names no stop and has the same or a later timestamp. Fail-safe: a stop of unknown
- * origin or time latches too, a stop that reuses the ID of a lifted one latches again, and a clear
- * from another system lifts nothing. Not thread-safe.
+ * Latch for emergency stops. Each stop latches separately, and is cleared only by a clear with its
+ * ID, or one without ID and with the same or a later timestamp. Fail-safe: a stop of unknown origin
+ * or time latches too, a stop that reuses the ID of a cleared one latches again, and a clear from
+ * another system has no effect. Not thread-safe.
  */
 public final class EmergencyLatch {
   /** Stops tracked individually; beyond it, as in a flood, only the newest is kept. */
   private static final int TOLD_APART = 64;
 
   /**
-   * How long after the clear a stop without a timestamp may be a repeat of the lifted one [µs]:
-   * several repeat intervals.
+   * Time after the clear during which a stop without a timestamp may be a repeat of the cleared one
+   * [µs]: several repeat intervals.
    */
   private static final long REPEATED_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
@@ -47,7 +47,7 @@ public final class EmergencyLatch {
   private final Clock clock;
   private final String systemId;
   private final Map<String, EmergencyStop> standing = new LinkedHashMap<>(); // by identity
-  private final Set<String> untimed = new HashSet<>(); // those of them without a time of their own
+  private final Set<String> untimed = new HashSet<>(); // stops without a timestamp
   private final Map<String, Lifted> lifted = new LinkedHashMap<>(); // by identity, the oldest first
   private EmergencyStop beyond; // newest untracked stop; null if none is active
 
@@ -62,7 +62,7 @@ public final class EmergencyLatch {
 
   /**
    * Processes a stop or a clear; returns whether the first stop was set or the last one cleared. A
-   * repeat of a lifted stop, from a sender that has not received the clear yet, changes nothing.
+   * repeat of a cleared stop, from a sender that has not received the clear yet, is ignored.
    */
   public boolean accept(EmergencyStop message) {
     boolean before = isStopped();
@@ -100,8 +100,8 @@ public final class EmergencyLatch {
   }
 
   /**
-   * Repeats keep the timestamp; another timestamp means another stop, even with the same ID. Where
-   * either has none, only a stop soon after the clear is a repeat.
+   * Repeats keep the timestamp; another timestamp means another stop, even with the same ID. If
+   * either has no timestamp, only a stop soon after the clear counts as a repeat.
    */
   private boolean isRepeatOfLifted(String identity, OptionalLong saidMicros) {
     Lifted before = lifted.get(identity);
@@ -115,7 +115,7 @@ public final class EmergencyLatch {
     return before.saidMicros().equals(saidMicros);
   }
 
-  /** Lets a repeat, and the clear that names it, match this stop. */
+  /** Makes a repeat, and the clear with its ID, match this stop. */
   private EmergencyStop stamped(EmergencyStop message) {
     EmergencyStop copy = (EmergencyStop) message.copy();
     copy.timestamp(clock.micros());

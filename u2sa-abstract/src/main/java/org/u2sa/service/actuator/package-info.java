@@ -1,2 +1,2 @@
-/** What an actuator announces, holds and refuses, and how emergency stops bind it. */
+/** Announcements, command expiry, command validation and emergency stops of actuators. */
 package org.u2sa.service.actuator;

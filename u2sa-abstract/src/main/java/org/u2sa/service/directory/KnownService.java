@@ -12,7 +12,7 @@ import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Snapshot of what a {@link ServiceDirectory} knows of one service.
+ * Snapshot of one service in a {@link ServiceDirectory}.
  *
  * @param health latest report, possibly a substitute by its launcher
  * @param condition last condition by the health monitor

@@ -23,7 +23,7 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * Directory of the services present and the data they offer: finds services by what they publish,
  * not by name (thesis 3.2.2.1, user story 7). A service or tool passes received messages to it and
- * can query it at any time; it sends requests to services by itself and never blocks.
+ * can query it at any time; it queries services automatically and never blocks.
  *
  * <pre>{@code
  * private final ServiceDirectory directory = new ServiceDirectory(clock(), this::publish);
@@ -45,7 +45,7 @@ import org.u2sa.messages.schema.U2SAData;
  * breaks, or when it has been silent for {@link #LOST_AFTER_S}. Thread-safe.
  */
 public final class ServiceDirectory {
-  /** Channels to subscribe to, whose messages go to {@link #take}. */
+  /** Channels whose messages must be passed to {@link #take}. */
   public static final List<Channel<?>> CHANNELS =
       List.of(Channels.DISCOVERY, Channels.FUNCTIONALITY, Channels.HEALTH, Channels.CONDITIONS);
 
@@ -61,7 +61,7 @@ public final class ServiceDirectory {
   private final Map<String, Entry> entries = new TreeMap<>();
   private long askedMicros = Long.MIN_VALUE; // time of the last request to all
 
-  /** A service's or a connection's publish. */
+  /** The publish method of a service or connection. */
   @FunctionalInterface
   public interface Asking {
     /** Publishes a request; must not block. */
@@ -135,12 +135,12 @@ public final class ServiceDirectory {
 
   private synchronized void takeCondition(ServiceCondition condition) {
     Entry entry = entries.get(condition.serviceName());
-    if (entry != null) { // retained ones may concern long-gone services
+    if (entry != null) { // retained messages may be from services that ended long ago
       entry.service = entry.service.with(condition);
     }
   }
 
-  /** The service as known so far, or reset if it has been restarted. */
+  /** The known service, or a reset entry if it has been restarted. */
   private static KnownService restarted(KnownService known, Optional<String> instance) {
     return isSame(known.instance(), instance) ? known : KnownService.named(known.name());
   }

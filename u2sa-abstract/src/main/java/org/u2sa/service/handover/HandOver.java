@@ -20,13 +20,13 @@ public final class HandOver {
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   /**
-   * @param className class of the service that hands over
+   * @param className class of the predecessor
    */
   public HandOver(String className) {
     this.className = className;
   }
 
-  /** Class of the service that hands over; class-specific values are meaningless to others. */
+  /** Class of the predecessor; class-specific values are meaningless to other classes. */
   public String className() {
     return className;
   }

@@ -1,2 +1,2 @@
-/** State that one instance of a service hands over to the next. */
+/** State transferred from one instance of a service to the next. */
 package org.u2sa.service.handover;

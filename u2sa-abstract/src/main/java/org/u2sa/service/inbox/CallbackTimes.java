@@ -21,7 +21,7 @@ public final class CallbackTimes {
   private final AtomicLongArray micros = new AtomicLongArray(REMEMBERED);
   private final AtomicLong count = new AtomicLong(); // all, kept or not
 
-  /** Median and 99th percentile [s]; 0 if there are no times. */
+  /** Median and 99th percentile [s]; 0 without data. */
   public record Percentiles(double p50S, double p99S) {}
 
   /** Adds a duration. Called by the service's thread only. */

@@ -6,23 +6,23 @@ import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Sources of one channel whose messages an inbox takes, the longest silent first. Bounded in number
- * and in the memory of their last messages, because services keep state per source. If full, a
- * source that has been silent for a while makes room for a new one. Guarded by the inbox.
+ * Sources of one channel that an inbox accepts, the longest silent first. Bounded in number and in
+ * the memory of their last messages, because services keep state per source. If full, a source that
+ * has been silent for a while makes room for a new one. Guarded by the inbox.
  *
  * @param <W> what waits of a source
  */
 final class KnownSources<W> {
   /**
-   * Minimum silence of a source that makes room [µs], longer than any deadline of a message; up to
-   * twice as long, counted from when room first was short, so that the clock is not read before.
+   * Minimum silence before a source is evicted [µs], longer than any message deadline; up to twice
+   * as long, measured from the first shortage, so that the clock is not read earlier.
    */
   static final long SILENT_MICROS = 60 * Clock.MICROS_PER_SECOND;
 
   static final class Source<W> {
     private W waiting; // null if none
-    private long period; // in which it was heard last
-    private long bytes; // most that one of its messages took; 0 if they are short
+    private long period; // in which it was last heard
+    private long bytes; // size of its largest message; 0 if all are short
 
     /** Its queued message on a latest-value channel; null if none. */
     W waiting() {
@@ -43,8 +43,8 @@ final class KnownSources<W> {
   private long bytes; // of all sources
 
   /**
-   * @param maxBytes memory of the last messages of all sources with long ones; short ones, of at
-   *     most this divided by the number of sources, always fit
+   * @param maxBytes total size limit of the sources' last messages; messages of at most this
+   *     divided by the number of sources always fit
    */
   KnownSources(Clock clock, int maxSources, long maxBytes) {
     this.clock = clock;
@@ -52,7 +52,7 @@ final class KnownSources<W> {
     this.maxBytes = maxBytes;
   }
 
-  /** The source if heard before, or else null. */
+  /** The source if heard before, or null. */
   Source<W> heard(String name) {
     Source<W> source = known.get(name);
     if (source != null) {
@@ -61,7 +61,7 @@ final class KnownSources<W> {
     return source;
   }
 
-  /** Whether a new source may be {@link #add added}; forgets a silent one if there is no room. */
+  /** Whether a new source may be {@link #add added}; evicts a silent one if necessary. */
   boolean hasRoom() {
     return known.size() < maxSources || forgetSilent();
   }
@@ -78,7 +78,7 @@ final class KnownSources<W> {
     while (longestSilentFirst.hasNext()) {
       Source<W> source = longestSilentFirst.next();
       if (source.period >= period - 1) {
-        return false; // heard in this period or the one before it, as are all that follow
+        return false; // heard in this or the previous period, as are all later entries
       }
       if (source.waiting == null) {
         bytes -= source.bytes;
@@ -99,8 +99,8 @@ final class KnownSources<W> {
   }
 
   /**
-   * Whether a message fits beside the last ones of other sources, as one does that is no longer
-   * than an earlier one of its source.
+   * Whether a message fits the memory limit; it does if it is no longer than an earlier message of
+   * its source.
    *
    * @param source null if it is new
    */

@@ -4,7 +4,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Age of a received message, counted from its timestamp, or from its arrival if that is earlier: a
- * source whose clock is ahead must not appear fresh after it has fallen silent.
+ * silent source whose clock is ahead must not appear fresh.
  */
 public final class MessageAge {
   private MessageAge() {}

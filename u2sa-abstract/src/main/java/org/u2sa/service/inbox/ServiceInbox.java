@@ -13,11 +13,11 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * A service's bounded message queue. Any thread may put; the service's thread takes.
  *
- * <p>On latest-value channels, a message replaces the queued one of the same source in its
- * position. A full queue rejects the newest. Both are counted separately, because only the latter
- * is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming and
- * failsafes wait among the others, but in reserved room. Requests of the service contract fill a
- * quarter of the rest at most.
+ * <p>On latest-value channels, a message replaces the queued message of the same source, in its
+ * queue position. A full queue rejects the newest. Both are counted separately, because only the
+ * latter is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming
+ * and failsafes wait among the others, but in reserved room. Requests of the service contract fill
+ * a quarter of the rest at most.
  *
  * <p>Also limits the number of sources and the memory of their last messages ({@link
  * KnownSources}), and the memory of waiting messages from other processes, lest invented names
@@ -29,7 +29,7 @@ public final class ServiceInbox {
     private U2SAData message; // replaceable while queued; guarded by the inbox
     private long arrivedMicros; // likewise
     private KnownSources.Source<Delivery>
-        source; // whose latest it is; null if each message matters
+        source; // source whose latest message it is; null on channels that keep every message
 
     public Delivery(Channel<?> channel, U2SAData message, long arrivedMicros) {
       this.channel = channel;
@@ -51,7 +51,7 @@ public final class ServiceInbox {
     }
   }
 
-  /** Sources of a channel whose messages it takes at the same time. */
+  /** Maximum number of sources accepted per channel at a time. */
   public static final int MAX_SOURCES = 500;
 
   public enum Outcome {
@@ -77,7 +77,7 @@ public final class ServiceInbox {
   private final ArrayDeque<Delivery> queue = new ArrayDeque<>();
   private final ArrayDeque<Delivery> urgent = new ArrayDeque<>();
   private final Map<Channel<?>, KnownSources<Delivery>> sources = new HashMap<>();
-  private int reserved; // number in the queue, as the next ones
+  private int reserved; // sequence numbers in the queue, like the next fields
   private int questions;
   private long bytes; // of waiting messages from other processes
   private long dropped;
@@ -157,7 +157,7 @@ public final class ServiceInbox {
     if (source == null && !known.hasRoom()) {
       return Outcome.UNKNOWN_SOURCE;
     }
-    boolean isSingle = name.isEmpty(); // the channel has only one, and its message a place
+    boolean isSingle = name.isEmpty(); // the channel has one source, whose message has a slot
     return isSingle || known.makesRoom(source, message.receivedBytes())
         ? Outcome.KEPT
         : Outcome.TOO_LONG;
@@ -220,7 +220,7 @@ public final class ServiceInbox {
     return Outcome.KEPT;
   }
 
-  /** The oldest delivery, urgent ones first; null if none. */
+  /** The oldest delivery, urgent ones first, or null. */
   public synchronized Delivery poll() {
     Delivery delivery = urgent.isEmpty() ? queue.poll() : urgent.poll();
     if (delivery == null) {
@@ -302,7 +302,7 @@ public final class ServiceInbox {
     return dropped;
   }
 
-  /** Messages replaced by newer ones of the same source before being handled. */
+  /** Messages superseded by newer ones of the same source before being handled. */
   public synchronized long replaced() {
     return replaced;
   }

@@ -1,2 +1,2 @@
-/** Messages that wait for a service, and how long it takes to handle them. */
+/** Message queue of a service, and the measurement of callback times. */
 package org.u2sa.service.inbox;

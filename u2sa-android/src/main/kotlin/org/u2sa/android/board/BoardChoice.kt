@@ -2,7 +2,7 @@ package org.u2sa.android.board
 
 import org.u2sa.interfaces.BadInputException
 
-/** How the phone reaches the IOIO board. */
+/** Connection from the phone to the IOIO board. */
 sealed class BoardChoice {
     /** As in the system's configuration file, for example tcp:192.168.0.2:4545 for a simulator. */
     object Configured : BoardChoice() {
@@ -33,7 +33,7 @@ sealed class BoardChoice {
         /**
          * Parses the output of [toString].
          *
-         * @throws BadInputException naming the text and what was expected
+         * @throws BadInputException quoting the text and the expected form
          */
         fun parse(text: String): BoardChoice {
             val tcp = TCP.matchEntire(text)

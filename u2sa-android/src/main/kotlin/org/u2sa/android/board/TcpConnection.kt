@@ -19,7 +19,7 @@ internal class TcpConnection(private val host: String, private val port: Int, li
             return Streams(made.inputStream, made.outputStream, made)
         } catch (e: IOException) {
             made.close()
-            throw IOException("nobody answers at $host:$port: ${e.message}", e)
+            throw IOException("no answer at $host:$port: ${e.message}", e)
         }
     }
 

@@ -17,7 +17,7 @@ fun shippedFiles(context: Context): Sequence<VehicleFiles.Source> =
 
 private fun assetsBelow(context: Context, path: String): Sequence<VehicleFiles.Source> {
     val children = context.assets.list(path).orEmpty()
-    return if (children.isEmpty()) { // files and empty folders can only be told apart by opening them
+    return if (children.isEmpty()) { // files and empty folders can only be distinguished by opening them
         if (path.endsWith(".xml")) sequenceOf(VehicleFiles.Source(path) { context.assets.open(path) }) else emptySequence()
     } else {
         children.asSequence().flatMap { assetsBelow(context, "$path/$it") }

@@ -7,10 +7,10 @@ import java.util.zip.ZipOutputStream
 
 /** All logs as one ZIP file, created while it is read, so no temporary file remains. */
 class LogArchive(private val logs: File) {
-    /** Whether it has any content. */
+    /** Whether there are any logs. */
     fun isEmpty(): Boolean = files().none()
 
-    /** Writes the archive; lines logged meanwhile may be missing. */
+    /** Writes the archive; lines logged during writing may be missing. */
     fun writeTo(out: OutputStream) {
         ZipOutputStream(out).use { zip ->
             for (file in files().sortedBy(File::getPath)) {

@@ -25,13 +25,13 @@ private class PhoneTuning(
     @Description("How the phone is mounted: FLAT on its back, top edge forward; UPRIGHT or SIDEWAYS with its camera forward.")
     val mounting: Mounting,
     @Variable(name = "FIX TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 2.5)
-    @Description("Age at which a GPS fix counts as lost: it is not published, and the log says so.")
+    @Description("Age at which a GPS fix counts as lost: it is not published, and the loss is logged.")
     val fixTimeout: Double,
     @Variable(name = "ATTITUDE TIMEOUT", unit = "s", min = 0.1, max = 60.0, ifAbsent = 0.5)
-    @Description("Age at which the phone's attitude counts as lost: it is not published, and the log says so.")
+    @Description("Age at which the phone's attitude counts as lost: it is not published, and the loss is logged.")
     val attitudeTimeout: Double,
     @Variable(name = "HEADING SIGMA", unit = "rad", min = 0.0, minExcluded = true, ifAbsent = 0.17)
-    @Description("Standard deviation of the heading where the phone reports none.")
+    @Description("Standard deviation of the heading if the phone reports none.")
     val headingSigma: Double,
 )
 

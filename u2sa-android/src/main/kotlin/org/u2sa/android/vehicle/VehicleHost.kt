@@ -22,8 +22,7 @@ import org.u2sa.service.ServiceContext
  * Starts and stops a system with a [Cockpit] in it, one at a time, on its own thread; calls do not block. Free of Android
  * classes, so it is testable.
  *
- * If the process dies while a vehicle runs, RUNNING remains in the [RunStateFile]. The next process starts as [Phase.CRASHED]
- * and runs nothing until somebody starts the vehicle again.
+ * If the process dies while a vehicle runs, RUNNING remains in the [RunStateFile]. The next process starts as [Phase.CRASHED] and stays idle until the user starts the vehicle again.
  */
 class VehicleHost(
     private val stateFile: RunStateFile,
@@ -70,7 +69,7 @@ class VehicleHost(
     var state: State = if (stateFile.saysRunning()) State(Phase.CRASHED) else State(Phase.STOPPED)
         private set
 
-    /** Starts a vehicle unless one is running. A failure is reported in [state], and nothing runs. */
+    /** Starts a vehicle unless one is running. On failure, [state] reports it and no service runs. */
     fun start(order: Order) = enqueue { if (run == null) begin(order) else order.ended() }
 
     /** Records that nothing was started, and why. */

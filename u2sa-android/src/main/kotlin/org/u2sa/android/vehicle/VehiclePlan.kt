@@ -90,6 +90,6 @@ internal class VehiclePlan(context: Context, private val settings: PhoneSettings
     /** Null for the configured mission. */
     private fun mission(): File? {
         val chosen = settings.mission
-        return if (chosen.isEmpty()) null else files.mission(chosen) ?: throw BadInputException("the mission \"$chosen\" is not there any more")
+        return if (chosen.isEmpty()) null else files.mission(chosen) ?: throw BadInputException("the mission \"$chosen\" no longer exists")
     }
 }

@@ -27,7 +27,7 @@ private const val TAG = "u2sa"
  * Foreground service that keeps a vehicle running regardless of the screen (thesis 4.6): hosts the Communication Manager and
  * the services of the chosen system file, and holds a wake lock. Activities bind to it.
  *
- * When Android restarts it after the process died, it reports the crash and runs nothing.
+ * When Android restarts it after the process died, it reports the crash and starts no vehicle.
  */
 class VehicleService : Service() {
     /** Binder for the activities. */

@@ -48,7 +48,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       @Parameters(
               arity = "0..1",
               paramLabel = "SERVICE",
-              description = "The service. Default: all of them.")
+              description = "The service. Default: all.")
           String service,
       @Mixin RemoteSystem remote,
       @Mixin AnswerFormat format)
@@ -96,7 +96,7 @@ public final class ConfigCommand extends BaseCommand.Group {
   @Command(
       name = "set",
       description = {
-        "Change one or several variables at once: all of them or none.",
+        "Change one or several variables atomically: all of them or none.",
         "",
         "A number may name its unit: \"BANK LIMIT=25 deg\". The service writes the new values to its file."
       })

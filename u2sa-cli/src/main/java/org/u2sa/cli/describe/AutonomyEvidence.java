@@ -57,16 +57,16 @@ final class AutonomyEvidence {
     String modelers = and(vehicle.publishersOf(OBJECTS));
     String sensors =
         (own.isEmpty()
-                ? "nothing measures the vehicle, "
+                ? "no sensor measures the vehicle, "
                 : and(own) + (own.size() == 1 ? " measures" : " measure") + " the vehicle, ")
-            + (around.isEmpty() ? "nothing its surroundings" : and(around) + " the surroundings");
+            + (around.isEmpty() ? "none its surroundings" : and(around) + " the surroundings");
     if (own.isEmpty() && around.isEmpty()) {
       return new Evidence(Perception.NO_SENSING, sensors);
     }
     return around.isEmpty() || modelers.isEmpty()
         ? new Evidence(Perception.DISCRETE, sensors)
         : new Evidence(
-            Perception.GROUPED, sensors + "; " + modelers + " groups what is seen into objects");
+            Perception.GROUPED, sensors + "; " + modelers + " groups detections into objects");
   }
 
   private Evidence decision() {
@@ -88,7 +88,7 @@ final class AutonomyEvidence {
     String safety = and(vehicle.ofRole("SAFETY_MANAGER"));
     String health = and(vehicle.ofRole("HEALTH_MONITOR"));
     if (control.isEmpty() || vehicle.publishersOf(Channels.STATE.name()).isEmpty()) {
-      return new Evidence(Independence.TELEOPERATION, "nothing controls by a state");
+      return new Evidence(Independence.TELEOPERATION, "no service controls by a state");
     }
     if (vehicle.ofRole("MISSION_MANAGER").isEmpty() || vehicle.ofRole("PATH_PLANNER").isEmpty()) {
       return new Evidence(Independence.STABILIZED, control + " controls; no mission");
@@ -96,7 +96,7 @@ final class AutonomyEvidence {
     if (health.isEmpty() && vehicle.publishersOf(Channels.POWER.name()).isEmpty()) {
       return new Evidence(
           Independence.TASK_AUTONOMY,
-          control + " carries out the mission; nothing watches services or battery");
+          control + " executes the mission; no service monitors services or battery");
     }
     return safety.isEmpty()
         ? new Evidence(

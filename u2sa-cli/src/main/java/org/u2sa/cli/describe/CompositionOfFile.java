@@ -43,7 +43,7 @@ final class CompositionOfFile {
               stated(planned),
               names(planned.publishes()),
               names(planned.subscribes()),
-              planned.refusal().map(why -> "could not be made here: " + why).orElse("")));
+              planned.refusal().map(why -> "could not be created here: " + why).orElse("")));
       planned.actuators().forEach(each -> actuators.add(AnnouncedActuator.of(each)));
     }
     return new VehicleComposition(

@@ -104,7 +104,7 @@ final class CompositionOfRunning {
               Map.of(),
               channels(service.publishes()),
               channels(service.subscribes()),
-              service.isComplete() ? "" : "has not answered what it does"));
+              service.isComplete() ? "" : "has not answered functionality requests"));
     }
     return services;
   }

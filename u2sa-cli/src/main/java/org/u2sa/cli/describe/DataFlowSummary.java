@@ -20,16 +20,14 @@ final class DataFlowSummary {
     Set<String> around = new LinkedHashSet<>(publishers(Channels.SENSED_OBJECTS.name()));
     around.addAll(publishers(Channels.SCANS.name()));
     say(publishers(Channels.SENSED_STATE.name()), "measure", "the vehicle");
-    say(List.copyOf(around), "measure", "what is around it");
-    sayOf("STATE_ESTIMATOR", "make", "one estimate of where it is and how it moves");
-    sayOf("WORLD_MODELER", "keep", "what was seen around it, as objects or a grid");
+    say(List.copyOf(around), "measure", "its surroundings");
+    sayOf("STATE_ESTIMATOR", "make", "one estimate of its position and motion");
+    sayOf("WORLD_MODELER", "keep", "detected surroundings, as objects or a grid");
     sayOf("MISSION_MANAGER", "choose", "the next goal");
     sayOf("PATH_PLANNER", "plan", "the route there, and gives its next point");
     sayOf("CONTROL_SYSTEM", "command", moved());
     sayOf(
-        "SAFETY_MANAGER",
-        "let",
-        "it move only when it is fit, and decides what happens when something is wrong");
+        "SAFETY_MANAGER", "let", "it move only when it is fit, and decides how to react to faults");
     sayOf("HEALTH_MONITOR", "restart", "what fails");
     return sentences;
   }

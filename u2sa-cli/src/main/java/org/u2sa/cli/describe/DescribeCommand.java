@@ -20,8 +20,8 @@ import picocli.CommandLine.Parameters;
     description = {
       "Describe a vehicle: levels of autonomy and what justifies them, services, channels, sources, actuators.",
       "",
-      "By its system file without starting it, or with --connect as it runs; with both, the levels that the file states "
-          + "beside what runs."
+      "Reads its system file without starting it, or asks the running vehicle with --connect; "
+          + "with both, shows the levels stated in the file beside those of the running system."
     })
 public final class DescribeCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
@@ -54,7 +54,7 @@ public final class DescribeCommand extends BaseCommand {
     try {
       print(CompositionOfFile.of(system));
     } catch (IOException e) {
-      throw new RunFailedException("the services could not be made: " + e.getMessage(), e);
+      throw new RunFailedException("the services could not be created: " + e.getMessage(), e);
     }
     return ExitCode.DONE;
   }

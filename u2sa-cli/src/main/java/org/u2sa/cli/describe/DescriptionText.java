@@ -115,7 +115,7 @@ final class DescriptionText {
     }
   }
 
-  /** Channels with the services at their other ends; those without any on separate lines. */
+  /** Channels with the services at their other ends; unconnected channels on separate lines. */
   private void channels(
       String what,
       String direction,

@@ -51,7 +51,7 @@ record VehicleComposition(
     }
   }
 
-  /** Data of one source; rateHz is 0 if it was heard only once, and sigmas have units. */
+  /** Data of one source; rateHz is 0 after a single message, and sigmas have units. */
   record HeardSource(
       String channel,
       String sensor,

@@ -28,9 +28,11 @@ import picocli.CommandLine.Option;
       "  ./u2sa doctor",
       "  ./u2sa doctor --broker vehicle.local --json",
       "",
-      "Each line that is not ok says what to do. A broker that was named by --broker must answer; otherwise none need run.",
+      "Each line that is not ok states the remedy. A broker named by --broker must answer; "
+          + "otherwise none needs to run.",
       "",
-      "Exit code 0: nothing is wrong (what is optional may be missing); 1: there is a warning or a failure."
+      "Exit code 0: no problems (optional items may be missing); 1: there is a warning or a "
+          + "failure."
     })
 public final class DoctorCommand extends BaseCommand {
   private static final int CONNECT_MS = 2_000;
@@ -92,7 +94,8 @@ public final class DoctorCommand extends BaseCommand {
           ? Finding.failure(
               "broker",
               found,
-              "start the system there, or its broker; docs/distribution.md says how to let others in")
+              "start the system or its broker there; see docs/distribution.md for access from "
+                  + "other hosts")
           : Finding.optional(
               "broker", found, "none is needed until a system runs: ./u2sa demo cessna --realtime");
     }

@@ -7,7 +7,7 @@ import org.u2sa.interfaces.JsonText;
  *
  * @param subject subject of the check
  * @param grade assessment
- * @param found what was found
+ * @param found the observation
  * @param advice remedy; empty if none is needed
  */
 record Finding(String subject, Grade grade, String found, String advice) {

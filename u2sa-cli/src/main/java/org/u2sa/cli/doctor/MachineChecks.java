@@ -13,7 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.interfaces.time.Clock;
 
-/** The machine itself: Java, memory, disk, ports, clock, serial ports. */
+/** Checks of the machine: Java, memory, disk, ports, clock, serial ports. */
 final class MachineChecks {
   private static final int OLDEST_JAVA = 17;
   private static final long MIN_HEAP = 256L << 20;
@@ -75,7 +75,7 @@ final class MachineChecks {
   Finding port(int port, boolean brokerAnswers) {
     String subject = "port " + port;
     if (brokerAnswers) {
-      return Finding.ok(subject, "in use, by the broker that answers there");
+      return Finding.ok(subject, "in use by a running broker");
     }
     try (ServerSocket socket = new ServerSocket()) {
       socket.setReuseAddress(true);

@@ -35,8 +35,8 @@ final class Programs {
   }
 
   /**
-   * First line of a program's output, on stdout or stderr; empty if there is none within five
-   * seconds or it cannot be started.
+   * First line of a program's output, on stdout or stderr; empty if none arrives within five
+   * seconds or the program cannot be started.
    */
   Optional<String> firstLine(Path program, String... arguments) throws InterruptedException {
     List<String> command =

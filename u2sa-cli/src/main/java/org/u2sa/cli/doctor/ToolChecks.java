@@ -75,7 +75,7 @@ final class ToolChecks {
     }
     return programs
         .find("Xvfb")
-        .map(file -> Finding.ok("screen", "none, but " + file + " gives a virtual one"))
+        .map(file -> Finding.ok("screen", "none, but " + file + " creates a virtual one"))
         .orElse(
             Finding.optional(
                 "screen",

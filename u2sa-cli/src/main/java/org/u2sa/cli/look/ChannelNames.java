@@ -9,7 +9,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.xml.NearestNames;
 
-/** Channels by user-entered name; iterates over the standard ones for completion. */
+/** Channels by user-entered name; iterates over the standard channels for completion. */
 public final class ChannelNames implements Iterable<String> {
   private static List<String> standard() {
     return Channels.all().stream().map(Channel::name).collect(Collectors.toList());

@@ -26,13 +26,13 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "echo",
     description = {
-      "Print the messages of a channel as they pass, or a variable as it changes.",
+      "Print the messages of a channel as they arrive, or a variable as it changes.",
       "",
       "  ./u2sa echo state                              all fields, with units",
       "  ./u2sa echo state --field x,y,psi --rate 2     three fields, twice a second",
       "  ./u2sa echo sensed-state --where 'sensorName ~ gps' --where 'xSigma > 0.5 m'",
-      "  ./u2sa echo goals --once --json                the newest one, for programs",
-      "  ./u2sa echo 'PathPlanner:LOOK AHEAD'           a variable, and each change of it",
+      "  ./u2sa echo goals --once --json                the newest message, for programs",
+      "  ./u2sa echo 'PathPlanner:LOOK AHEAD'           a variable and its changes",
       "",
       "A field is psi, ranges[3], ranges[-1], point.x, goals[0].uid or objects.size. A condition is FIELD OPERATOR VALUE with one of "
           + "= != < <= > >= ~ (contains, ignoring case); a number may have a unit. All conditions must hold; for an absent field only != holds.",
@@ -70,7 +70,7 @@ public final class EchoCommand extends BaseCommand {
           "Print at most this many messages per second; others are skipped. Default: all.")
   private Double rate;
 
-  @Option(names = "--json", description = "Print JSON, one object a line.")
+  @Option(names = "--json", description = "Print JSON, one object per line.")
   private boolean json;
 
   @Option(
@@ -91,7 +91,7 @@ public final class EchoCommand extends BaseCommand {
   @Option(
       names = "--where",
       paramLabel = "CONDITION",
-      description = "Print only messages that fulfil this; may be given several times.")
+      description = "Print only messages that meet this condition; may be given several times.")
   private void conditions(List<String> texts) {
     for (String text : texts) {
       try {

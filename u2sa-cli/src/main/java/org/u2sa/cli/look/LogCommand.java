@@ -34,10 +34,10 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa log                              of the newest run below out/",
       "  ./u2sa log --level warn --follow        warnings and errors, as they come",
       "  ./u2sa log out/drive/logs --service Control,PathPlanner",
-      "  ./u2sa log recording.mcap --tail 20     logs that a recording has attached",
+      "  ./u2sa log recording.mcap --tail 20     logs attached to a recording",
       "",
-      "Logs are files of the host where a service runs; over the broker, ./u2sa echo conditions and ./u2sa echo health tell how "
-          + "services are. Exit code 1: there is no such line."
+      "Logs are files of the host where a service runs; over the broker, ./u2sa echo conditions "
+          + "and ./u2sa echo health show the condition of services. Exit code 1: no line matches."
     })
 public final class LogCommand extends BaseCommand {
   private static final double FOLLOW_EVERY_S = 0.2;
@@ -45,7 +45,8 @@ public final class LogCommand extends BaseCommand {
   @Parameters(
       arity = "0..1",
       paramLabel = "FOLDER|RECORDING",
-      description = "Where the logs are. Default: the folder below out/ that was written to last.")
+      description =
+          "Folder or recording with the logs. Default: the most recent folder below " + "out/.")
   private Path where;
 
   @Option(
@@ -65,7 +66,7 @@ public final class LogCommand extends BaseCommand {
   @Option(
       names = "--tail",
       paramLabel = "N",
-      description = "Begin with the last N lines. Default: with the first.")
+      description = "Start with the last N lines. Default: the first line.")
   private Integer tail;
 
   @Option(
@@ -73,7 +74,7 @@ public final class LogCommand extends BaseCommand {
       description = "Keep printing new lines until Ctrl-C.")
   private boolean follow;
 
-  @Option(names = "--json", description = "Print JSON, one object a line.")
+  @Option(names = "--json", description = "Print JSON, one object per line.")
   private boolean json;
 
   @Override

@@ -31,13 +31,14 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   @Command(
       name = "hz",
       description = {
-        "Measure how often messages come, for each source of a channel.",
+        "Measure the message rate of each source of a channel.",
         "",
         "  ./u2sa hz                           all standard channels, until Ctrl-C",
         "  ./u2sa hz state actuation --for 5 --json",
         "",
         "Exit code 1: nothing was heard. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000. LAST: "
-            + "how long ago the last message came; RATE is 0 after 2 s without one, or 5 mean intervals where these are longer."
+            + "how long ago the last message came; RATE is 0 after 2 s, or 5 mean intervals if "
+            + "longer, without one."
       })
   public static final class Rate extends MeasureCommand {
     /** A command. */
@@ -50,7 +51,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   @Command(
       name = "delay",
       description = {
-        "Measure the time from a message's timestamp until it is heard here.",
+        "Measure the latency from a message's timestamp until it arrives here.",
         "",
         "  ./u2sa delay state",
         "  ./u2sa delay sensed-state state navigation actuation --for 10",

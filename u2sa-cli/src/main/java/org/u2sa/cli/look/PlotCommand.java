@@ -38,7 +38,8 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa plot actuation.percentage --for 20 --png actuation.png",
       "",
       "FIELD is CHANNEL.FIELD, such as state.psi, scans.ranges[3] or objects.objects.size. Each source of a channel (sensor, actuator) is a "
-          + "line; each unit has a chart of its own. Where the terminal cannot redraw, the plot is printed at the end.",
+          + "line; each unit has its own chart. Where the terminal cannot redraw, the plot is "
+          + "printed at the end.",
       "",
       "Exit code 1: no values were heard."
     })
@@ -60,7 +61,7 @@ public final class PlotCommand extends BaseCommand {
       names = "--window",
       paramLabel = "S",
       defaultValue = "30",
-      description = "How much time is shown [s]. Default: ${DEFAULT-VALUE}.")
+      description = "Time window shown [s]. Default: ${DEFAULT-VALUE}.")
   private double windowS;
 
   @Option(

@@ -43,9 +43,12 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa publish state @state.json --rate 10 --count 50",
       "  ./u2sa echo state --once --json | jq .fields | ./u2sa publish state - --system copy",
       "",
-      "A number is in its field's unit, or a text with another: \"90 deg\". systemId and timestamp are filled in where absent. The broker's access rules apply (docs/security.md): the command checks whether the message was delivered, and says so if not.",
+      "A number is in its field's unit, or a text with another: \"90 deg\". systemId and "
+          + "timestamp are filled in where absent. The broker's access rules apply "
+          + "(docs/security.md): the command checks and reports whether the message was delivered.",
       "",
-      "Exit code 0: it was delivered; 1: it was not, or this could not be checked; 2: the message is invalid, and nothing was published."
+      "Exit code 0: delivered; 1: not delivered, or delivery could not be checked; 2: the "
+          + "message is invalid, and nothing was published."
     })
 public final class PublishCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
@@ -60,7 +63,9 @@ public final class PublishCommand extends BaseCommand {
   @Parameters(
       index = "1",
       paramLabel = "JSON|@FILE|-",
-      description = "The fields as an object of JSON; of a file; or -, from standard input.")
+      description =
+          "The fields as a JSON object; @FILE to read it from a file; or - for "
+              + "standard input.")
   private String text;
 
   @Option(
@@ -191,7 +196,9 @@ public final class PublishCommand extends BaseCommand {
     return Outcome.NOT_HEARD;
   }
 
-  /** Listens for the message itself, because a broker silently drops what is not permitted. */
+  /**
+   * Subscribes to its own message, because a broker silently drops messages that are not permitted.
+   */
   private static Outcome publishAndListen(RemoteLink link, Channel<?> channel, U2SAData message)
       throws InterruptedException {
     AtomicReference<U2SAData> sent = new AtomicReference<>();

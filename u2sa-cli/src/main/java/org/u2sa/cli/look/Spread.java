@@ -21,8 +21,8 @@ final class Spread {
   /**
    * Quantile of the kept values, by nearest rank.
    *
-   * @param share 0…1
-   * @throws IllegalStateException if there are none
+   * @param share the quantile's probability, 0…1
+   * @throws IllegalStateException if there are no values
    */
   double quantile(double share) {
     double[] sorted = sorted();

@@ -25,7 +25,7 @@ final class TextPlot {
   private final char[][] cells;
   private final int[][] owner; // index of the series that drew there last
 
-  /** Creates a plot with this many columns beside its labels. */
+  /** Creates a plot with this many columns, excluding labels. */
   TextPlot(int columns, int rows, boolean colours) {
     this.columns = columns;
     this.rows = rows;

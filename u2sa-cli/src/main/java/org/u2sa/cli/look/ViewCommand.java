@@ -39,7 +39,9 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa view recording.mcap --rate 4 --loop",
       "",
       "Then open a Foxglove WebSocket connection to ws://localhost:8765. Viewers get each message as JSON, and the views that a recording "
-          + "has (docs/recording.md). They are read-only: nothing they send reaches a service. A viewer that reads too slowly loses messages, which are counted; it delays nobody."
+          + "has (docs/recording.md). They are read-only: nothing they send reaches a service. A "
+          + "viewer that reads too slowly loses messages, which are counted; it does not delay "
+          + "others."
     })
 public final class ViewCommand extends BaseCommand {
   private static final long LOOK_MS = 100;
@@ -61,7 +63,7 @@ public final class ViewCommand extends BaseCommand {
       names = "--port",
       paramLabel = "PORT",
       defaultValue = "8765",
-      description = "TCP port to listen on; 0: a free one. Default: ${DEFAULT-VALUE}.")
+      description = "TCP port to listen on; 0: any free port. Default: ${DEFAULT-VALUE}.")
   private int port;
 
   @Option(
@@ -69,7 +71,8 @@ public final class ViewCommand extends BaseCommand {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address to listen on; 0.0.0.0 lets everybody on the network view, unencrypted. Default: ${DEFAULT-VALUE}.")
+          "Address to listen on; 0.0.0.0 lets anyone on the network view, unencrypted. Default: "
+              + "${DEFAULT-VALUE}.")
   private String bind;
 
   @Option(

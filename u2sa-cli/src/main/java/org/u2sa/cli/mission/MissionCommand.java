@@ -7,13 +7,14 @@ import picocli.CommandLine.Command;
 @Command(
     name = "mission",
     description = {
-      "Show the mission of a running system, and change it under way.",
+      "Show the mission of a running system, or change it while it runs.",
       "",
       "  ./u2sa mission show",
       "  ./u2sa mission goto dock",
       "  ./u2sa mission insert detour.xml --after gate",
       "",
-      "The Mission Manager answers each order. Exit code 1: it was refused, or nobody answered."
+      "The Mission Manager answers each order. Exit code 1: the order was refused, or no answer "
+          + "came."
     },
     subcommands = {
       ShowMissionCommand.class,

@@ -65,7 +65,7 @@ abstract class OrderCommand extends BaseCommand {
     try {
       return new MissionOrder().action(action).goals(Files.readString(file)).file(file.toString());
     } catch (CharacterCodingException e) {
-      throw new BadInputException(file + ": is not in UTF-8, in which orders are sent", e);
+      throw new BadInputException(file + ": must be encoded in UTF-8", e);
     } catch (IOException e) {
       throw new BadInputException(file + ": " + e.getMessage(), e);
     }
@@ -76,7 +76,7 @@ abstract class OrderCommand extends BaseCommand {
       description = {
         "Pursue a goal now; the mission continues from there.",
         "",
-        "resume returns to where the mission was."
+        "resume returns to the interrupted goal."
       })
   static final class GoTo extends OrderCommand {
     @Parameters(paramLabel = "GOAL", description = "The goal; home if the mission has one.")
@@ -95,7 +95,7 @@ abstract class OrderCommand extends BaseCommand {
     @Parameters(
         arity = "0..1",
         paramLabel = "GOAL",
-        description = "One of several current goals. Default: the only one.")
+        description = "One of several current goals. Default: the only current goal.")
     private String goal;
 
     @Override
@@ -110,7 +110,8 @@ abstract class OrderCommand extends BaseCommand {
       description = {
         "Insert the goals of a mission file.",
         "",
-        "What followed that goal follows them. Names must be new; a next may name goals of the mission."
+        "The successors of that goal become theirs. Names must be new; a next may name goals of "
+            + "the mission."
       })
   static final class Insert extends OrderCommand {
     @Parameters(paramLabel = "FILE", description = "A mission file with goals only.")
@@ -122,10 +123,10 @@ abstract class OrderCommand extends BaseCommand {
       @Option(
           names = "--after",
           paramLabel = "GOAL",
-          description = "The goal that they follow. Default: the current one.")
+          description = "The goal after which to insert them. Default: the current goal.")
       private String after;
 
-      @Option(names = "--now", description = "Pursue them at once; the current goal follows them.")
+      @Option(names = "--now", description = "Pursue them immediately, before the current goal.")
       private boolean now;
     }
 
@@ -139,7 +140,8 @@ abstract class OrderCommand extends BaseCommand {
   @Command(
       name = "update",
       description = {
-        "Change goals: the fields that a mission file gives replace those of the goals of the same names."
+        "Change goals: the fields given in a mission file replace those of the goals with the "
+            + "same names."
       })
   static final class Update extends OrderCommand {
     @Parameters(paramLabel = "FILE", description = "A mission file with the changed fields only.")
@@ -170,8 +172,8 @@ abstract class OrderCommand extends BaseCommand {
       description = {
         "Continue a paused mission.",
         "",
-        "If it is not paused: go back to where the mission was left, before goto or, with the variable RESUME = ORDERED, "
-            + "by the previous process."
+        "If it is not paused: return to the goal that goto interrupted or, with the variable "
+            + "RESUME = ORDERED, at which the previous process stopped."
       })
   static final class Resume extends OrderCommand {
     @Override

@@ -74,7 +74,8 @@ public final class RecordOptions {
       names = "--form",
       paramLabel = "FORM",
       description =
-          "What is recorded: u2sa, the messages as they are; foxglove, their views for Foxglove, Lichtblick, Rerun and PlotJuggler; or both. Default: both.")
+          "What to record: u2sa, the original messages; foxglove, their views for Foxglove, "
+              + "Lichtblick, Rerun and PlotJuggler; or both. Default: both.")
   private void form(Form form) {
     values.put("FORM", form.name().toUpperCase(Locale.ROOT));
   }
@@ -88,8 +89,7 @@ public final class RecordOptions {
     if (values.containsKey("KEEP")
         && !values.containsKey("SPLIT MEGABYTES")
         && !values.containsKey("SPLIT TIME")) {
-      throw new ParameterException(
-          command.commandLine(), "--keep: expected --split as well, which makes several files");
+      throw new ParameterException(command.commandLine(), "--keep: requires --split");
     }
     Map<String, Object> all = new LinkedHashMap<>(values);
     all.put("FILE", file);

@@ -20,7 +20,8 @@ import picocli.CommandLine.Parameters;
       "",
       "  ./u2sa recover out/drive/recording.mcap",
       "",
-      "Copies every readable message, attachment and metadata record, including those of a truncated chunk. A chunk with a wrong checksum is left out. The damaged file is not changed."
+      "Copies every readable message, attachment and metadata record, also from a truncated "
+          + "chunk. A chunk with a wrong checksum is left out. The damaged file is not changed."
     })
 public final class RecoverCommand extends BaseCommand {
   private static final String SUFFIX = ".mcap";

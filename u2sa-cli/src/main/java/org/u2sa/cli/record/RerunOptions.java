@@ -46,7 +46,8 @@ final class RerunOptions {
       names = "--against",
       paramLabel = "CHANGE",
       description = {
-        "With --rerun: change the service first, and report by how much its messages then differ. CHANGE is "
+        "With --rerun: change the service first, and report how much its messages then differ. "
+            + "CHANGE is "
             + "SERVICE:VARIABLE=VALUE, SERVICE=CLASS, or a system or configuration file. May be repeated."
       })
   private List<String> changes = List.of();
@@ -64,7 +65,7 @@ final class RerunOptions {
   boolean isWanted() {
     if (services.isEmpty() && !changes.isEmpty()) {
       throw new ParameterException(
-          command.commandLine(), "--against: expected --rerun as well, which says what is changed");
+          command.commandLine(), "--against: requires --rerun, which defines the change");
     }
     if (services.isEmpty() && (json || page != null)) {
       throw new ParameterException(

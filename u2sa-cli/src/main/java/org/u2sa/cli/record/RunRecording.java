@@ -18,7 +18,7 @@ public final class RunRecording {
   private boolean record;
 
   /**
-   * Rejects recording options if no recording is made.
+   * Rejects recording options without --record.
    *
    * @throws ParameterException naming --record
    */

@@ -80,8 +80,8 @@ final class ServiceChanges {
   }
 
   /**
-   * Applies a configuration or system file; a system file changes services whose configuration in
-   * it has the same name.
+   * Applies a configuration or system file; a system file changes the services with the same
+   * configuration names.
    */
   private void addFile(Path file, Collection<ExecutionStart> starts) {
     String fileName = file.getFileName().toString();
@@ -113,7 +113,7 @@ final class ServiceChanges {
       throw new BadInputException(
           "--against "
               + file
-              + ": is for none of the services "
+              + ": applies to none of the services "
               + starts.stream().map(ExecutionStart::service).toList()
               + "; configurations are told by their files' names, expected one of "
               + starts.stream().map(ExecutionStart::configurationName).toList());

@@ -28,9 +28,9 @@ public final class SpanOptions {
   private Double toS;
 
   /**
-   * What is chosen of a recording.
+   * The selected part of a recording.
    *
-   * @throws BadInputException if nothing of it is
+   * @throws BadInputException if the recording has no messages in the span
    */
   public RecordedSpan of(McapReader reader) {
     long start = reader.statistics().startNanos();

@@ -67,7 +67,8 @@ public final class RemoteSystem {
       names = "--broker",
       paramLabel = "HOST[:PORT]",
       description =
-          "Address of the system's broker; auto: find it by mDNS. Default: that of the system which runs on this machine, otherwise localhost:1883.")
+          "Address of the system's broker; auto: find it by mDNS. Default: the broker of the "
+              + "system running on this machine, otherwise localhost:1883.")
   private void broker(String value) {
     isNamed = true;
     try {
@@ -80,7 +81,7 @@ public final class RemoteSystem {
   @Option(
       names = "--system",
       paramLabel = "ID",
-      description = "The system to join. Default: the only one found.")
+      description = "The system to join. Default: the only system found.")
   private void systemId(String value) {
     try {
       systemId = Topic.checkSystemId(value);
@@ -105,7 +106,7 @@ public final class RemoteSystem {
       names = "--user",
       paramLabel = "NAME",
       defaultValue = "",
-      description = "User at a secured broker.")
+      description = "User name at a secured broker.")
   private String user;
 
   @Option(
@@ -127,15 +128,14 @@ public final class RemoteSystem {
    *
    * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers
    * @throws RunFailedException if no system is heard
-   * @throws BadInputException if several are heard and none was chosen
+   * @throws BadInputException if several are found and none was chosen
    */
   public RemoteLink connect() throws InterruptedException {
     return new RemoteLink(transport(), name(), new SystemClock(), timeoutS, this::tell);
   }
 
   /**
-   * Joins the chosen system, or all systems at the broker if none was chosen, without listening
-   * first which there are.
+   * Joins the chosen system, or all systems at the broker if none was chosen, without discovery.
    *
    * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers
    */
@@ -147,9 +147,10 @@ public final class RemoteSystem {
   }
 
   /**
-   * These options for each broker that is meant: the named one, or those at which this account runs
-   * the chosen system, or any where none was chosen. Where it runs none, the default broker. Tells
-   * what cannot be read of the registry on standard error, because a stop must not wait for it.
+   * These options for each applicable broker: the named one, or those at which this account runs
+   * the chosen system (any system if none was chosen). The default broker if it runs none. Reports
+   * unreadable registry entries on standard error and continues, because a stop must not wait for
+   * them.
    */
   public List<RemoteSystem> atEachBroker() {
     if (isNamed) {
@@ -181,7 +182,7 @@ public final class RemoteSystem {
   }
 
   /**
-   * The systems known without listening: the chosen one, or those that this account runs at the
+   * The systems known without discovery: the chosen one, or those that this account runs at the
    * broker. For {@link #connectToAll}, once it has found the broker.
    */
   public Set<String> known() {
@@ -234,25 +235,25 @@ public final class RemoteSystem {
     if (heard.size() > 1) {
       throw new BadInputException(
           String.format(
-              "several systems heard at %s: %s; --system chooses one",
+              "several systems found at %s: %s; choose one with --system",
               broker, String.join(", ", heard)));
     }
     return heard.first();
   }
 
-  /** The failure that no system was heard at the broker. */
+  /** Error for a broker without systems. */
   public RunFailedException nobodyHeard() {
     return new RunFailedException(
         String.format(
             Locale.ROOT,
-            "no system heard at %s within %.1f s; is one running? --broker names another broker",
+            "no system found at %s within %.1f s; is one running? Use --broker for another broker",
             broker,
             timeoutS));
   }
 
   /**
    * Returns a hint for a silent system: the other systems at the broker, and the closest match.
-   * Empty if the system was not chosen by name. Tells on standard error if there is no token.
+   * Empty if the system was not chosen by name. Warns on standard error if there is no token.
    */
   public Optional<String> otherSystems(RemoteLink link) throws InterruptedException {
     explainRefusal();
@@ -264,7 +265,7 @@ public final class RemoteSystem {
     return Optional.of(
         "  "
             + (heard.isEmpty()
-                ? "no other system is heard at " + broker
+                ? "no other system found at " + broker
                 : "heard at " + broker + ": " + String.join(", ", heard))
             + NearestNames.didYouMean(systemId, heard));
   }
@@ -276,8 +277,8 @@ public final class RemoteSystem {
   }
 
   /**
-   * Tells on standard error that this account has no token of the broker, and where it was looked
-   * for: the broker ignores such commands without an answer. For commands that had no effect.
+   * Warns on standard error that this account has no token for the broker, and lists the searched
+   * locations: without it the broker silently ignores commands. For commands that had no effect.
    */
   public void explainRefusal() {
     if (broker == null || !user.isEmpty() || !caFile.isEmpty()) {
@@ -293,9 +294,8 @@ public final class RemoteSystem {
   }
 
   /**
-   * Finds the systems whose services report health at the broker: listens until the first is heard,
-   * and then for others. Lost connections are not reported, because a missing system is reported at
-   * the end.
+   * Discovers systems by health reports at the broker: waits for the first, then briefly for
+   * others. Lost connections are not reported, because a missing system is reported at the end.
    */
   private SortedSet<String> heard(String name, Clock clock) throws InterruptedException {
     SortedSet<String> heard = new ConcurrentSkipListSet<>();

@@ -37,7 +37,9 @@ public final class CompareCommand extends BaseCommand {
       description = "Output file. Default: ${DEFAULT-VALUE}.")
   private Path out;
 
-  @Option(names = "--json", description = "Print what the page shows as JSON; write no page.")
+  @Option(
+      names = "--json",
+      description = "Print the page's data as JSON instead of writing the " + "page.")
   private boolean json;
 
   @Override

@@ -74,7 +74,7 @@ public final class ExportCommand extends BaseCommand {
       paramLabel = "S",
       defaultValue = "0",
       description =
-          "Minimum interval between messages of a topic [s]; those between are left out. Default: all.")
+          "Minimum interval between messages of a topic [s]; others are skipped. Default: all.")
   private double everyS;
 
   @Option(
@@ -85,7 +85,7 @@ public final class ExportCommand extends BaseCommand {
 
   @Option(
       names = "--json",
-      description = "Print what was written as JSON, one object for each file.")
+      description = "Print JSON that lists what was written, one object per file.")
   private boolean json;
 
   @Override

@@ -18,14 +18,15 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "report",
     description = {
-      "Write one HTML page about a recorded run, readable without a network.",
+      "Write one self-contained HTML page about a recorded run.",
       "",
       "  ./u2sa demo ugv --record --out out/drive && ./u2sa report out/drive/recording.mcap",
       "  ./u2sa report flight.mcap --out flight.html",
       "",
       "Map with track, goals and obstacles; errors against the truth with the estimator's standard deviations, where the demo's "
           + "track.csv is beside the recording or named by --truth; distance from the line, altitude, speed, actuators; age of "
-          + "messages; condition of services; events, which move the cursor in all charts. Drag in a chart to zoom."
+          + "messages; condition of services; events (click one to move every cursor). Drag in a "
+          + "chart to zoom."
     })
 public final class ReportCommand extends BaseCommand {
 
@@ -44,7 +45,9 @@ public final class ReportCommand extends BaseCommand {
       description = "A demo's track.csv. Default: the one beside the recording, if any.")
   private Path truth;
 
-  @Option(names = "--json", description = "Print what the page shows as JSON; write no page.")
+  @Option(
+      names = "--json",
+      description = "Print the page's data as JSON instead of writing the " + "page.")
   private boolean json;
 
   @Override

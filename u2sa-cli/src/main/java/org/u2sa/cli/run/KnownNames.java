@@ -10,11 +10,9 @@ import org.u2sa.interfaces.configuration.ConfigurationException;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
-/**
- * What the system's files tell about an entry's service, so that no message needs to be trusted.
- */
+/** Service names derived from the system's files, so that no message needs to be trusted. */
 final class KnownNames {
-  /** Classes whose default name is their simple name; those of others may differ. */
+  /** Classes whose default service name is their simple name. */
   private static final Set<String> NAMED_AS_THEIR_CLASS =
       Set.of(HealthMonitor.class.getName(), SafetyManager.class.getName());
 
@@ -44,7 +42,7 @@ final class KnownNames {
     try {
       return options.configuration(entry).settings(Name.class).get().serviceName();
     } catch (ConfigurationException e) {
-      return ""; // its process will refuse it and say why
+      return ""; // its process will reject it with a reason
     }
   }
 

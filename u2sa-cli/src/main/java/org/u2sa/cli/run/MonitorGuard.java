@@ -16,11 +16,11 @@ import org.u2sa.interfaces.time.Clock;
 /**
  * Supervises the health monitor, and restarts ended processes in its place while no monitor works.
  *
- * <p>It restarts a health monitor's process if it failed or has been silent for too long, because
- * nothing else would, a limited number of times. If this process's own launcher is not heard
- * either, the silence is blamed on a broken link. Processes of other services are left to the
- * monitor's policy while a monitor is heard. Without one, because the system has none or it ended
- * too, the guard restarts the process immediately, a limited number of times.
+ * <p>It restarts a health monitor's process that failed or has been silent for too long, a limited
+ * number of times, because nothing else would. If this process's own launcher is not heard either,
+ * the silence is blamed on a broken link. Processes of other services are left to the monitor's
+ * policy while a monitor is heard. Without a monitor, because the system has none or it ended too,
+ * the guard restarts the process immediately, a limited number of times.
  *
  * <p>One thread checks for silence; ends may be reported from any thread.
  */
@@ -112,7 +112,7 @@ final class MonitorGuard implements AutoCloseable {
     return names.nameOf(entry).flatMap(names::lastWord);
   }
 
-  /** Whether the monitor was given up and has not been heard since. */
+  /** Whether the monitor was declared failed and has not been heard since. */
   private boolean isGivenUp(String entry, ServiceNames.Word word) {
     if (word.atMicros() > starts.getOrDefault(entry, Long.MIN_VALUE)) {
       givenUp.remove(entry);
@@ -136,7 +136,7 @@ final class MonitorGuard implements AutoCloseable {
     if (isMonitor && (exitCode != ExitCode.BAD_INPUT || wordOf(entry).isPresent())) {
       Long before = starts.get(entry);
       if (before != null && now - before < AT_MOST_EVERY_MICROS) {
-        console.accept("Service " + entry + " keeps ending at once; giving up.");
+        console.accept("Service " + entry + " repeatedly ends immediately; giving up.");
         starts.put(entry, now);
       } else {
         restartMonitor(entry, now);

@@ -18,7 +18,7 @@ final class ParentWatch {
   private final IntConsumer halt;
   private volatile Runnable end = () -> {};
 
-  /** When {@code parent} ends, {@code halt} exits the process at once with an exit code. */
+  /** When {@code parent} ends, {@code halt} exits the process immediately with an exit code. */
   ParentWatch(InputStream parent, IntConsumer halt) {
     this.parent = parent;
     this.halt = halt;

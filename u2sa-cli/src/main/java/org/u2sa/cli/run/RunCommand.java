@@ -56,7 +56,7 @@ public final class RunCommand extends BaseCommand {
       names = "--logs",
       paramLabel = "DIR",
       defaultValue = "out/logs",
-      description = "Where log files go. Default: ${DEFAULT-VALUE}.")
+      description = "Folder for log files. Default: ${DEFAULT-VALUE}.")
   private Path logs;
 
   @Option(
@@ -90,14 +90,17 @@ public final class RunCommand extends BaseCommand {
       names = "--host",
       paramLabel = "NAME",
       description =
-          "Run what the file assigns to this host. The host that <communication> names runs the Communication Manager; the others connect to its configured address.")
+          "Run the services that the file assigns to this host. The host named in "
+              + "<communication> runs the Communication Manager; the others connect to its "
+              + "configured address.")
   private String host;
 
   @Option(
       names = "--broker",
       paramLabel = "HOST[:PORT]",
       description =
-          "Use this broker instead of starting one, whatever the file says; auto: the one that announces this system by mDNS.")
+          "Use this broker instead of starting one, overriding the file; auto: the broker that "
+              + "announces this system by mDNS.")
   private String broker;
 
   @Option(
@@ -117,7 +120,7 @@ public final class RunCommand extends BaseCommand {
   @Option(
       names = "--restart",
       hidden = true,
-      description = "With --only: the service ran before and resumes where it was.")
+      description = "With --only: the service ran before and resumes its saved state.")
   private boolean restart;
 
   @Option(
@@ -319,7 +322,7 @@ public final class RunCommand extends BaseCommand {
               file.systemId(), processes.names()));
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
-        print("The system ends: a service refuses what it was started with (see above).");
+        print("The system ends: a service rejects its configuration (see above).");
         return ExitCode.BAD_INPUT;
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
@@ -337,7 +340,8 @@ public final class RunCommand extends BaseCommand {
   }
 
   /**
-   * Entries whose troubles this process prints: with a supervising process, that one prints all.
+   * Entries whose faults this process prints; under a supervising process none, because that
+   * process prints all.
    */
   private Predicate<String> ownServices(RunningSystem system) {
     Set<String> own = new HashSet<>();

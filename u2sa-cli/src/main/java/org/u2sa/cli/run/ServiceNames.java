@@ -21,12 +21,11 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Maps system-file entries to service names: from the files where they tell it, otherwise by asking
- * the running services.
+ * Maps system-file entries to service names: from the files if they contain the name, otherwise by
+ * asking the running services.
  *
- * <p>Anyone who may answer can pose as a service, so an answer never changes a name or a role that
- * is known: an entry has one name, a name one entry, and the first counts of those that are the
- * run's own.
+ * <p>Any client may pose as a service, so an answer never changes a known name or role: an entry
+ * has one name and a name one entry, and the first answer from the run's own processes counts.
  */
 final class ServiceNames implements Receiver, AutoCloseable {
   private static final int ASKS_AT_MOST = 20; // per unknown name
@@ -83,7 +82,7 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private void hear(HealthReport report) {
     String name = report.serviceName();
     if (asked.size() >= MAX_NAMES && !asked.containsKey(name) && !entryNames.containsKey(name)) {
-      return; // names are being made up
+      return; // a client is inventing names
     }
     if (report.threadAlive().isEmpty()) { // sent by the service itself
       boolean isLast = report.status() == ServiceStatus.STOPPED;

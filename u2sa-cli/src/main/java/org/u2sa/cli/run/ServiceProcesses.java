@@ -22,7 +22,7 @@ import org.u2sa.interfaces.time.SystemClock;
  */
 final class ServiceProcesses implements AutoCloseable {
   private static final long END_WITHIN_S = 5;
-  private static final long RESTART_WITHIN_S = 2; // other services' restarts wait meanwhile
+  private static final long RESTART_WITHIN_S = 2; // other services' restarts wait during this time
 
   private final ProcessCommand command;
   private final List<String> entries;
@@ -46,7 +46,7 @@ final class ServiceProcesses implements AutoCloseable {
     onFailure = takes;
   }
 
-  /** Starts one process per service, unless {@link #close} was called meanwhile. */
+  /** Starts one process per service, unless {@link #close} has been called. */
   synchronized void start() {
     for (String entry : entries) {
       try {
@@ -112,7 +112,7 @@ final class ServiceProcesses implements AutoCloseable {
    * (SIGTERM), so that it leaves its outputs neutral and closes its files, and has 2 s for that;
    * one that is silent is killed.
    *
-   * @param speaks whether it is known to work
+   * @param speaks whether the service is known to work
    * @return whether it was started; false during shutdown
    * @throws IOException if the process cannot be started
    */

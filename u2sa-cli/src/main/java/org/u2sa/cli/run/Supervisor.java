@@ -22,10 +22,10 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Executes start and restart orders when each service has its own process: ends it, by SIGKILL if
- * it hangs, and starts it again. Actuators go neutral meanwhile, as their commands expire.
+ * it hangs, and starts it again. Until then, actuators go neutral as their commands expire.
  *
  * <p>It reports ended processes on the health channel. It restarts a health monitor's process
- * without an order, because nothing else would give one, and any process while no monitor works.
+ * without an order, because nobody else would order it, and any process while no monitor works.
  */
 final class Supervisor implements ServiceHost, AutoCloseable {
   private static final long SPOKE_WITHIN_MICROS = 1_000_000; // reports come four times a second
@@ -72,8 +72,8 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   }
 
   /**
-   * Acts if no monitor does, and reports the end immediately: this process is the first to know,
-   * and the broker only sees a broken link.
+   * Acts if no monitor does, and reports the end immediately, because this process detects it
+   * first, and the broker only sees a broken link.
    */
   private void ended(String entry, int exitCode) {
     Optional<ServiceNames.Word> last = names.nameOf(entry).flatMap(names::lastWord);
@@ -140,7 +140,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
     boolean speaks = speaks(entry);
     Optional<String> refusal = speaks ? refusal(entry) : Optional.empty();
     if (refusal.isPresent()) {
-      return refusal; // the process that works goes on
+      return refusal; // the running process is kept
     }
     try {
       names

@@ -37,7 +37,7 @@ public final class TroubleLines implements Receiver, AutoCloseable {
 
   /**
    * @param transport to the system's messages
-   * @param services whose troubles are printed
+   * @param services services whose faults are printed
    * @param clock of the run
    * @param console receives the lines
    */

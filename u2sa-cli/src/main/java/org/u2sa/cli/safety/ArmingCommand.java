@@ -27,10 +27,10 @@ public abstract class ArmingCommand extends BaseCommand {
   @Command(
       name = "arm",
       description = {
-        "Arm a vehicle, or say why it cannot be armed.",
+        "Arm a vehicle, or report why it cannot be armed.",
         "",
-        "Its Safety Manager checks services, state, battery, fence, mission and actuators. Of an armed vehicle it ends a RETURN "
-            + "or LAND whose cause is gone."
+        "Its Safety Manager checks services, state, battery, fence, mission and actuators. If "
+            + "the vehicle is armed, this ends a RETURN or LAND whose cause is gone."
       })
   public static final class Arm extends ArmingCommand {
     /** The command. */

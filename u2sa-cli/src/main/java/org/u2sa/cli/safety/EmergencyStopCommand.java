@@ -31,20 +31,24 @@ import picocli.CommandLine.Option;
       "Every actuator goes neutral and refuses all commands, including any that starts later, until estop --clear. An aircraft "
           + "glides, its surfaces neutral and its engine idling.",
       "",
-      "Without --system the stop goes to every system at the broker that the user may command, to each as soon as it is heard; "
-          + "without --broker, to the brokers of all systems that this account runs on this machine. --clear lifts the stops of one system, which --system chooses if several are heard.",
+      "Without --system the stop is sent to every system at the broker that the user may "
+          + "command, as soon as each is discovered; "
+          + "without --broker, to the brokers of all systems that this account runs on this "
+          + "machine. --clear clears the stops of one system; choose it with --system if several "
+          + "are found.",
       "",
-      "Exit code 0: every service that heeds stops, actuators and Safety Manager, has said that it is stopped (or, with --clear, "
-          + "that nothing stops it). Exit code 1: one has not; the output names it."
+      "Exit code 0: all actuators and Safety Managers have confirmed that they are stopped (or, "
+          + "with --clear, "
+          + "that no stop remains). Exit code 1: the output names those that have not."
     })
 public final class EmergencyStopCommand extends BaseCommand {
   /**
-   * Covers the Safety Manager's repetition of stops, once a second; without one the broker retains
-   * the stop.
+   * Covers the Safety Manager's stop repetition interval of one second; without one the broker
+   * retains the stop.
    */
   private static final double LISTEN_S = 1.2;
 
-  private static final int MAX_LINES = 30; // services can be invented by the thousand
+  private static final int MAX_LINES = 30; // an attacker can announce thousands of services
 
   @Mixin private RemoteSystem remote;
 
@@ -52,10 +56,10 @@ public final class EmergencyStopCommand extends BaseCommand {
       names = "--reason",
       paramLabel = "TEXT",
       defaultValue = "",
-      description = "Why, for the logs.")
+      description = "Reason, for the logs.")
   private String reason;
 
-  @Option(names = "--clear", description = "Lift the emergency stop.")
+  @Option(names = "--clear", description = "Clear the emergency stop.")
   private boolean clear;
 
   @Override
@@ -64,8 +68,8 @@ public final class EmergencyStopCommand extends BaseCommand {
   }
 
   /**
-   * Publishes the stop before anything else, and to all brokers at the same time, so that one which
-   * does not answer delays no other.
+   * Publishes the stop first, and to all brokers in parallel, so that an unresponsive broker does
+   * not delay the others.
    */
   private int stop() throws InterruptedException {
     List<RemoteSystem> brokers = remote.atEachBroker();
@@ -119,7 +123,8 @@ public final class EmergencyStopCommand extends BaseCommand {
       if (order.leftSome()) {
         out()
             .printf(
-                "More than %d systems were heard; those not listed were NOT STOPPED: --system chooses one%n",
+                "More than %d systems were found; those not listed were NOT STOPPED: --system "
+                    + "chooses one%n",
                 StopOrder.MAX_SYSTEMS);
         worst = Math.max(worst, ExitCode.FAILED);
       }
@@ -132,7 +137,7 @@ public final class EmergencyStopCommand extends BaseCommand {
     return ExitCode.FAILED;
   }
 
-  /** Clears all reported stops, and no others. */
+  /** Clears all reported stops only. */
   private int clear() throws InterruptedException {
     try (RemoteLink link = remote.connect();
         Clock.Waiter waiter = link.clock().newWaiter("stops")) {
@@ -177,7 +182,7 @@ public final class EmergencyStopCommand extends BaseCommand {
               system, what, by.isEmpty() ? "" : " by all; " + confirmed));
       shortened(missing).forEach(reason -> text.append(String.format("  %s%n", reason)));
     }
-    out().print(text); // at once: reports of several brokers must not mix
+    out().print(text); // in one write: reports of several brokers must not mix
     out().flush();
     if (!vehicle.hearsAnybody()) {
       at.otherSystems(link).ifPresent(out()::println);

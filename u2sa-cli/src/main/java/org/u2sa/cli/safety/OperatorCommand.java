@@ -21,7 +21,7 @@ import picocli.CommandLine.Mixin;
 @Command(
     name = "operator",
     description = {
-      "Watch over a vehicle as its operator until Ctrl-C.",
+      "Act as a vehicle's operator until Ctrl-C.",
       "",
       "Sends an operator heartbeat every second and shows each change of arming state, failsafe and services. Once a vehicle "
           + "has heard a heartbeat, it treats silence as a lost operator."

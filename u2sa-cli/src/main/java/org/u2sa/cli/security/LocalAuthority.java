@@ -63,7 +63,7 @@ final class LocalAuthority {
     if (!Files.isRegularFile(directory.authorityKey())) {
       throw new BadInputException(
           directory.authorityKey()
-              + ": no such file; make certificates where the authority's key is kept");
+              + ": no such file; create certificates on the host that keeps the authority's key");
     }
     return new LocalAuthority(directory);
   }
@@ -159,7 +159,7 @@ final class LocalAuthority {
 
     private HostNames() {}
 
-    /** The given ones, in addition to those in every broker's certificate. */
+    /** The given names, in addition to those in every broker's certificate. */
     static List<String> with(List<String> given) {
       Set<String> names = new LinkedHashSet<>(List.of("localhost", "127.0.0.1", "::1"));
       ownName(names);
@@ -175,7 +175,7 @@ final class LocalAuthority {
           names.add(own);
         }
       } catch (UnknownHostException e) {
-        return; // a host without a name is only reached by the given ones
+        return; // a host without a name is only reachable by the given names
       }
     }
 

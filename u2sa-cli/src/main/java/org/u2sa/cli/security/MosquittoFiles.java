@@ -103,7 +103,8 @@ final class MosquittoFiles {
   private static void append(
       StringBuilder text, String topic, AccessRule rule, MessageTypes types) {
     text.append("topic write ").append(topic).append('\n');
-    if (rule.channel().isRetainedBySource()) { // the last level is any source's name, but no type's
+    if (rule.channel()
+        .isRetainedBySource()) { // the last level matches any source name, but no type name
       text.append("topic write ").append(topic).append("/+\n");
       for (MessageType<?> known : types.all()) {
         text.append("topic deny ").append(topic).append('/').append(known.name()).append('\n');

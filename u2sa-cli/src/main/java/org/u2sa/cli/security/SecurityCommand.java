@@ -25,7 +25,8 @@ import picocli.CommandLine.Parameters;
     description = {
       "Make certificates and users for a vehicle that is reached over a network.",
       "",
-      "They write to one folder; SECURITY DIRECTORY in CommunicationManager.xml names it. docs/security.md has the steps."
+      "The commands write to one folder; set SECURITY DIRECTORY in CommunicationManager.xml to "
+          + "it. See docs/security.md for the steps."
     },
     subcommands = UserCommand.class)
 public final class SecurityCommand extends BaseCommand.Group {
@@ -49,7 +50,7 @@ public final class SecurityCommand extends BaseCommand.Group {
     SecurityDirectory directory = new SecurityDirectory(folder);
     if (Files.exists(directory.authority()) || Files.exists(directory.users())) {
       throw new BadInputException(
-          folder + ": holds an authority or users already; they are not overwritten");
+          folder + ": already contains an authority or users; they are not overwritten");
     }
     SecurityFolder.makePrivate(folder);
     LocalAuthority authority = LocalAuthority.create(directory);
@@ -77,7 +78,8 @@ public final class SecurityCommand extends BaseCommand.Group {
               paramLabel = "HOST",
               arity = "1..*",
               description =
-                  "Names or addresses under which clients reach the broker, beside localhost.")
+                  "Names or addresses under which clients reach the broker, in addition to "
+                      + "localhost.")
           List<String> hosts,
       @Mixin SecurityFolder folder)
       throws IOException, InterruptedException {
@@ -94,11 +96,12 @@ public final class SecurityCommand extends BaseCommand.Group {
   @Command(
       name = "mosquitto",
       description =
-          "Write configuration, users and their rights for Mosquitto in place of the embedded broker.")
+          "Write configuration, users and access rights for Mosquitto, to replace the embedded "
+              + "broker.")
   Integer mosquitto(
       @Parameters(
               paramLabel = "DIR",
-              description = "Where mosquitto.conf and the files that it names go.")
+              description = "Output folder for mosquitto.conf and the files it refers to.")
           Path target,
       @Option(
               names = "--port",

@@ -61,7 +61,7 @@ final class UserCommand extends BaseCommand.Group {
       @Option(
               names = "--new-password-file",
               paramLabel = "FILE",
-              description = "Make a random password and write it into this new file.")
+              description = "Generate a random password and write it to this new file.")
           Path newPasswordFile,
       @Mixin SecurityFolder folder)
       throws IOException {
@@ -167,7 +167,7 @@ final class UserCommand extends BaseCommand.Group {
     static char[] make(Path newFile) {
       if (Files.exists(newFile)) {
         throw new BadInputException(
-            "--new-password-file " + newFile + ": is there already; it is not overwritten");
+            "--new-password-file " + newFile + ": already exists; it is not overwritten");
       }
       byte[] random = new byte[RANDOM_BYTES];
       new SecureRandom().nextBytes(random);
@@ -179,12 +179,12 @@ final class UserCommand extends BaseCommand.Group {
       Console console = System.console();
       if (console == null) {
         throw new BadInputException(
-            "there is no terminal to ask for a password: use --password-file or --new-password-file");
+            "no terminal to ask for a password: use --password-file or --new-password-file");
       }
       char[] first = console.readPassword("Password of %s: ", name);
       char[] again = console.readPassword("Again: ");
       if (first == null || !Arrays.equals(first, again)) {
-        throw new BadInputException("the two passwords differ; nothing was changed");
+        throw new BadInputException("the two passwords differ; no change made");
       }
       return checked(first, "the password");
     }

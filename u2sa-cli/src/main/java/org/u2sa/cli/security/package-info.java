@@ -1,5 +1,5 @@
 /**
- * Commands that set up a secured broker: local authority, certificates, users, and the same for
+ * Commands that set up a secured broker: local authority, certificates, users, and their export for
  * Mosquitto. Permissions are defined in the core module.
  */
 package org.u2sa.cli.security;

@@ -35,14 +35,13 @@ public final class GraphCommand extends BaseCommand {
   private static final class Form {
     @Option(
         names = "--format",
-        description =
-            "Form of the output, one of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+        description = "Output format, one of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
     private Format format = Format.TEXT;
 
-    @Option(names = "--dot", description = "The same as --format dot.")
+    @Option(names = "--dot", description = "Same as --format dot.")
     private boolean dot;
 
-    @Option(names = "--json", description = "The same as --format json.")
+    @Option(names = "--json", description = "Same as --format json.")
     private boolean json;
 
     Format chosen() {

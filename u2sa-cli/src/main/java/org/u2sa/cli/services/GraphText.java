@@ -24,8 +24,8 @@ final class GraphText {
         .forEach(feed -> feeds.add(feed.from(), "-> " + feed.to(), feed.channel(), feed.type()));
     lines.addAll(feeds.lines());
     String known = graph.unanswered().isEmpty() ? "" : " that has answered";
-    looseEnds(lines, "Published to nobody" + known + ":", graph.unheard());
-    looseEnds(lines, "Subscribed to, published by nobody" + known + ":", graph.unfed());
+    looseEnds(lines, "Published without subscribers" + known + ":", graph.unheard());
+    looseEnds(lines, "Subscribed to without publishers" + known + ":", graph.unfed());
     if (!graph.unanswered().isEmpty()) {
       lines.add("");
       lines.add("Heard, but without an answer: " + String.join(", ", graph.unanswered()));

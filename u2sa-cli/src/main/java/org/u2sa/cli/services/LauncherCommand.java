@@ -28,7 +28,7 @@ public abstract class LauncherCommand extends BaseCommand {
   @Command(
       name = "restart",
       description = {
-        "Restart one service of a running system, whatever state it is in.",
+        "Restart one service of a running system, regardless of its state.",
         "",
         "Its launcher stops it and starts it again with the configuration in its file."
       })
@@ -49,7 +49,8 @@ public abstract class LauncherCommand extends BaseCommand {
       description = {
         "Replace a running service with another class while the vehicle moves.",
         "",
-        "The new service starts and takes over state, name and connection; only then does the old one end. If the new one cannot "
+        "The new service starts and takes over state, name and connection; only then does the "
+            + "old service end. If the new one cannot "
             + "start, nothing changes."
       })
   public static final class Swap extends LauncherCommand {
@@ -59,8 +60,7 @@ public abstract class LauncherCommand extends BaseCommand {
     @Parameters(
         index = "1",
         paramLabel = "CLASS",
-        description =
-            "The full name of the class that takes its place, on the system's class path.")
+        description = "Fully qualified name of the new class, on the system's class path.")
     private String className;
 
     @Override

@@ -25,8 +25,9 @@ import picocli.CommandLine.Parameters;
     description = {
       "Stop all services of a running system, or one by name.",
       "",
-      "Each leaves its actuators neutral and closes its resources. Exit code 1: a service did not confirm its end in time. "
-          + "To stop all motion whatever services do, see u2sa estop."
+      "Each leaves its actuators neutral and closes its resources. Exit code 1: a service did "
+          + "not confirm in time that it ended. To stop all motion regardless of the services, see "
+          + "u2sa estop."
     })
 public final class StopServicesCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
@@ -34,7 +35,7 @@ public final class StopServicesCommand extends BaseCommand {
   @Parameters(
       paramLabel = "NAME",
       arity = "0..1",
-      description = "The service to stop. Default: all of the system.")
+      description = "The service to stop. Default: all services of the system.")
   private String name;
 
   @Override
@@ -55,10 +56,10 @@ public final class StopServicesCommand extends BaseCommand {
     }
   }
 
-  /** Message that there is no such service, with the names of those present. */
+  /** Error for an unknown service, listing the present ones. */
   static String unknown(String name, List<String> there, RemoteLink link) {
     return String.format(
-        "system \"%s\" has no service \"%s\" that is heard; there are %s%s",
+        "no service \"%2$s\" found in system \"%1$s\"; found: %3$s%4$s",
         link.systemId(),
         name,
         there.isEmpty() ? "none" : String.join(", ", there),

@@ -41,7 +41,9 @@ final class Destination {
   List<String> create(SortedMap<String, byte[]> files) {
     if (Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
       throw new BadInputException(
-          folder + " exists; expected the name of a new project, or --into with the folder of one");
+          folder
+              + " exists; expected the name of a new project, or --into with the folder of an "
+              + "existing one");
     }
     Path draft = folder.resolveSibling("." + folder.getFileName() + ".new");
     writing(

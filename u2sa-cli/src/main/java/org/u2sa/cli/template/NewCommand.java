@@ -35,7 +35,7 @@ public final class NewCommand extends BaseCommand {
       index = "0",
       arity = "0..1",
       paramLabel = "KIND",
-      description = "What to make; --list shows the kinds.")
+      description = "What to create; --list shows the kinds.")
   private String kind;
 
   @Parameters(
@@ -48,10 +48,12 @@ public final class NewCommand extends BaseCommand {
   @Option(
       names = "--kind",
       paramLabel = "rover|boat|submarine|plane|copter",
-      description = "With KIND vehicle: one from a vehicle file, to simulate with its devices.")
+      description =
+          "With KIND vehicle: the vehicle file from which to create the project, to "
+              + "simulate it with its devices.")
   private String vehicle; // null for the simple simulation in code
 
-  @Option(names = "--list", description = "Show the kinds, and where their templates are.")
+  @Option(names = "--list", description = "List the kinds and the locations of their templates.")
   private boolean list;
 
   @ArgGroup(exclusive = true)

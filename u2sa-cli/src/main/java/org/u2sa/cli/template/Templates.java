@@ -23,7 +23,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.NearestNames;
 
 /**
- * The available templates: an organisation's, and U2SA's own, which the former override by name.
+ * The available templates: U2SA's own and an organisation's, which override them by name.
  *
  * <p>Each is a folder whose files are rendered into a project. A template with an {@code about.txt}
  * is a selectable kind; {@code project}, {@code maven} and {@code gradle} are shared by all new
@@ -44,7 +44,7 @@ final class Templates implements AutoCloseable {
   private final List<FileSystem> jars = new ArrayList<>();
 
   /**
-   * @param organisation folder or jar whose templates override U2SA's own
+   * @param organisation folder or jar with templates that override those of U2SA
    * @throws BadInputException if it is neither
    */
   Templates(Optional<Path> organisation) {
@@ -70,7 +70,7 @@ final class Templates implements AutoCloseable {
     String one = "templates/sensor/" + ABOUT;
     URL url = Templates.class.getResource(one);
     if (url == null) {
-      throw new IllegalStateException(one + " is missing beside " + Templates.class.getName());
+      throw new IllegalStateException(one + " is missing next to " + Templates.class.getName());
     }
     try {
       if (url.getProtocol().equals("file")) {
@@ -82,7 +82,7 @@ final class Templates implements AutoCloseable {
           .getParent()
           .getParent();
     } catch (URISyntaxException e) {
-      throw new IllegalStateException(url + " is no place of a file", e);
+      throw new IllegalStateException(url + " is not a file location", e);
     }
   }
 
@@ -109,7 +109,7 @@ final class Templates implements AutoCloseable {
   /**
    * The kind of that name.
    *
-   * @throws BadInputException if there is none; names the closest match
+   * @throws BadInputException if not found; names the closest match
    */
   TemplateKind kind(String name) {
     Map<String, TemplateKind> kinds = kinds();
@@ -137,7 +137,7 @@ final class Templates implements AutoCloseable {
         return files(folder, source.origin + "/" + template);
       }
     }
-    throw new BadInputException("there is no template folder \"" + template + "\"");
+    throw new BadInputException("missing template folder \"" + template + "\"");
   }
 
   private static Map<String, File> files(Path folder, String origin) {

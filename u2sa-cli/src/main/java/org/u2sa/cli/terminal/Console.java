@@ -6,10 +6,10 @@ import java.io.PrintStream;
 import java.nio.charset.Charset;
 
 /**
- * Standard output and standard error of this process. A terminal that is held (Ctrl-S) or a pager
- * that nobody scrolls takes no output, which must not hold up a vehicle: while one runs, whatever
- * any thread prints waits in a bounded queue, and is dropped and counted if there is no room. Else
- * a program waits until its output is taken, as usual.
+ * Standard output and standard error of this process. A paused terminal (Ctrl-S) or an idle pager
+ * blocks output, which must not block a vehicle: while a vehicle runs, output of all threads goes
+ * through a bounded queue; excess output is dropped and counted. Else a program waits until its
+ * output is taken, as usual.
  */
 public final class Console {
   private static final long GIVES_UP_AFTER_MS = 5_000;
@@ -36,7 +36,7 @@ public final class Console {
 
   /** Prevents that a thread waits for the output. */
   public interface Detached extends AutoCloseable {
-    /** Waits until all was output, or nothing is taken for 5 s. */
+    /** Waits until all output is written, or until none has been accepted for 5 s. */
     @Override
     void close();
   }

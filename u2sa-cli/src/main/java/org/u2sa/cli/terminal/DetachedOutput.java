@@ -9,8 +9,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Output for which no thread waits while it is detached: a daemon thread writes what waits in a
- * queue. Else writes pass through.
+ * Non-blocking output while detached: a daemon thread writes the queued text. Else writes pass
+ * through.
  */
 final class DetachedOutput extends OutputStream {
   static final int MAX_WAITING_BYTES = 256 * 1024;
@@ -35,7 +35,7 @@ final class DetachedOutput extends OutputStream {
     this.givesUpAfterMs = givesUpAfterMs;
   }
 
-  /** From now on nobody waits. */
+  /** From now on output does not block. */
   void detach() {
     synchronized (waiting) {
       detached++;
@@ -57,7 +57,7 @@ final class DetachedOutput extends OutputStream {
     }
   }
 
-  /** Waits until nothing waits, or nothing is taken for a while. */
+  /** Waits until the queue is empty, or until it has not been drained for a while. */
   void drain() {
     boolean interrupted = false;
     synchronized (waiting) {
@@ -143,7 +143,7 @@ final class DetachedOutput extends OutputStream {
         target.write(next);
         target.flush();
         done(false);
-      } catch (IOException e) { // nobody is left who could be told
+      } catch (IOException e) { // no output left to report it to
         done(true);
       }
     }

@@ -24,7 +24,7 @@ public final class RawTerminal implements AutoCloseable {
   /**
    * Switches the terminal to raw mode.
    *
-   * @throws IOException if standard input is not a terminal, or there is no {@code stty}
+   * @throws IOException if standard input is not a terminal, or {@code stty} is missing
    */
   public static RawTerminal open() throws IOException {
     RawTerminal terminal = new RawTerminal(stty("-g"));

@@ -157,6 +157,6 @@ class DescribeCommandTest extends CommandFixture {
                 + "<service class=\"org.u2sa.estimation.PassThroughStateEstimator\"/></system>");
     assertThat(u2sa("describe", file.toString())).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
-        .contains("could not be made here: ", "StateEstimator, state estimator");
+        .contains("could not be created here: ", "StateEstimator, state estimator");
   }
 }

@@ -175,7 +175,7 @@ class RemoteSystemTest {
 
       assertThatThrownBy(remote::connect)
           .isInstanceOf(RunFailedException.class)
-          .hasMessageContaining("no system heard at 127.0.0.1:" + port);
+          .hasMessageContaining("no system found at 127.0.0.1:" + port);
     } finally {
       silent.close();
     }

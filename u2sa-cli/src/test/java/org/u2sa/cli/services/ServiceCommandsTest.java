@@ -109,7 +109,7 @@ class ServiceCommandsTest extends CommandFixture {
     assertThat(run("graph")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
         .containsPattern("Lidar +-> StateEstimator +sensed-state +StateInformation")
-        .containsPattern("(?s)Published to nobody:.*Lidar +power +BatteryState")
+        .containsPattern("(?s)Published without subscribers:.*Lidar +power +BatteryState")
         .containsPattern("(?s)published by nobody:.*Lidar +goals +GoalList");
   }
 

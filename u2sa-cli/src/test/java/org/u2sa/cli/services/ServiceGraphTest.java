@@ -89,9 +89,9 @@ class ServiceGraphTest {
     assertThat(graph().unanswered()).containsExactly("Late");
     assertThat(graph().roles()).containsEntry("Late", "no answer");
     assertThat(GraphText.lines(graph()))
-        .contains("Published to nobody that has answered:")
+        .contains("Published without subscribers that has answered:")
         .contains("Heard, but without an answer: Late")
-        .doesNotContain("Published to nobody:");
+        .doesNotContain("Published without subscribers:");
   }
 
   @Test

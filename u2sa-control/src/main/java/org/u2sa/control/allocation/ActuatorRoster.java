@@ -19,7 +19,7 @@ public final class ActuatorRoster {
   private static final double RENEWAL_S = 5.0; // for actuators that announce none
   private static final double MISSED = 3.0;
   private static final double ALL_PERCENT = 100.0;
-  private static final int MAX_KNOWN = 500; // beyond it, those that are gone are forgotten
+  private static final int MAX_KNOWN = 500; // beyond this number, absent ones are dropped
 
   /** State of one actuator. */
   private static final class Known {
@@ -94,8 +94,8 @@ public final class ActuatorRoster {
   }
 
   /**
-   * Remaining share of an actuator, with or without a numeric effect, 0…1; 1 if it never announced
-   * itself.
+   * Remaining effectiveness of an actuator, with or without a numeric effect, 0…1; 1 if it never
+   * announced itself.
    */
   public double left(String actuator, long nowMicros) {
     Known known = actuators.get(actuator);

@@ -66,7 +66,7 @@ public final class Allocator {
   }
 
   /**
-   * Replaces the effectors; the last commands of those that remain are kept.
+   * Replaces the effectors; remaining ones keep their last commands.
    *
    * @param soundEffectors all effectors of the vehicle when none is lost or weak
    * @param cost cost of an effector's effort, above 0; costlier effectors do less

@@ -15,7 +15,8 @@ import java.util.Set;
 public record Authority(Map<DegreeOfFreedom, Double> most) {
   private static final double OTHERS = 1e3; // weight of axes held at 0
   private static final double BEYOND = 2.0; // demand as a multiple of the effectors' maximum
-  private static final double NOTHING = 0.05; // share of the healthy authority that counts as lost
+  private static final double NOTHING =
+      0.05; // fraction of the healthy authority below which it counts as lost
   private static final double ALL = 0.995;
   private static final double FULL_PERCENT = 100.0;
 
@@ -49,7 +50,7 @@ public record Authority(Map<DegreeOfFreedom, Double> most) {
     return Math.max(0.0, sign * allocator.attained(axis));
   }
 
-  /** Remaining share of the healthy authority about an axis, 0…1. */
+  /** Remaining fraction of the healthy authority about an axis, 0…1. */
   public double left(DegreeOfFreedom axis, Authority sound) {
     double full = sound.most.getOrDefault(axis, 0.0);
     return full > 0.0 ? Math.min(1.0, most.getOrDefault(axis, 0.0) / full) : 0.0;
@@ -66,7 +67,7 @@ public record Authority(Map<DegreeOfFreedom, Double> most) {
     return lost;
   }
 
-  /** Human-readable remaining authority; empty if nothing is lost. */
+  /** Human-readable remaining authority; empty if fully available. */
   public String words(Authority sound) {
     List<String> weak = new ArrayList<>();
     for (DegreeOfFreedom axis : most.keySet()) {

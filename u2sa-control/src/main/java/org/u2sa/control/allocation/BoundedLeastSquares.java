@@ -74,7 +74,7 @@ final class BoundedLeastSquares {
     return count;
   }
 
-  /** Computes the step to the optimum of the free unknowns, with the held ones fixed. */
+  /** Computes the step to the optimum of the free unknowns, with the others fixed. */
   private void towardsOptimum(double[][] h, double[] g, int count) {
     if (count == 0) {
       return;

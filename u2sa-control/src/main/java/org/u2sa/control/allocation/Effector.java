@@ -6,23 +6,24 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.actuator.EffectCurve;
 
 /**
- * Actuator model for allocation: the wrench of a share of its full effect, and the limits of that
- * share. Shares are proportional to the effect; {@link EffectCurve} converts them to percentages.
- * Immutable.
+ * Actuator model for allocation: its wrench as a function of the fraction of full effect, and the
+ * limits of that fraction. Shares are proportional to the effect; {@link EffectCurve} converts them
+ * to percentages. Immutable.
  */
 public final class Effector {
   private static final double FULL_PERCENT = 100.0;
 
   /**
-   * A rate that takes several steps to the least effect that is commanded would never get there.
+   * A rate limit that needs several steps to reach the smallest commanded effect would never get
+   * there.
    */
   private static final double MIN_SHARE = 1.001 * EffectCurve.MIN_SHARE;
 
   private static final double SLOWEST = 0.1; // of the reference speed; no model holds below
 
   private final String name;
-  private final double[] effect; // X, Y, Z [N], K, M, N [N m] at a share of 1
-  private final double astern; // share of that, at −100 %, 0…∞
+  private final double[] effect; // X, Y, Z [N], K, M, N [N m] at full effect
+  private final double astern; // ratio of the effect at −100 % to that at +100 %, 0…∞
   private final double lowest; // share
   private final double highest; // share
   private final double ratePerS; // [%/s]
@@ -49,7 +50,7 @@ public final class Effector {
     return of(announced, announced.available().orElse(FULL_PERCENT) / FULL_PERCENT);
   }
 
-  /** Creates the healthy effector, whatever share of the actuator remains. */
+  /** Creates the healthy effector, regardless of the actuator's remaining effectiveness. */
   public static Optional<Effector> ofSound(ActuatorAnnouncement announced) {
     return of(announced, 1.0);
   }
@@ -69,7 +70,7 @@ public final class Effector {
   }
 
   /**
-   * Copy with a share of the effect.
+   * Copy with a fraction of the effect.
    *
    * @param left remaining share, above 0…1
    */
@@ -112,7 +113,7 @@ public final class Effector {
     return name;
   }
 
-  /** Force [N] or moment [N m] at a share of 1, at the reference speed. */
+  /** Force [N] or moment [N m] at full effect, at the reference speed. */
   public double effect(DegreeOfFreedom axis) {
     return effect[axis.ordinal()];
   }
@@ -170,7 +171,7 @@ public final class Effector {
     return Math.min(highest, reached > 0.0 ? Math.max(reached, MIN_SHARE) : reached);
   }
 
-  /** Skips the dead band, where nothing moves. */
+  /** Skips the dead band. */
   private double stand(double percent, double sign) {
     return Math.abs(percent) <= curve.deadband() ? sign * curve.deadband() : percent;
   }

@@ -52,7 +52,8 @@ public final class AllocatingControl extends ControlSystem {
   private record Choices(
       @Variable(ifAbsentText = "")
           @Description(
-              "Axes, separated by spaces, without which the actuators stay neutral: SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
+              "Essential axes, separated by spaces: without them the actuators stay neutral. "
+                  + "SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
       @Variable(ifAbsentText = "")
           @Description(
@@ -64,11 +65,11 @@ public final class AllocatingControl extends ControlSystem {
           CommandKind commands,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether actuators with no effect, or less than they announce, are detected by the vehicle's motion and left out or counted as weak; needs true masses.")
+              "Whether failed or weak actuators are detected from the vehicle's motion and "
+                  + "excluded or derated; requires accurate masses.")
           boolean watchesResponse,
       @Variable(unit = "s", min = 1, max = 3600, ifAbsent = 60)
-          @Description(
-              "Time after which an actuator that did not respond, or weakly, is tried again.")
+          @Description("Time after which a failed or weak actuator is tried again.")
           double retryTime) {
     Choices {
       axes(essential);
@@ -104,7 +105,7 @@ public final class AllocatingControl extends ControlSystem {
   private List<DegreeOfFreedom> lost = List.of();
   private long revision = -1;
   private String said = "";
-  private boolean armed = true; // without an arming service, actuators obey at once
+  private boolean armed = true; // without an arming service, actuators obey immediately
   private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
   private boolean wentBySight; // at the previous step
@@ -161,13 +162,13 @@ public final class AllocatingControl extends ControlSystem {
 
   @Override
   protected boolean obeysWithoutState() {
-    return !tuning.leans(); // which needs its attitude
+    return !tuning.leans(); // leaning requires the attitude
   }
 
   private Optional<BodyMotion> motion(StateInformation state, Optional<NavigationPoint> point) {
     if (isStateless() != wentBySight) {
       wentBySight = isStateless();
-      cascade.rest(); // it learnt from other axes
+      cascade.rest(); // its state was estimated from other axes
       seen.rest();
     }
     cascade.goBySight(isStateless());
@@ -223,9 +224,8 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   /**
-   * Tells the allocator where the actuators stand. It cannot know of itself: neutral commands,
-   * those of a control system that was replaced and blended ones do not come from it, and it is a
-   * new one after each change of the configuration.
+   * Informs the allocator of the actual actuator commands: neutral, blended and a predecessor's
+   * commands do not come from it, and it is recreated after each change of the configuration.
    */
   private void followCommands() {
     allocator

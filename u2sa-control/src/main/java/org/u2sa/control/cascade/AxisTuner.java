@@ -50,7 +50,7 @@ final class AxisTuner {
   }
 
   /**
-   * Replaces the force or moment of the tuned axis by the relay's.
+   * Replaces the force or moment of the tuned axis with the relay output.
    *
    * @param armed whether a Safety Manager has reported the vehicle armed
    * @param wrench wanted wrench; modified
@@ -98,7 +98,7 @@ final class AxisTuner {
       return "relay tuning of "
           + axis.name()
           + " refused: "
-          + (armed ? "no actuator acts on the axis, or it is not controlled" : "not armed");
+          + (armed ? "no actuator acts on the axis, or the axis is not controlled" : "not armed");
     }
     double amplitude = now.tuneAmplitude() / FULL_PERCENT * most;
     relay = new RelayTuner(amplitude, now.tuneHysteresis(), GIVE_UP_AFTER_S);

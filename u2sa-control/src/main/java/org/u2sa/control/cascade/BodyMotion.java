@@ -20,7 +20,7 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
    *
    * @param before heading of the previous state [rad], to derive the yaw rate if the state lacks it
    * @param stepS time since the previous state [s]; 0 if unknown
-   * @return empty without heading or horizontal velocity, and in a frame of the vehicle itself
+   * @return empty without heading or horizontal velocity, or in a vehicle frame
    */
   static Optional<BodyMotion> of(StateInformation state, OptionalDouble before, double stepS) {
     if (state.referenceFrame().isBody()) {
@@ -43,8 +43,8 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
   }
 
   /**
-   * Speed through air or water [m/s], on which the effect of control surfaces depends; where it is
-   * not measured, that over ground.
+   * Speed through air or water [m/s], on which the effect of control surfaces depends; ground speed
+   * if it is not measured.
    */
   double speedThroughFluidMps(StateInformation state) {
     return state.fluidxDot().isPresent()

@@ -18,7 +18,7 @@ import org.u2sa.service.handover.HandOver;
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
-  private static final double FLIES_FROM = 0.5; // share of the weight that is lifted
+  private static final double FLIES_FROM = 0.5; // fraction of the weight that is lifted
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
   private static final int HEAVE = DegreeOfFreedom.HEAVE.ordinal();
@@ -157,7 +157,7 @@ final class Cascade {
     }
   }
 
-  /** Acceleration that a force or moment of the actuators gives, besides gravity's. */
+  /** Acceleration due to a force or moment of the actuators, excluding gravity. */
   private double acceleration(int axis, double forceOrMoment) {
     double acceleration = forceOrMoment / tuning[axis].mass();
     return settings.leans() && axis == HEAVE ? Lean.down(acceleration, attitude) : acceleration;
@@ -200,7 +200,7 @@ final class Cascade {
     headingRad = OptionalDouble.empty();
   }
 
-  /** The vehicle stands, because it is not armed. */
+  /** Resets for a vehicle at rest because it is not armed. */
   void stand() {
     rest();
     ground.rest();

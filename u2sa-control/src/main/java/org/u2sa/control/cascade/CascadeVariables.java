@@ -12,7 +12,7 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** Variables of a cascade: six axes, and how the vehicle turns to its direction of travel. */
+/** Variables of a cascade: six axes, and the turn to the direction of travel. */
 final class CascadeVariables {
   /** Variables of the control of motion along one axis of the vehicle. */
   private record Linear(
@@ -20,7 +20,7 @@ final class CascadeVariables {
           @Description("Weight of the axis when actuators saturate; 0: the axis is not controlled.")
           double weight,
       @Variable(unit = "kg", min = 0.001, max = 1.0e7, ifAbsent = 1)
-          @Description("Mass, including the added mass of the water.")
+          @Description("Mass, including added mass in water.")
           double mass,
       @Variable(unit = "1/s", min = 0, max = 100, ifAbsent = 1)
           @Description("Acceleration per velocity error.")
@@ -50,7 +50,7 @@ final class CascadeVariables {
           @Description("Weight of the axis when actuators saturate; 0: the axis is not controlled.")
           double weight,
       @Variable(min = 1.0e-6, max = 1.0e7, ifAbsent = 1)
-          @Description("Moment of inertia, including that of the water [kg m²].")
+          @Description("Moment of inertia, including added inertia in water [kg m²].")
           double inertia,
       @Variable(unit = "1/s", min = 0, max = 100, ifAbsent = 2)
           @Description("Angular acceleration per rate error.")
@@ -65,7 +65,7 @@ final class CascadeVariables {
           @Description("Rate per angle error.")
           double angleGain,
       @Variable(unit = "deg/s", min = 0, max = 1000, ifAbsent = 30)
-          @Description("Fastest rotation.")
+          @Description("Maximum rotation rate.")
           double maxRate) {
 
     AxisTuning tuning() {
@@ -78,23 +78,25 @@ final class CascadeVariables {
     }
   }
 
-  /** How the vehicle moves to its navigation point. */
+  /** Settings for moving to the navigation point. */
   record Way(
       @Variable(ifAbsentText = "false")
           @Description("Whether the vehicle turns towards the navigation point.")
           boolean facesTheWay,
       @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 1)
-          @Description("Minimum distance of a point to turn to; nearer, the heading is kept.")
+          @Description(
+              "Minimum distance of a point to turn to; for a nearer one the heading is " + "kept.")
           double facingDistance,
       @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 0.5)
-          @Description("Speed to a navigation point that sets none.")
+          @Description("Speed to a navigation point that specifies none.")
           double cruiseSpeed,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the vehicle moves sideways by leaning the lift of its actuators, as multirotors do. SURGE and SWAY then have gains, but no weight.")
+              "Whether the vehicle moves sideways by tilting its lift, as multirotors do. SURGE "
+                  + "and SWAY then have gains, but no weight.")
           boolean leans,
       @Variable(unit = "deg", min = 1, max = 60, ifAbsent = 25)
-          @Description("Maximum angle from the vertical of a vehicle that leans.")
+          @Description("Maximum tilt of a vehicle that leans.")
           double maxLean) {}
 
   private final Map<DegreeOfFreedom, Supplier<AxisTuning>> axes =

@@ -1,9 +1,9 @@
 package org.u2sa.control.cascade;
 
 /**
- * Whether a vehicle that flies stands on the ground, where it must not lift its weight. It flies as
- * soon as its target is above it or it moves, and stands when it does not sink although it should.
- * Not thread-safe.
+ * Whether an aircraft is on the ground, where it must not lift its weight. It counts as airborne
+ * once its target is above it or it moves, and as landed when it does not sink although commanded
+ * to. Not thread-safe.
  */
 final class GroundWatch {
   private static final double ABOVE_M = 0.3; // of a target that means taking off

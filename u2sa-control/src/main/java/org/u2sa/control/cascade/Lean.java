@@ -4,18 +4,19 @@ import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Gravity;
 
 /**
- * How a vehicle that its actuators only lift moves sideways: it leans, and lifts more. In axes of
- * the levelled vehicle: forward, right, down. Not thread-safe.
+ * Sideways motion of a vehicle whose actuators only produce lift: it tilts and increases its lift.
+ * In axes of the levelled vehicle: forward, right, down. Not thread-safe.
  */
 final class Lean {
   private static final double G = Gravity.STANDARD_MPS2;
-  private static final double MIN_UPRIGHT = 0.5; // share of the lift counted on when leaning far
+  private static final double MIN_UPRIGHT =
+      0.5; // fraction of the lift assumed available at large tilt
 
   private double forward;
   private double right;
 
   /**
-   * Chooses the angles that give an acceleration, in its direction if it is too much.
+   * Computes the tilt angles for an acceleration; if it exceeds the limit, its direction is kept.
    *
    * @param forwardMps2 wanted acceleration [m/s²]
    * @param rightMps2 wanted acceleration [m/s²]

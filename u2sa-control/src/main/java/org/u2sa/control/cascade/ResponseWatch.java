@@ -10,8 +10,8 @@ import org.u2sa.control.allocation.DegreeOfFreedom;
  * wrench suddenly matches the wrench that actuator should give. The residual is the commanded
  * wrench minus mass times acceleration minus its long-term mean (drag, current, weight).
  *
- * <p>One fault at a time; a change of speed is mistaken for a fault only if it matches one actuator
- * in all controlled axes at once. Two actuators with the same effect cannot be distinguished, so
+ * <p>Detects one fault at a time; a disturbance is mistaken for a fault only if it matches one
+ * actuator in all controlled axes. Two actuators with the same effect cannot be distinguished, so
  * neither is reported. Johansen &amp; Fossen 2013, section 4, on faults; the residual is that of a
  * disturbance observer. Not thread-safe.
  */
@@ -42,7 +42,7 @@ final class ResponseWatch {
   /**
    * Detected fault.
    *
-   * @param left remaining share of the actuator's effect, 0…1; 0 if it does not respond
+   * @param left remaining fraction of the actuator's effect, 0…1; 0 if it does not respond
    */
   record Finding(String actuator, double left) {}
 

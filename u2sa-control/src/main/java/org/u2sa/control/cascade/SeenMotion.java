@@ -17,7 +17,7 @@ final class SeenMotion {
   private static final double CORRECTION_S = 0.5;
   private static final double NEAR_M = 0.3; // nearer, the bearing is meaningless
 
-  /** Above this apparent speed the target has changed, and nothing moved [m/s]. */
+  /** Apparent speed above which the target has changed rather than moved [m/s]. */
   private static final double JUMP_MPS = 20.0;
 
   private Point before = Point.ORIGIN;
@@ -36,7 +36,7 @@ final class SeenMotion {
    * @param place target: forward, right, down [m]
    * @param acceleration acceleration by the actuators since the previous call, along the same axes
    *     [m/s²]
-   * @param turnAcceleration the same about the down axis [rad/s²]
+   * @param turnAcceleration angular acceleration about the down axis [rad/s²]
    * @param stepS time since the previous call [s]; 0 if unknown, then the motion counts as
    *     unchanged
    */

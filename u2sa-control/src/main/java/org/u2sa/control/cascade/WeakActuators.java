@@ -14,7 +14,7 @@ final class WeakActuators {
   private final Map<String, Double> left = new TreeMap<>(); // share, 0…1
   private final Map<String, Long> untilMicros = new TreeMap<>();
 
-  /** Adds a finding, combined with earlier ones on the same actuator. */
+  /** Adds a finding, combined with earlier findings on the same actuator. */
   void add(ResponseWatch.Finding found, long retryMicros) {
     left.merge(found.actuator(), found.left(), (before, more) -> before * more);
     untilMicros.put(found.actuator(), retryMicros);

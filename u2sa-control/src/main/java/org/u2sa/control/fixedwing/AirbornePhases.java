@@ -93,9 +93,9 @@ final class AirbornePhases {
   }
 
   /**
-   * Climbs to the safe height and follows navigation laterally there. Near the ground bank is
-   * limited, whatever navigation demands, and the speed is above approach speed, because landings
-   * are refused in strong wind, whose gusts cost airspeed. Down there height comes before speed.
+   * Climbs to the safe height and follows navigation laterally there. Near the ground, bank is
+   * limited regardless of navigation, and the speed is above approach speed, because landings are
+   * refused in strong wind with gusts. Down there height comes before speed.
    */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
     altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));

@@ -16,9 +16,9 @@ public enum AircraftActuator {
   RIGHT_BRAKE("RIGHT BRAKE", Surfaces::brakes);
 
   /**
-   * Elevator at which the Cessna holds about 75 kt by itself, at cruise power as at idle [%],
-   * negative: nose up. With a centred elevator it noses over: a few seconds without commands would
-   * cost 100 m.
+   * Elevator trim at which the Cessna holds about 75 kt, at cruise power and at idle [%], negative:
+   * nose up. With a centred elevator it pitches down: a few seconds without commands would cost 100
+   * m of altitude.
    */
   public static final double TRIMMED_ELEVATOR_PERCENT = -10.0;
 

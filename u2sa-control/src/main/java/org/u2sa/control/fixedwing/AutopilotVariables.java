@@ -58,17 +58,14 @@ record AutopilotVariables(
           @Description("Distance to the aim point on the extended centreline.")
           double climbOutLookAhead) {}
 
-  /**
-   * Calibrated airspeed at which the nose is raised [m/s]: higher by a share of the wind speed, for
-   * gusts.
-   */
+  /** Rotation speed (calibrated) [m/s]: increased by a fraction of the wind speed, for gusts. */
   double rotationMps(WindEstimate wind) {
     return KNOT_MPS * takeOff.rotationSpeed() + guidance.gustShare() * wind.speedMps();
   }
 
   /**
-   * Pitch to which the nose is raised [rad]. Lift grows with speed squared, so at a higher speed
-   * less pitch gives the same lift, leaving more margin for upward gusts.
+   * Pitch at rotation [rad]. Lift grows with speed squared, so at a higher speed less pitch gives
+   * the same lift, leaving more margin for upward gusts.
    */
   double rotationPitchRad(WindEstimate wind) {
     double slower = KNOT_MPS * takeOff.rotationSpeed() / rotationMps(wind);

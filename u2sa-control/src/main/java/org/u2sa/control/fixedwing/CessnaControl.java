@@ -32,7 +32,7 @@ public final class CessnaControl extends ControlSystem {
 
   private record Outputs(
       @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 10)
-          @Description("How long throttle, mixture and flaps obey a command that is not renewed.")
+          @Description("Lifetime of a throttle, mixture or flap command that is not renewed.")
           double powerExpiry,
       @Variable(ifAbsentText = "false")
           @Description(
@@ -208,7 +208,7 @@ public final class CessnaControl extends ControlSystem {
   private void lacking(List<String> missing) {
     if (!missing.equals(loggedMissing)) {
       loggedMissing = missing;
-      log(LogLevelEnum.WARN, "state lacks " + missing + ": no commands until it has them");
+      log(LogLevelEnum.WARN, "state lacks " + missing + ": no commands until they are available");
     }
   }
 

@@ -87,15 +87,13 @@ final class EnergyLaw {
   record Demand(
       double altitudeM, double airspeedMps, Priority priority, double least, double most) {}
 
-  /** What pitch controls. */
+  /** Quantity controlled by pitch. */
   enum Priority {
     /** Airspeed alone, at full throttle: climb-out. */
     SPEED(2.0),
-    /** Altitude and airspeed alike. */
+    /** Altitude and airspeed equally. */
     BOTH(1.0),
-    /**
-     * Altitude alone, at full throttle, as long as there is speed to spare: close to the ground.
-     */
+    /** Altitude only, at full throttle while the airspeed margin lasts: close to the ground. */
     HEIGHT(0.0);
 
     private final double speedShare; // of two that altitude and airspeed have together
@@ -127,7 +125,7 @@ final class EnergyLaw {
     throttleIntegral = newThrottle;
   }
 
-  /** Ends a descent at once instead of gradually. */
+  /** Ends a descent immediately instead of gradually. */
   void levelOff() {
     climbDemand = Math.max(0.0, climbDemand);
   }

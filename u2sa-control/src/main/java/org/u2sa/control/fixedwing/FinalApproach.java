@@ -7,7 +7,8 @@ import org.u2sa.control.Transfer;
  * position. In the flare it serves as the runway's centreline.
  */
 final class FinalApproach {
-  private static final double TIME_CONSTANT_S = 5.0; // at 38 m/s the direction is that of 190 m
+  private static final double TIME_CONSTANT_S =
+      5.0; // at 38 m/s this measures the direction over 190 m
   private static final double SHORTEST_M = 50.0; // nearer points give no direction
 
   private double northM; // last point

@@ -58,7 +58,7 @@ final class FlightStateReader {
     last.forEach((field, value) -> state.number("LAST " + field.fieldName(), value));
   }
 
-  /** Takes over the predecessor's origin. */
+  /** Adopts the predecessor's origin. */
   void takeOver(HandOver state) {
     if (state.number("ORIGIN LONGITUDE").isPresent()) {
       origin =

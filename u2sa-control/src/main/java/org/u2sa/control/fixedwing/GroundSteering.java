@@ -5,8 +5,8 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Keeps the runway's centreline by rudder and nose wheel: aims at a point ahead on the line, turns
- * at a rate proportional to the heading error, and finds the rudder from the geometry of a steered
+ * Holds the runway centreline by rudder and nose wheel: aims at a point ahead on the line, turns at
+ * a rate proportional to the heading error, and computes the rudder from the geometry of a steered
  * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is divided
  * by speed likewise; the integral compensates propeller effects and crosswind.
  */
@@ -14,7 +14,7 @@ final class GroundSteering {
   /** Gains on the runway. */
   record Variables(
       @Variable(unit = "s", min = 0.5, max = 10, ifAbsent = 2.5)
-          @Description("Time at the present speed to the aim point on the runway centreline.")
+          @Description("Look-ahead time to the aim point on the runway centreline.")
           double centrelineLookAheadTime,
       @Variable(unit = "m", min = 5, max = 200, ifAbsent = 40)
           @Description("Minimum distance to the aim point on the runway centreline.")
@@ -41,14 +41,15 @@ final class GroundSteering {
           @Description("Rudder per sideslip, nose wheel up, against weathercocking.")
           double weathercockGain,
       @Variable(unit = "s/m", min = 0, max = 1, ifAbsent = 0.1)
-          @Description("Aileron per crosswind at a standstill; less with speed.")
+          @Description("Aileron per crosswind at standstill; decreases with speed.")
           double aileronIntoWind) {}
 
   private static final double SLOWEST_MPS = 4.0; // below, geometry would demand too much
   private static final double GENTLE_MPS2 = 55.0; // lateral, per radian of heading error
   private static final double GENTLE_SHARE = 0.3; // of the heading's bandwidth
   private static final double VANE_SHARE = 0.4; // the tyres hold the rest
-  private static final double VANE_RAD = 0.4; // beyond this it is slow, and the nose wheel holds
+  private static final double VANE_RAD =
+      0.4; // beyond this angle the aircraft is slow, and the nose wheel grips
   private static final double CLOSING_MPS = 2.0; // maximum closing speed toward the line
   private static final double REFERENCE_MPS = 10.0;
   private static final double AILERON_WORKS_MPS = 40.0; // needed aileron falls to zero here

@@ -5,16 +5,17 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
 /**
- * Speeds and limits within which the aircraft follows navigation, and its stall protection: stall
- * speed grows with the root of the load factor, 1/cos φ in a level turn (14 CFR 23.2110; Cessna
- * 172P handbook, figure 5-3).
+ * Speed limits, attitude limits and stall protection of the guidance. Stall speed grows with the
+ * square root of the load factor, 1/cos φ in a level turn (14 CFR 23.2110; Cessna 172P handbook,
+ * figure 5-3).
  */
 record GuidanceVariables(
     @Variable(unit = "m/s", min = 5, max = 100, ifAbsent = 46)
-        @Description("Calibrated airspeed at which the surface gains hold; they scale from there.")
+        @Description(
+            "Reference calibrated airspeed of the surface gains, which are scaled with " + "speed.")
         double referenceSpeed,
     @Variable(unit = "m/s", min = 6, max = 60, ifAbsent = 40)
-        @Description("Calibrated airspeed unless navigation asks for another.")
+        @Description("Calibrated airspeed unless navigation demands another.")
         double cruiseSpeed,
     @Variable(unit = "m/s", min = 7, max = 82, ifAbsent = 60)
         @Description("Maximum demanded calibrated airspeed.")
@@ -35,7 +36,8 @@ record GuidanceVariables(
         double pitchUpperLimit,
     @Variable(unit = "m", min = 5, max = 1000, ifAbsent = 150)
         @Description(
-            "Minimum L1 distance: nearer navigation points count as this far, which bounds the gain.")
+            "Minimum L1 distance: nearer navigation points are treated as this far away, which "
+                + "bounds the gain.")
         double minLookAhead,
     @Variable(unit = "m/s", min = 4, max = 40, ifAbsent = 26.2)
         @Description("Calibrated stall speed, wings level, flaps up.")
@@ -51,7 +53,8 @@ record GuidanceVariables(
         double angleOfAttackLimit,
     @Variable(min = 0, max = 1, ifAbsent = 0.3)
         @Description(
-            "Share of the wind speed added to the rotation speed and the minimum airspeed: gusts near the ground are as strong (MIL-F-8785C: σ about 0.2).")
+            "Fraction of the wind speed added to the rotation speed and the minimum airspeed, as "
+                + "allowance for gusts near the ground (MIL-F-8785C: σ about 0.2).")
         double gustShare) {
   /** Validates the order of the speeds. */
   GuidanceVariables {
@@ -76,7 +79,7 @@ record GuidanceVariables(
     return stallMargin * stallSpeed / StrictMath.sqrt(cosine);
   }
 
-  /** Urgency: 0 with speed to spare … 1 at the minimum airspeed. */
+  /** Urgency of regaining speed: 0 with margin … 1 at the minimum airspeed. */
   double urgency(FlightState state) {
     double spare = state.calibratedAirspeedMps() - leastSpeedMps(state.rollRad());
     return Limit.within(0.0, 1.0 - spare / stallBand, 1.0);

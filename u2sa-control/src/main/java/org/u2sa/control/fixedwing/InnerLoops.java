@@ -39,7 +39,7 @@ final class InnerLoops {
     return bankRad;
   }
 
-  /** Sets the bank set point at once [rad]. */
+  /** Sets the bank set point without rate limit [rad]. */
   void hold(double newBankRad) {
     bankRad = newBankRad;
   }

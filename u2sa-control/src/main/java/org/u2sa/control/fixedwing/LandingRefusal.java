@@ -28,7 +28,7 @@ final class LandingRefusal {
   private double crosswindMps; // at the refusal, positive to the right of the course
 
   /**
-   * @param safeHeightM height to which it climbs instead, above ground [m]
+   * @param safeHeightM height above ground to climb to instead [m]
    * @param flareHeightM height at which the flare starts, above ground [m]; slightly above it, a
    *     landing continues in any case
    */
@@ -65,7 +65,7 @@ final class LandingRefusal {
     return sinkMps * sinkMps / (2.0 * PULL_UP_MPS2);
   }
 
-  /** The reason, and what the aircraft does instead. */
+  /** The reason, and the aircraft's action instead. */
   String words() {
     return String.format(
         Locale.ROOT,

@@ -30,8 +30,7 @@ final class PitchLaw extends RateLoop {
       @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Maximum elevator of the integral.")
           double elevatorTrimLimit) {}
 
-  private static final double STEEPEST_RAD =
-      Math.toRadians(60.0); // maximum bank that is compensated
+  private static final double STEEPEST_RAD = Math.toRadians(60.0); // maximum bank to compensate
   private static final double SLOWEST_MPS = 5.0;
 
   private final Variables parameters;

@@ -13,7 +13,7 @@ class RateLoop {
    * @param forward surface per demanded rate [s/rad] at the reference speed
    * @param proportional surface per rate error [s/rad]
    * @param integral surface per integrated rate error [1/rad]; 0 for no integral
-   * @param integralLimit limit of the integral's share of surface, 0…1
+   * @param integralLimit limit of the integral part of the surface command, 0…1
    */
   record Gains(double forward, double proportional, double integral, double integralLimit) {}
 

@@ -10,7 +10,7 @@ import java.util.Locale;
  * dihedral, more slowly (as NASA's Propulsion Controlled Aircraft and pilots' handbooks have it for
  * lost ailerons).
  *
- * @param aileron remaining share of both ailerons, 0…1: 0.5 when one of two is lost
+ * @param aileron remaining effectiveness of both ailerons, 0…1: 0.5 when one of two is lost
  * @param elevator remaining share, 0…1
  * @param rudder remaining share, 0…1
  */

@@ -114,8 +114,8 @@ final class TakeOffSequence {
   }
 
   /**
-   * Initial phase of a control started near the ground: brakes and an idling engine suit an
-   * aircraft that stands or is too slow to fly.
+   * Initial phase of a control system started near the ground: brakes and idle if the aircraft is
+   * at rest or too slow to fly.
    */
   private FlightPhase first(FlightState state, boolean landing) {
     if (state.calibratedAirspeedMps() < rotationMps) {

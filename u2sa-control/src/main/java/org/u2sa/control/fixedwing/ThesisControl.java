@@ -14,7 +14,7 @@ import org.u2sa.service.ServiceContext;
  * Control of the thesis's Cessna (4.5.2.5), kept for teaching. In: state, navigation. Out:
  * actuation. It keeps an aircraft airborne and flies it past waypoints in calm air; airspeed, wind,
  * stall and runway are not considered; for those see {@link CessnaControl}. Without fresh
- * navigation it commands nothing, and actuators go neutral when their commands expire.
+ * navigation it sends no commands, and actuators go neutral when their commands expire.
  */
 public final class ThesisControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;

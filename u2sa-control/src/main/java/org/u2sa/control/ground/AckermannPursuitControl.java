@@ -38,7 +38,8 @@ public final class AckermannPursuitControl extends GroundControl {
           SteeringLaw steeringLaw,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the steering is commanded by angles, which its actuator must announce to take, instead of percentages.")
+              "Whether the steering is commanded as an angle instead of a percentage; its "
+                  + "actuator must announce that it accepts angles.")
           boolean steersByAngle) {
     double angleRad() {
       return Math.toRadians(steeringAngle);
@@ -50,7 +51,7 @@ public final class AckermannPursuitControl extends GroundControl {
     }
   }
 
-  /** How the front wheels are steered. */
+  /** Steering of the front wheels. */
   private enum SteeringLaw {
     PURSUIT,
     STANLEY
@@ -105,7 +106,7 @@ public final class AckermannPursuitControl extends GroundControl {
   }
 
   /**
-   * Commands the motors; returns the demanded share of the drive's capability.
+   * Commands the motors; returns the demand as a fraction of the drive's capability.
    *
    * @param alongPath angle of the front wheels, left positive [rad]; if empty, derived from the
    *     demand

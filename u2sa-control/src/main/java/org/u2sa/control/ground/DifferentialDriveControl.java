@@ -23,21 +23,22 @@ import org.u2sa.service.handover.HandOver;
 public final class DifferentialDriveControl extends GroundControl {
   private record Gains(
       @Variable(unit = "%/m", min = 0, max = 1000, ifAbsent = 60)
-          @Description("Command of both wheels per distance to the point.")
+          @Description("Command of both wheels per metre of distance to the point.")
           double distanceGain,
       @Variable(unit = "%", min = 0, max = 100, ifAbsent = 60)
-          @Description("Maximum command that distance gives both wheels.")
+          @Description("Maximum command of both wheels due to distance.")
           double speedLimit,
       @Variable(unit = "%/rad", min = 0, max = 500, ifAbsent = 45)
           @Description(
               "Command of each wheel per bearing: right wheel forward, left wheel backward, for a point to the left.")
           double headingGain,
       @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.15)
-          @Description("Distance at which both wheels stop.")
+          @Description("Distance to the point at which both wheels stop.")
           double tolerance,
       @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 0.5)
           @Description(
-              "Integral gain on the command of HEADING GAIN, for motors that are not alike; 0: no feedback.")
+              "Integral gain on the command of HEADING GAIN, for mismatched motors; 0: no "
+                  + "feedback.")
           double mismatchGain) {}
 
   private static final double ALIGNED_RAD = 0.6; // at larger bearings it turns and does not learn

@@ -24,7 +24,7 @@ public final class DifferentialPursuitControl extends GroundControl {
           @Description("Distance between the wheels of both sides.")
           double track,
       @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0)
-          @Description("As PICK UP TIME, of the yaw rate in a turn on the spot.")
+          @Description("Like PICK UP TIME, for the yaw rate in a turn on the spot.")
           double turnPickUpTime,
       @Variable(unit = "deg", min = 5, max = 180, ifAbsent = 35)
           @Description("Bearing of the navigation point above which the vehicle turns on the spot.")
@@ -99,7 +99,7 @@ public final class DifferentialPursuitControl extends GroundControl {
             });
   }
 
-  /** Commands the motors; returns the demanded share of their capability. */
+  /** Commands the motors; returns the demand as a fraction of their capability. */
   private double drive(PursuitControl.Demand demand, StateInformation state) {
     DriveCalibration motor = tuning.get().calibration();
     Drive drive = demand.drive();

@@ -1,10 +1,10 @@
 package org.u2sa.control.ground;
 
 /**
- * Maps ground speed to motor command as a share of full: below the start share, friction and the
- * motor controller's dead band hold the vehicle; above it, speed grows linearly.
+ * Maps ground speed to motor command as a fraction of full command: below the start command,
+ * friction and the motor controller's dead band hold the vehicle; above it, speed grows linearly.
  *
- * @param maxMps speed at the share of 1 [m/s]
+ * @param maxMps speed at full command [m/s]
  * @param startShare share at which the vehicle starts to move, 0…1
  */
 record DriveCalibration(double maxMps, double startShare) {

@@ -22,7 +22,7 @@ abstract class GroundControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private boolean navigating;
   private boolean powerless;
-  private boolean armed = true; // without an arming service, motors obey at once
+  private boolean armed = true; // without an arming service, motors obey immediately
   private OptionalDouble headingRad = OptionalDouble.empty(); // of the previous state
 
   GroundControl(ServiceContext context) {

@@ -28,8 +28,8 @@ record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, bool
   }
 
   /**
-   * Transforms a point from the pose of one state to that of a newer one. Empty if either state
-   * lacks position or heading, or if they are in different frames.
+   * Transforms a point from one state's pose to a newer state's pose. Empty if either state lacks
+   * position or heading, or if they are in different frames.
    *
    * @param ned point relative to the older state: north, east, down [m]
    * @param backwards whether to go there with the rear first

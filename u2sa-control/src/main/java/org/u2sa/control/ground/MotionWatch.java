@@ -10,7 +10,8 @@ import java.util.Optional;
  */
 final class MotionWatch {
   private static final double FULL_EFFORT = 0.98;
-  private static final double MOVES_SHARE = 0.1; // share of the demand that counts as moving
+  private static final double MOVES_SHARE =
+      0.1; // fraction of the demanded speed that counts as moving
   private static final double ROLLS_MPS = 0.1;
 
   private double heldS;
@@ -23,10 +24,10 @@ final class MotionWatch {
   /**
    * Updates with the demand on the motors and the resulting motion since the previous call.
    *
-   * @param afterS how long motors may stall before they rest [s]
+   * @param afterS maximum stall time before motors rest [s]
    * @param pauseS duration of the rest [s]
    * @param effort effort of the motors; 1 or more at full power
-   * @return warning for the user, once per attempt, or once per pause if there is no rest
+   * @return warning for the user, once per attempt, or once per pause without rest
    */
   Optional<String> see(
       Drive demanded,
@@ -87,7 +88,7 @@ final class MotionWatch {
     goneM = 0.0;
   }
 
-  /** Whether the motors must rest. Never on a slope, where they are the only brake. */
+  /** Whether the motors must rest. Never on a slope, where the motors are the only brake. */
   boolean rests(GroundControl.Measured measured, double stepS) {
     restS = Math.max(0.0, restS - stepS);
     if (restS > 0.0 && Math.abs(measured.forwardMps().orElse(0.0)) > ROLLS_MPS) {

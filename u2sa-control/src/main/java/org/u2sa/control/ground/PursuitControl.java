@@ -74,7 +74,7 @@ final class PursuitControl {
   }
 
   /**
-   * Reports the demanded share of the motors' capability in this step: more than 1 if saturated.
+   * Reports this step's demand as a fraction of the motors' capability: more than 1 if saturated.
    *
    * @return warning for the user if they do not move the vehicle
    */
@@ -98,7 +98,7 @@ final class PursuitControl {
   /**
    * Continues from another control system.
    *
-   * @param alike whether it was of the same class
+   * @param alike whether the predecessor had the same class
    * @param last motion last commanded to the motors
    */
   void takeOver(HandOver state, boolean alike, Drive last) {

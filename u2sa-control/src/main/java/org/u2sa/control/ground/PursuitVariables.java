@@ -6,7 +6,7 @@ import org.u2sa.interfaces.configuration.Variable;
 /** The variables of regulated pure pursuit, for every kind of ground vehicle. */
 record PursuitVariables(
     @Variable(unit = "m/s", min = 0.05, max = 50, ifAbsent = 2)
-        @Description("Measured ground speed at 100 %, straight ahead on the usual ground.")
+        @Description("Measured ground speed at 100 %, straight ahead on typical ground.")
         double maxSpeed,
     @Variable(unit = "%", min = 0, max = 50, ifAbsent = 8)
         @Description(
@@ -41,7 +41,7 @@ record PursuitVariables(
         @Description("Yaw-rate slew limit.")
         double turnRateChange,
     @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 0.5)
-        @Description("Share of a speed error that feedback corrects per second; 0: no feedback.")
+        @Description("Fraction of a speed error that feedback corrects per second; 0: no feedback.")
         double speedGain,
     @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 1)
         @Description(
@@ -52,14 +52,16 @@ record PursuitVariables(
         double responseTime,
     @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0)
         @Description(
-            "Time constant of the speed at a constant command (63 % from rest), by which commands lead while the speed changes; 0: no lead.")
+            "Time constant of the speed response (63 % from rest), for lead compensation; 0: no "
+                + "lead.")
         double pickUpTime,
     @Variable(unit = "s", min = 0.2, max = 60, ifAbsent = 3)
         @Description(
-            "Time that motors at full power may barely move the vehicle before they rest, with a warning.")
+            "Stall detection: time at full power with hardly any motion before the motors are "
+                + "rested, with a warning.")
         double stallTime,
     @Variable(unit = "s", min = 0, max = 600, ifAbsent = 10)
-        @Description("Time that stalled motors rest before the vehicle tries again.")
+        @Description("Time for which stalled motors rest before the vehicle tries again.")
         double stallPause) {
   private static final double FULL_PERCENT = 100.0;
 

@@ -23,9 +23,9 @@ final class SpeedTrim {
    * Computes the addition to the demand.
    *
    * @param demanded demand on the motors
-   * @param error of the same quantity, demanded minus measured; empty if unknown
+   * @param error demanded minus measured quantity; empty if unknown
    * @param atFullPower whether the motors are saturated (anti-windup)
-   * @param gain share of an error corrected per second [1/s]; 0: no feedback
+   * @param gain fraction of an error corrected per second [1/s]; 0: no feedback
    * @param most limit of the magnitude of demand plus trim
    */
   double step(

@@ -17,10 +17,10 @@ final class StanleyLaw {
           @Description("Rate at which a small cross-track error decays.")
           double crossTrackGain,
       @Variable(unit = "m/s", min = 0, max = 10, ifAbsent = 0.3)
-          @Description("Softening speed, which keeps the law calm while slow.")
+          @Description("Softening speed, which limits the gain at low speed.")
           double softening,
       @Variable(unit = "s", min = 0, max = 2, ifAbsent = 0)
-          @Description("Steering per yaw rate in excess of the path's: damping.")
+          @Description("Damping: steering per yaw-rate deviation from the path.")
           double yawDamping) {}
 
   private StanleyLaw() {}

@@ -4,18 +4,18 @@ import java.util.OptionalDouble;
 import org.u2sa.control.Transfer;
 
 /**
- * Makes two motors attain the wanted yaw rate despite motor mismatch and load, by three integrals
- * of the yaw-rate error; the integral is the heading error, so that a noisy compass does no harm.
+ * Corrects the yaw rate of two motors for mismatch and load, by three integrals of the yaw-rate
+ * error; the integral is the heading error, so a noisy compass does no harm.
  *
  * <ul>
- *   <li>Mismatch: by how much one motor is weaker, in proportion to its command. Kept at standstill
+ *   <li>Mismatch: relative weakness of one motor, in proportion to its command. Kept at standstill
  *       and in turns, because motors do not change.
  *   <li>Bias: turning independent of speed, such as on a side slope. Only while driving.
  *   <li>Push: extra effort to turn in place, where wheels scrub under load. Kept from turn to turn,
  *       for both directions.
  * </ul>
  *
- * None of them moves a vehicle commanded to stand.
+ * None of them moves a vehicle commanded to stop.
  */
 final class WheelBalance {
   /** Share of command at which mismatch and bias absorb equal parts of an error. */
@@ -31,10 +31,10 @@ final class WheelBalance {
    *
    * @param proportional extra yaw rate commanded per rad/s of error
    * @param smoothingS filter time of the error for that [s]
-   * @param driving share of an error corrected per second [1/s]; 0: no feedback
-   * @param turning the same for turns in place [1/s]
+   * @param driving fraction of an error corrected per second while driving [1/s]; 0: no feedback
+   * @param turning fraction corrected per second in turns in place [1/s]
    * @param mostMismatch limit of the mismatch, 0…1
-   * @param sharePerRadPerS extra share of command of each motor per yaw rate
+   * @param sharePerRadPerS additional command fraction of each motor per yaw rate
    */
   record Settings(
       double proportional,
@@ -44,7 +44,7 @@ final class WheelBalance {
       double mostMismatch,
       double sharePerRadPerS) {}
 
-  /** Saves or restores what was learnt, which holds for every control system. */
+  /** Saves or restores the learnt mismatch, which is valid for every control system. */
   void transfer(Transfer state) {
     mismatch = state.number("MISMATCH", mismatch);
     bias = state.number("BIAS", bias);
@@ -60,8 +60,8 @@ final class WheelBalance {
    * Computes the wheel commands.
    *
    * @param wanted shares by calibration alone
-   * @param ahead common share of both motors, negative in reverse; 0 for a turn in place or
-   *     standstill
+   * @param ahead common command fraction of both motors, negative in reverse; 0 for a turn in place
+   *     or standstill
    * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the
    *     motors do not obey
    */

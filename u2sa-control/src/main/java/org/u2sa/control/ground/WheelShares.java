@@ -3,11 +3,11 @@ package org.u2sa.control.ground;
 /**
  * Motor commands of the two sides of a differential vehicle.
  *
- * @param left share of full, forward positive
- * @param right share of full, forward positive
+ * @param left fraction of full command, forward positive
+ * @param right fraction of full command, forward positive
  */
 record WheelShares(double left, double right) {
-  /** Demanded share of the motors' capability: more than 1 if one saturates. */
+  /** Demand as a fraction of the motors' capability: more than 1 if one saturates. */
   double effort() {
     return Math.max(Math.abs(left), Math.abs(right));
   }

@@ -28,16 +28,19 @@ final class BrokerSecurity {
           String securityDirectory,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the embedded broker may listen on a network without SECURITY DIRECTORY: everyone there can command the vehicle.")
+              "Whether the embedded broker may listen on a network without SECURITY DIRECTORY, "
+                  + "where anyone can command the vehicle.")
           boolean allowInsecureNetwork,
       @Variable(
               oneOf = {"account", "everybody"},
               ifAbsentText = "account")
           @Description(
-              "Who on this host may command without SECURITY DIRECTORY: the account that started the broker, by a private token file that tools read by themselves, or everybody. Everybody may listen.")
+              "Who on this host may command without SECURITY DIRECTORY: the account that started "
+                  + "the broker (tools read its private token file), or everybody. Everybody may "
+                  + "listen.")
           String localCommands) {}
 
-  private final LocalAccount account; // null without users or with those of the directory
+  private final LocalAccount account; // null without users, or with the directory's users
   private final SecurityDirectory directory; // null without users and encryption
   private final SslContext tls; // null likewise
   private final ProcessAccount own; // null grants everyone full access
@@ -56,7 +59,7 @@ final class BrokerSecurity {
   /**
    * Reads the users and the certificate.
    *
-   * @param bindAddress where the broker is to listen
+   * @param bindAddress address on which the broker will listen
    * @throws BadInputException if that would expose an unsecured broker to a network, or a file is
    *     invalid
    */
@@ -70,8 +73,9 @@ final class BrokerSecurity {
             "BIND ADDRESS "
                 + bindAddress
                 + " opens the Communication Manager to a network, but it has neither users nor encryption: "
-                + "./u2sa security init makes both, in the folder security, which SECURITY DIRECTORY is to name; "
-                + "or say ALLOW INSECURE NETWORK");
+                + "create both with ./u2sa security init in the folder security, and set "
+                + "SECURITY DIRECTORY to it; "
+                + "or set ALLOW INSECURE NETWORK");
       }
       log.accept(
           "WARNING: ALLOW INSECURE NETWORK: everyone who reaches "
@@ -119,7 +123,7 @@ final class BrokerSecurity {
     return directory != null;
   }
 
-  /** Encryption for a broker's connections; null if they are in plain text. */
+  /** Encryption for a broker's connections; null for plain text. */
   Encryption encryption() {
     return tls == null ? null : new Encryption(tls);
   }

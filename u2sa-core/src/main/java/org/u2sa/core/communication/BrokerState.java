@@ -20,11 +20,11 @@ import org.u2sa.core.communication.routing.RetainedTable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 
-/** What the sessions of all clients share: limits, users, subscriptions, retained messages. */
+/** State shared by the sessions of all clients: limits, users, subscriptions, retained messages. */
 final class BrokerState implements AutoCloseable {
-  static final String TOO_SLOW = "client disconnected, it is too slow";
+  static final String TOO_SLOW = "client disconnected: it is too slow";
 
-  private static final double TOTAL_BURST_S = 0.01; // how long a flood may delay other clients
+  private static final double TOTAL_BURST_S = 0.01; // maximum delay of other clients by a flood
 
   final BrokerLimits limits;
   final MessageCodec codec;
@@ -44,8 +44,8 @@ final class BrokerState implements AutoCloseable {
           8, 64 << 20, "connection closed, too many bytes wait for the rest of a packet");
   final MemoryBudget<Client> unsent = // or unacknowledged; touched by the network's thread only
       MemoryBudget.ofClients(4, 256 << 20, TOO_SLOW);
-  final Allowance beyondShares; // of all clients; touched by the network's thread only
-  final CostlyTime costlyTime; // of all clients; touched by the network's thread only
+  final Allowance beyondShares; // of all clients; confined to the network thread
+  final CostlyTime costlyTime; // of all clients; confined to the network thread
   final RemoteSubscriptions subscriptions = new RemoteSubscriptions();
   final MessageRouter router;
   final SourceNames sources;

@@ -35,7 +35,7 @@ final class BrokerSupervisor implements AutoCloseable {
         });
   }
 
-  /** Called on a thread of the broker, which must not shut down itself; repairs on another. */
+  /** Called on a broker thread, which must not shut down itself; repairs on another thread. */
   private void repairSoon() {
     Thread repair = new Thread(this::repair, "u2sa-broker-restart");
     repair.setDaemon(true);
@@ -92,8 +92,8 @@ final class BrokerSupervisor implements AutoCloseable {
   }
 
   /**
-   * As {@link EmbeddedBroker#isOfVehicle}; false while there is no broker. Waits for nothing: a
-   * broker that is being closed waits for its network's thread, which may ask this.
+   * As {@link EmbeddedBroker#isOfVehicle}; false while there is no broker. Never blocks: a closing
+   * broker waits for its network thread, which may call this.
    */
   boolean isOfVehicle(String serviceName) {
     EmbeddedBroker present = broker;

@@ -43,11 +43,11 @@ interface Client {
   /**
    * Ends the connection. May be called on any thread.
    *
-   * @param kind reason, for the log; the same for all clients with that reason
+   * @param kind reason for the log, identical for all clients with that reason
    */
   void putOutFor(String kind);
 
-  /** As {@link #putOutFor}, at once and on the connection's thread. */
+  /** Like {@link #putOutFor}, immediately and on the connection's thread. */
   void putOut(String kind, String details);
 
   /**
@@ -69,7 +69,7 @@ interface Client {
 
   void answer(MqttMessage answer);
 
-  /** What is still unsent or unacknowledged to the client; may be called on any thread. */
+  /** Number of unsent or unacknowledged messages to the client; may be called on any thread. */
   Future<Owed> owed();
 
   /**

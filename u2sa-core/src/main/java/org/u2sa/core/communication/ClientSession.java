@@ -211,7 +211,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   private void look(ChannelHandlerContext ctx) {
     if (stage == Stage.STRANGER
         && broker.nowMicros() - since > 1_000 * BrokerLimits.CONNECT_WITHIN_MS) {
-      putOut(ctx, "connection closed, it does not say who it is", "");
+      putOut(ctx, "connection closed: the client did not identify itself", "");
     } else if (stage == Stage.IN) {
       outflow.tooSlow(ctx).ifPresent(why -> putOut(ctx, BrokerState.TOO_SLOW, why));
       budget(ctx);
@@ -351,7 +351,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     inflow.hold();
     broker.pending.remove(this);
     outflow.admitted(user, clientId);
-    // A refused will does not refuse the client: every U2SA client has one, even an observer.
+    // A rejected will does not reject the client: every U2SA client has a will, even an observer.
     Optional<String> refused = last.flatMap(its::refusalOfWill);
     refused.ifPresent(this::willRefused);
     will = refused.isPresent() ? null : last.orElse(null);

@@ -129,7 +129,7 @@ final class ClientSubscriptions {
     return Optional.empty();
   }
 
-  /** The filters, each with whether it asks for QoS 1; the last of equal ones wins. */
+  /** The filters, each with whether it requests QoS 1; the last of equal filters wins. */
   private static Map<String, Boolean> filtersOf(MqttSubscribeMessage subscribe) {
     Map<String, Boolean> eachMatters = new LinkedHashMap<>();
     for (MqttTopicSubscription one : subscribe.payload().topicSubscriptions()) {

@@ -31,7 +31,7 @@ final class ClientTable {
         "too many connections of one user",
         MqttConnectReturnCode.CONNECTION_REFUSED_SERVER_UNAVAILABLE),
     ANOTHERS_ID(
-        "the client ID is another user's",
+        "the client ID belongs to another user",
         MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED);
 
     private final String reason;
@@ -90,7 +90,7 @@ final class ClientTable {
     }
   }
 
-  /** The client of a connection; null if there is none. */
+  /** The client of a connection, or null. */
   Client of(String connection) {
     return connections.get(connection);
   }

@@ -31,7 +31,7 @@ import org.u2sa.messages.schema.U2SAData;
  *
  * <p>By default it embeds a broker. Services of this process receive messages directly; the broker
  * sends copies to remote subscribers. With {@code BROKER} = {@code external} all services use
- * another MQTT broker, and with {@code none} nothing leaves the process.
+ * another MQTT broker, and with {@code none} no message leaves the process.
  */
 public final class CommunicationManager implements AutoCloseable {
   private static final String LOOPBACK = "127.0.0.1";
@@ -173,16 +173,16 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * The transport to another system on the same broker, which requires a user and encryption as for
-   * any client.
+   * The transport to another system on the same broker, which requires user and encryption like any
+   * client.
    *
    * @param otherSystemId the system, or {@link Topic#ANY_SYSTEM} to receive all
-   * @throws CommunicationException if nothing leaves this process
+   * @throws CommunicationException if there is no broker
    */
   public Transport transportOf(String otherSystemId) {
     if (remote == null) {
       throw new CommunicationException(
-          "system \"" + otherSystemId + "\" cannot be heard: BROKER is none");
+          "system \"" + otherSystemId + "\" is unreachable: BROKER is none");
     }
     return remote.get().ofSystem(otherSystemId);
   }
@@ -193,8 +193,8 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * Whether what arrives under a service's name is from this process, or one that it started, as
-   * the embedded broker knows; true with another broker, which does not know.
+   * Whether messages under a service's name come from this process or one that it started,
+   * according to the embedded broker; true with another broker, which cannot tell.
    */
   public boolean isOwn(String serviceName) {
     return broker == null || broker.isOfVehicle(serviceName);

@@ -53,7 +53,7 @@ final class ConnectionFilter implements AutoCloseable {
   /** Moquette handlers that log and count each packet, unused here. */
   private static final List<String> MOQUETTES_OBSERVERS = List.of("messageLogger", "metrics");
 
-  final BrokerState broker; // what the sessions share
+  final BrokerState broker; // state shared by the sessions
   private final Clock clock;
   private final Encryption encryption; // null: plain text
   private final AtomicInteger open = new AtomicInteger();
@@ -87,7 +87,7 @@ final class ConnectionFilter implements AutoCloseable {
     return true;
   }
 
-  /** Carries no stack trace, because Moquette would log it although nothing is wrong. */
+  /** Has no stack trace, because Moquette would log it although there is no error. */
   static final class StartingException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -200,7 +200,7 @@ final class ConnectionFilter implements AutoCloseable {
   }
 
   /**
-   * Stops accepting input and waits until the clients have received what was sent to them. Returns
+   * Stops accepting input and waits until the clients have received their pending messages. Returns
    * a lower bound on the number of undelivered messages.
    */
   int drain() {

@@ -57,7 +57,7 @@ final class EmbeddedBroker implements AutoCloseable {
   /**
    * Starts a broker and bridges it to the bus.
    *
-   * @param died called when the broker can no longer serve; must return at once
+   * @param died called when the broker can no longer serve; must return immediately
    * @throws CommunicationException if it cannot listen
    */
   static EmbeddedBroker start(
@@ -104,7 +104,7 @@ final class EmbeddedBroker implements AutoCloseable {
     properties.setProperty(
         IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(BrokerLimits.LONGEST_PACKET));
     properties.setProperty(
-        IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush at once: latency counts
+        IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush immediately for low latency
     return properties;
   }
 

@@ -20,8 +20,8 @@ import org.u2sa.interfaces.communication.CommunicationException;
 /**
  * Installs the connection filter before Moquette's listening socket. Moquette has no API for that,
  * so a private field is read; if a later version moves it, the broker refuses to start. Connections
- * made before the filter is installed have no pass, are not admitted, and are closed, because
- * nothing would limit what Moquette decodes for them.
+ * made before the filter is installed are rejected and closed, because nothing would limit what
+ * Moquette decodes for them.
  */
 final class FilterInstaller {
   private static final long END_WITHIN_S = 5;

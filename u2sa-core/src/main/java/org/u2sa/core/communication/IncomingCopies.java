@@ -17,7 +17,7 @@ import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Puts messages of remote clients on the bus. Counts undecodable and lost ones. */
+/** Puts messages of remote clients on the bus. Counts undecodable and lost messages. */
 final class IncomingCopies implements MessageRouter.Reader {
   private static final int TOPICS_REMEMBERED = 1_024;
 
@@ -99,7 +99,7 @@ final class IncomingCopies implements MessageRouter.Reader {
     message.freeze();
     if (!channel.carries(message)) {
       throw new IllegalArgumentException(
-          "it is not of the channel's type " + channel.type().name());
+          "its type does not match the channel: " + channel.type().name());
     }
     if (heard.size() < TOPICS_REMEMBERED) {
       heard.add(topicName);

@@ -49,8 +49,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private static final double SHARE_BURST_MESSAGES = 20.0; // of many clients at once
 
   /**
-   * Payload up to which a message counts as short [bytes]: it is handled in microseconds, whatever
-   * it says.
+   * Maximum payload of a short message [bytes], which is handled within microseconds regardless of
+   * its content.
    */
   static final int SHORT_PAYLOAD = 1_024;
 
@@ -68,7 +68,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   private long sincePacket; // bytes received since the last complete packet
   private double chargedS; // of the current read, for complete messages
   private double advanceS; // charged for the next read
-  private double lastReadS; // what the last read of a long message took
+  private double lastReadS; // cost of the last read of a long message
   private boolean isLong; // whether the last read was of a long message
   private boolean isBehind; // whether a subscriber is behind
   private boolean isWithinShare; // whether the next message is
@@ -202,8 +202,8 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Whether the time that the message takes cannot be told from its being one message: it is long,
-   * or a grid, whose cells are compressed a thousandfold.
+   * Whether the cost of a message must be measured by its size: it is long, or a grid, whose cells
+   * may be compressed a thousandfold.
    */
   private static boolean isCostly(Object message) {
     return message instanceof MqttPublishMessage publish
@@ -236,7 +236,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
     }
     long now = broker.nowMicros();
     if (held.isEmpty() && isOpen() && mayReadOn(now)) {
-      if (isLong) { // in advance, or all that wait would read at once
+      if (isLong) { // in advance, or all waiting clients would read at once
         broker.costlyTime.take(this, lastReadS - advanceS, now);
         advanceS = lastReadS;
       }

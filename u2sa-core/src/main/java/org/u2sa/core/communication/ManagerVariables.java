@@ -21,11 +21,11 @@ public record ManagerVariables(
             "Host of the external broker; auto: the one that announces itself by mDNS for this system.")
         String communicationManagerIp,
     @Variable(min = 1, max = 65_535, ifAbsent = 1883)
-        @Description("TCP port of either kind of broker.")
+        @Description("TCP port of the embedded or external broker.")
         int communicationManagerPort,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
         @Description(
-            "Time to wait at the start for an external broker, so that hosts may start in any order.")
+            "Time to wait for an external broker at startup, so that hosts may start in any order.")
         double communicationManagerWait,
     @Variable(
             oneOf = {"auto", "yes", "no"},

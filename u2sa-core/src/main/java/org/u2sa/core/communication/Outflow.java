@@ -157,7 +157,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
     return unsentAnswers > MAX_UNSENT_ANSWERS;
   }
 
-  /** Flushes all writes of one read pass of the network's thread together. */
+  /** Flushes all writes of one read pass of the network thread together. */
   private ChannelFuture write(ChannelHandlerContext ctx, ByteBuf packet) {
     flushSoon(ctx);
     return packets.write(packet);
@@ -198,7 +198,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
   }
 
   private static long unread(ChannelHandlerContext ctx) {
-    // Netty counts one byte more as free than there is.
+    // Netty reports one free byte too many.
     return Math.max(
         0,
         ctx.channel().config().getWriteBufferHighWaterMark()
@@ -222,14 +222,14 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
       takenBefore = taken;
       idleSince = now;
     } else if (now - idleSince > broker.limits.patienceMicros()) {
-      return Optional.of("it reads nothing");
+      return Optional.of("it does not read");
     }
     if (unacknowledged.isEmpty()) {
       return Optional.empty();
     }
     Unacknowledged oldest = unacknowledged.values().iterator().next();
     if (now - oldest.since > broker.limits.patienceMicros()) {
-      return Optional.of("it acknowledges nothing");
+      return Optional.of("it does not acknowledge");
     }
     return broker.kept() - oldest.keptBefore > broker.limits.maxUnacknowledgedBytes()
         ? Optional.of(TOO_MANY_BYTES)

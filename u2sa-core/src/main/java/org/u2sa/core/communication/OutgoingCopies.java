@@ -71,15 +71,15 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
   }
 
   /**
-   * Sends a message again as the last one, because the broker may have received a local message
-   * after the remote one.
+   * Sends a message again, because the broker may have received a local message after the remote
+   * one.
    */
   @Override
   public void restate(Channel<?> channel, U2SAData message) {
     forward(channel, message);
   }
 
-  /** Numbers every message, so that a client that reconnects knows how many it missed. */
+  /** Numbers every message, so that a reconnecting client knows how many it missed. */
   private void number(
       OriginNumbers.Stream stream,
       Channel<?> channel,
@@ -119,7 +119,7 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send(Copy copy) throws InterruptedException {
     if (!onTheWay.tryAcquire(LOST_AFTER_MS, TimeUnit.MILLISECONDS)) {
-      // A network thread that has ended completes nothing; do not wait for it.
+      // A network thread that has ended never completes it; do not wait.
       onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
       onTheWay.acquire();
     }

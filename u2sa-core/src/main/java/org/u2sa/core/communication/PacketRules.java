@@ -78,7 +78,7 @@ final class PacketRules {
     if (refusal.isEmpty() && retained) {
       refusal =
           publish.fixedHeader().qosLevel() == MqttQoS.AT_MOST_ONCE
-              ? Optional.of("it is to be retained and has QoS 0") // it could get lost unnoticed
+              ? Optional.of("retained messages require QoS 1") // it could get lost unnoticed
               : refusalAsRetained(verdict, payload);
       if (refusal.isEmpty()) {
         refusal = retain(verdict, payload);
@@ -92,7 +92,7 @@ final class PacketRules {
         verdict.topic(), verdict.rule(), payload, speaker, broker.nowMicros());
   }
 
-  /** The source in whose name a message is; empty if none. */
+  /** The source name of a message, or empty. */
   String sourceOf(MqttPublishMessage publish) {
     TopicPermissions.Verdict verdict = judge.judge(publish.variableHeader().topicName());
     return broker
@@ -124,7 +124,7 @@ final class PacketRules {
     try {
       return user == null || user.mayEnter(Topic.parse(topic).systemId())
           ? Optional.empty()
-          : Optional.of("it is another system");
+          : Optional.of("it belongs to another system");
     } catch (IllegalArgumentException e) {
       return Optional.empty();
     }
@@ -151,7 +151,7 @@ final class PacketRules {
       refusal =
           will.eachMatters()
               ? refusalAsRetained(verdict, will.payload())
-              : Optional.of("it is to be retained and has QoS 0");
+              : Optional.of("retained messages require QoS 1");
     }
     return refusal;
   }
@@ -174,7 +174,7 @@ final class PacketRules {
 
   /**
    * A retained emergency stop may not be deleted, not even by users who may clear it: it would
-   * remain in force where it was heard and be unknown to late subscribers.
+   * remain in force in services that received it and be unknown to late subscribers.
    */
   private Optional<String> refusalOfStop(
       TopicPermissions.Verdict verdict, byte[] payload, boolean isWill) {
@@ -207,11 +207,11 @@ final class PacketRules {
     if (payload.length > 0 || verdict.is(AccessRule.Kind.URGENT)) {
       Optional<U2SAData> message = read(verdict.topic(), payload);
       if (message.isEmpty()) {
-        return Optional.of("it is to be retained and cannot be read");
+        return Optional.of("it is retained but unreadable");
       }
       if (rule != null
           && !rule.channel().sourceOf(message.get()).equals(verdict.topic().source())) {
-        return Optional.of("it is retained for another source than it names");
+        return Optional.of("it is retained on the topic of another source");
       }
     }
     return Optional.empty();

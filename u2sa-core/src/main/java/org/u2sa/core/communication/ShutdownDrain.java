@@ -8,8 +8,8 @@ import java.util.concurrent.TimeoutException;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * On broker shutdown, waits until clients have received what was sent to them, such as neutral
- * commands. QoS 1 messages are acknowledged; for others it waits some time, because clients discard
+ * On broker shutdown, waits until clients have received pending messages, such as neutral commands.
+ * QoS 1 messages are acknowledged; for others it waits some time, because clients discard
  * unprocessed messages when the connection closes.
  */
 record ShutdownDrain(Collection<Client> clients, Clock clock) {
@@ -20,7 +20,7 @@ record ShutdownDrain(Collection<Client> clients, Clock clock) {
   private static final long ANSWER_WITHIN_MS = 1_000;
 
   /**
-   * Waits while there is progress. No new messages may arrive meanwhile.
+   * Waits while there is progress. No new messages may arrive during this time.
    *
    * @return lower bound of undelivered messages; more may have been queued behind them
    */

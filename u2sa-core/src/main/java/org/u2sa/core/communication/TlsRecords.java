@@ -10,7 +10,7 @@ import java.util.List;
 import org.u2sa.core.communication.limit.Allowance;
 
 /**
- * Passes TLS records to the decryption one by one and limits those without data, which are
+ * Passes single TLS records to the decryption and limits those without data, which are
  * disproportionately expensive: a TLS 1.3 KeyUpdate (RFC 8446, section 4.6.3) has 27 bytes and
  * derives new keys on the network thread. Rejects renegotiation, which TLS 1.2 allows. Confined to
  * its connection's thread.

@@ -26,7 +26,7 @@ import org.u2sa.service.ServiceRole;
  * monitor); arming-state and failsafe of the Safety Manager. Out: conditions, at each change;
  * service-orders; failsafe, while the Safety Manager of an armed vehicle is lost.
  *
- * <p>It tells hung, dead, lost, stalled, failed, silent and stopped services apart. Each service
+ * <p>It distinguishes hung, dead, lost, stalled, failed, silent and stopped services. Each service
  * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
  * supervisor. While disconnected from all others it judges no service. It reports services whose
  * clocks differ from its own by name.
@@ -104,7 +104,7 @@ public final class HealthMonitor extends PeriodicService {
     WatchedService service = service(report.serviceName());
     service.hear(report, nowS());
     if (report.status() != ServiceStatus.RUNNING || report.threadAlive().isPresent()) {
-      look(service); // at once, not at the next step
+      look(service); // immediately, not at the next step
     }
   }
 

@@ -9,7 +9,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
 /**
- * Reports of one service and the condition concluded from them. Each start of the service is a new
+ * Reports of one service and the condition derived from them. Each start of the service is a new
  * instance; reports of superseded instances are ignored.
  */
 final class HealthObservation {
@@ -20,9 +20,9 @@ final class HealthObservation {
   private static final int REMEMBERED_INSTANCES = 16;
 
   /**
-   * A condition and what it was concluded from.
+   * A condition and the observation it was derived from.
    *
-   * @param mayPass whether it is likely to clear by itself soon
+   * @param mayPass whether it is likely to clear without intervention
    */
   record Finding(Condition condition, String reason, boolean mayPass) {}
 
@@ -115,7 +115,7 @@ final class HealthObservation {
     }
   }
 
-  /** Takes over what an earlier monitor knew. */
+  /** Restores the state of a previous monitor. */
   void remember(String formerInstance) {
     if (last == null) {
       instance = formerInstance;
@@ -154,13 +154,13 @@ final class HealthObservation {
     }
     String error = last.lastError().map(text -> ": " + text).orElse("");
     if (hasStopped()) {
-      return finding(Condition.STOPPED, "it said so");
+      return finding(Condition.STOPPED, "reported by the service");
     }
     if (dead) {
       return finding(Condition.DEAD, "its thread has ended" + error);
     }
     if (last.status() == ServiceStatus.FAILED) {
-      return finding(Condition.FAILED, "it ended itself" + error);
+      return finding(Condition.FAILED, "ended by itself" + error);
     }
     if (lost) {
       return processEnd.isEmpty()
@@ -179,7 +179,7 @@ final class HealthObservation {
       return finding(Condition.HUNG, "its thread has not come back for " + seconds(nowS - spokeS));
     }
     if (nowS - spokeS > SILENT_AFTER * last.interval().orElse(USUAL_INTERVAL_S)) {
-      return finding(Condition.SILENT, "no report of its own for " + seconds(nowS - spokeS));
+      return finding(Condition.SILENT, "no report by the service for " + seconds(nowS - spokeS));
     }
     return judgeData(dataTimeoutS, nowS);
   }

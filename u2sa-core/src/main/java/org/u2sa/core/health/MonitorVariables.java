@@ -32,14 +32,15 @@ final class MonitorVariables {
           double reconnectWithin,
       @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 15)
           @Description(
-              "Time in which a service must be heard after the monitor starts or orders it to start.")
+              "Time within which a service must be heard after the monitor starts or orders its "
+                  + "start.")
           double startWithin,
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0.25)
           @Description(
               "Delay of the first restart; doubles with each further one within the window.")
           double restartDelay,
       @Variable(min = 1, max = 1000, ifAbsent = 3)
-          @Description("Restarts of a service within the window before it is given up.")
+          @Description("Restarts of a service within the window before the monitor gives up.")
           int restartLimit,
       @Variable(unit = "s", min = 1, max = 86_400, ifAbsent = 60)
           @Description("Restart-count window.")
@@ -47,10 +48,9 @@ final class MonitorVariables {
       @Variable(
               oneOf = {"ALERT", "FAILSAFE"},
               ifAbsentText = "FAILSAFE")
-          @Description("What to do when restarts did not help.")
+          @Description("Action when restarts have not helped.")
           String afterRestarts,
-      @Variable(ifAbsentText = "RESTART")
-          @Description("What to do about a service that no longer works.")
+      @Variable(ifAbsentText = "RESTART") @Description("Action for a service that no longer works.")
           Policy policy,
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
           @Description("Time without data after which a service counts as stalled; 0: never.")

@@ -2,7 +2,7 @@ package org.u2sa.core.health;
 
 /** Action on a failed service. The names are used in configurations. */
 enum Policy {
-  /** Restart it a few times, then apply AFTER RESTARTS. */
+  /** Restart the service a few times, then apply AFTER RESTARTS. */
   RESTART,
   /** Only report it. */
   ALERT,

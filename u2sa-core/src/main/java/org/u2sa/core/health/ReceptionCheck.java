@@ -3,8 +3,9 @@ package org.u2sa.core.health;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * Checks that the monitor receives anything at all. Its own reports travel the same way as all
- * others: if they do not come back, the connection is broken and silence of services means nothing.
+ * Checks that the monitor receives anything at all. Its own reports take the same route as all
+ * others: if they do not return, the connection is broken and the silence of services proves
+ * nothing.
  */
 final class ReceptionCheck {
   private static final double LOST_AFTER_INTERVALS = 4.0;

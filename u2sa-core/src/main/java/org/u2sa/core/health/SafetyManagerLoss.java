@@ -8,9 +8,9 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 
 /**
- * Demands a failsafe action in place of a Safety Manager that was given up, stopped or cannot be
- * reached while the vehicle is armed: nobody else watches the battery, the fence or the operator's
- * link. Ends when a Safety Manager is heard again.
+ * Demands a failsafe action when the Safety Manager has failed, stopped or become unreachable while
+ * the vehicle is armed, because nobody else monitors battery, fence and operator link. Ends when a
+ * Safety Manager is heard again.
  */
 final class SafetyManagerLoss {
   private static final double REPEAT_INTERVAL_S = 1.0;
@@ -18,13 +18,14 @@ final class SafetyManagerLoss {
 
   private final boolean isRestart;
   private boolean armed;
-  private FailsafeAction demanded = FailsafeAction.CONTINUE; // by the failsafe heard last
+  private FailsafeAction demanded =
+      FailsafeAction.CONTINUE; // according to the last failsafe received
   private double heardS; // or excused
   private double repeatDueS = Double.NEGATIVE_INFINITY;
 
   /**
-   * @param isRestart whether the monitor ran before in this run, so that what a broker has kept is
-   *     of this run, however old
+   * @param isRestart whether the monitor ran before in this run, so that retained messages are from
+   *     this run, regardless of age
    */
   SafetyManagerLoss(boolean isRestart) {
     this.isRestart = isRestart;

@@ -13,7 +13,7 @@ import org.u2sa.messages.contract.ServiceStatus;
 
 /**
  * One monitored service: its condition and the policy applied to it. Restarts back off; when they
- * do not help, the service is given up until somebody else starts it. A service that was told to
+ * do not help, the monitor gives up the service until someone else starts it. A service ordered to
  * stop is left alone.
  */
 final class WatchedService {
@@ -79,7 +79,7 @@ final class WatchedService {
     hopeless = hopelessness.isPresent();
   }
 
-  /** Ends what was concluded from earlier starts. */
+  /** Discards conclusions from earlier starts. */
   private void resume() {
     givenUp = false;
     hopeless = false;
@@ -120,7 +120,7 @@ final class WatchedService {
     if (accepted) {
       shortSinceS = Double.NaN;
       shortages = 0;
-      if (isPending()) { // otherwise its process has ended meanwhile
+      if (isPending()) { // otherwise its process has ended
         observation.expectAnother(orderedInstance, nowS);
       }
       return;
@@ -149,7 +149,7 @@ final class WatchedService {
     HealthObservation.Finding found =
         observation.judge(settings.limits, settings.dataTimeoutS(name), nowS);
     if (toldToStop && found.condition() == Condition.LOST) {
-      found = new HealthObservation.Finding(Condition.STOPPED, "it was told to", false);
+      found = new HealthObservation.Finding(Condition.STOPPED, "ordered to stop", false);
     }
     if (found.condition() == Condition.ALIVE) {
       notStarted = "";
@@ -258,7 +258,7 @@ final class WatchedService {
       total++;
     }
 
-    /** Withdraws the latest one; the next still waits from its time on. */
+    /** Withdraws the latest restart; the next one is still delayed from its time. */
     void takeBack() {
       timesS.pollLast();
       total--;

@@ -35,13 +35,13 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
     }
   }
 
-  /** How a system perceives its surroundings (thesis 2.3.1). */
+  /** Level of perception (thesis 2.3.1). */
   public enum Perception implements Level {
     /** No sensors. */
     NO_SENSING,
     /** Single data points, neither grouped nor classified. */
     DISCRETE,
-    /** Nearby data points are grouped into objects, all treated alike. */
+    /** Nearby data points are grouped into objects of one kind. */
     GROUPED,
     /** Objects are classified by programmed characteristics. */
     CLASSIFICATION,
@@ -51,7 +51,7 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
     DYNAMIC_LEARNING
   }
 
-  /** How a system makes decisions (thesis 2.3.2). */
+  /** Autonomy levels of a system (thesis 2.3.2). */
   public enum Decision implements Level {
     /** Time-triggered manoeuvres. */
     NO_DECISIONS,
@@ -67,7 +67,7 @@ public record AutonomyLevels(Perception perception, Decision decision, Independe
     DYNAMIC_TASK_LEARNING
   }
 
-  /** How far a system works without people (thesis 2.3.3). */
+  /** Level of independence from people (thesis 2.3.3). */
   public enum Independence implements Level {
     /** None: remotely controlled. */
     TELEOPERATION,

@@ -52,7 +52,8 @@ final class ClockAgreement {
     log.accept(
         String.format(
             Locale.ROOT,
-            "this machine's clock is %.3f s %s that of %s (± %.3f s): follows the system's time",
+            "this machine's clock is %.3f s %s the clock of %s (± %.3f s): follows the system's "
+                + "time",
             Clock.seconds(Math.abs(aheadMicros)),
             aheadMicros > 0 ? "behind" : "ahead of",
             source,

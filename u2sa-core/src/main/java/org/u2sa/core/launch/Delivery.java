@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** How messages travel between the services of one process. */
+/** Delivery of messages between the services of one process. */
 public enum Delivery {
   /**
    * The publisher puts them into the subscribers' inboxes; the broker gets copies for other

@@ -54,7 +54,7 @@ final class DuplicateCheck implements Transport, Receiver {
   }
 
   /**
-   * Only asks for the time, for restarted services whose names may still be registered; the first
+   * Only determines the time, for restarted services whose names may still be registered; the first
    * answer suffices.
    */
   static DuplicateCheck forTime(Transport transport, Clock clock, Consumer<String> log) {

@@ -13,9 +13,9 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reports for the services of this process that are silent (thesis 3.5.3): publishes on {@code
- * health} whether the thread is alive and how long its callback has been running. One thread per
- * process, on the run's clock; it only checks and publishes.
+ * Reports on behalf of silent services of this process (thesis 3.5.3): publishes on {@code health}
+ * whether the thread is alive and how long its callback has been running. One thread per process,
+ * on the run's clock; it only checks and publishes.
  *
  * <p>It also restarts a health monitor that is dead or hung, which nothing else would.
  */
@@ -84,7 +84,7 @@ final class HealthWatch implements AutoCloseable {
     }
   }
 
-  /** Checks a service; an error with one, no memory included, does not affect the others. */
+  /** Checks a service; an error in one, including out of memory, does not affect the others. */
   private void lookAt(U2SAService service) {
     try {
       look(service);

@@ -16,9 +16,9 @@ import org.u2sa.service.U2SAService;
  * The services that run as threads of this process. The list may be read and changed by any thread;
  * ending and making services takes time and happens outside its lock.
  *
- * <p>A restart ends the current instance (its {@code release} leaves actuators neutral), and makes
- * and starts a new one of the same class, name and configuration file, unless a trial shows before
- * that it cannot be made. A thread that hangs cannot be ended in Java: it is disconnected and
+ * <p>A restart ends the current instance (its {@code release} leaves actuators neutral) and starts
+ * a new one of the same class, name and configuration file, unless a dry run shows beforehand that
+ * it cannot be created. A thread that hangs cannot be ended in Java: it is disconnected and
  * abandoned.
  *
  * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
@@ -41,7 +41,7 @@ final class HostedServices implements ServiceHost {
    * A service.
    *
    * @param entry its entry in the system file, with its configuration
-   * @param className its class: the entry's until it is swapped
+   * @param className current class: the entry's class until swapped
    */
   record Hosted(
       SystemFile.Entry entry,

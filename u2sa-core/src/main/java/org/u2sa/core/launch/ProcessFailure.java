@@ -4,15 +4,15 @@ import java.io.IOException;
 import java.util.regex.Pattern;
 
 /**
- * What a supervisor of processes says of one that ended or could not be started, and what a monitor
- * concludes from it. The words are for people as well: they stand in reports and in logs.
+ * A supervisor's report of a process that ended or could not be started, and the monitor's
+ * conclusion from it. The names are also shown to people, in reports and logs.
  */
 public final class ProcessFailure {
   private static final String ENDED = "its process has ended with exit code ";
-  private static final int BAD_INPUT = 2; // of the command line: nothing was started
+  private static final int BAD_INPUT = 2; // of the command line: no service was started
   private static final String SHORT_OF_RESOURCES = "too little memory, processes or open files";
 
-  /** Errors of Linux as Java tells them: EAGAIN, ENOMEM, ENFILE and EMFILE. */
+  /** Linux errors as worded by Java: EAGAIN, ENOMEM, ENFILE and EMFILE. */
   private static final Pattern NO_RESOURCES = Pattern.compile("error=(11|12|23|24)\\b");
 
   private ProcessFailure() {}

@@ -33,7 +33,7 @@ public final class RunningSystem implements AutoCloseable {
   private volatile CommunicationManager manager;
   private volatile ServiceMaker maker;
   private volatile HostedServices hosted;
-  private volatile Launcher launcher; // null without services to start
+  private volatile Launcher launcher; // null if no services are started
   private volatile HealthWatch watch; // likewise
 
   private RunningSystem(SystemFile file, LaunchOptions options) {
@@ -100,7 +100,7 @@ public final class RunningSystem implements AutoCloseable {
       return transport; // no other process can run yet
     }
     if (options.besideManager) {
-      return transport; // answers to discovery could be anyone's
+      return transport; // discovery answers could come from anyone
     }
     Clock clock = options.clock;
     boolean real = clock instanceof SystemClock;
@@ -168,8 +168,7 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Snapshot of the services of the system file, in file order, including restarted and swapped
-   * ones.
+   * Snapshot of the system file's services, in file order, including restarted and swapped ones.
    */
   public List<U2SAService> services() {
     return hosted == null ? List.of() : hosted.services();
@@ -181,8 +180,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Why a service that runs in another process could not be started again; empty if nothing
-   * prevents it as far as this process can tell without opening its devices.
+   * Reason why a service in another process could not be restarted; empty if this process finds
+   * none without opening its devices.
    */
   public Optional<String> refusalToRestart(SystemFile.Entry entry) {
     try {
@@ -199,8 +198,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Waits until all services have ended, for example after a stop command, including those
-   * restarted meanwhile.
+   * Waits until all services have ended, including restarted ones, for example after a stop
+   * command.
    */
   public void awaitEnd() throws InterruptedException {
     List<U2SAService> awaited;

@@ -13,7 +13,7 @@ public final class ServiceFactory {
   /**
    * Finds the class of an entry in a system file.
    *
-   * @throws BadInputException if there is no such class or it is no service; names file, line and
+   * @throws BadInputException if the class does not exist or is not a service; names file, line and
    *     class
    */
   static Constructor<? extends U2SAService> constructor(SystemFile.Entry entry) {
@@ -27,7 +27,7 @@ public final class ServiceFactory {
   /**
    * Finds a class without initialising it.
    *
-   * @throws BadInputException if there is no such class or it is no service; names the class
+   * @throws BadInputException if the class does not exist or is not a service; names the class
    */
   static Constructor<? extends U2SAService> constructor(String className) {
     try {
@@ -68,7 +68,7 @@ public final class ServiceFactory {
     }
   }
 
-  /** Thrown if the class itself, not its code, is at fault. */
+  /** Thrown if the class, not its code, is at fault. */
   private static final class NotMadeException extends BadInputException {
     private static final long serialVersionUID = 1L;
 
@@ -80,7 +80,7 @@ public final class ServiceFactory {
   /**
    * Creates a service.
    *
-   * @throws BadInputException if there is no such class or it is no service; names the class
+   * @throws BadInputException if the class does not exist or is not a service; names the class
    * @throws RuntimeException what its constructor threw
    */
   public static U2SAService create(String className, ServiceContext context) {

@@ -77,8 +77,8 @@ final class ServiceMaker {
   /**
    * Constructs a service once, and discards it, before the running one is ended for it: whatever
    * its constructor refuses, such as a file that a variable names, must leave the running one
-   * alone. It is connected to nobody, is never started, and ends where it would open a device. Does
-   * nothing for a class with a maker of its own, which may hold devices of the host.
+   * alone. The trial instance is neither connected nor started, and ends where it would open a
+   * device. Does nothing for a class with its own factory, which may hold devices of the host.
    *
    * @param configuration read for this trial
    * @throws RuntimeException what its constructor threw
@@ -106,7 +106,7 @@ final class ServiceMaker {
       ServiceFactory.create(className, context).shutDown();
       context.configuration().refuseUndeclared();
     } catch (TrialEndedException e) {
-      return; // what comes before its device was accepted
+      return; // the configuration before its device was accepted
     } finally {
       context.abandon();
     }

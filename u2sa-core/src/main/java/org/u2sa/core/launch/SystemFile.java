@@ -33,7 +33,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param file path of the file
  * @param systemId the vehicle's ID
  * @param communication the Communication Manager's configuration file; empty for defaults
- * @param delivery how messages travel between the services of one process
+ * @param delivery message delivery between the services of one process
  * @param communicationHost the host that runs the Communication Manager; empty: any
  * @param autonomy the vehicle's stated autonomy (thesis 2.3); empty if not stated
  * @param services services in start order
@@ -127,7 +127,7 @@ public record SystemFile(
    * Copy with some of the services only.
    *
    * @param simpleNames simple class names of the services
-   * @throws BadInputException if the file lists no service of one of the names, or several
+   * @throws BadInputException if the file does not list exactly one service for each name
    */
   public SystemFile only(Collection<String> simpleNames) {
     List<String> known = new ArrayList<>();

@@ -18,7 +18,7 @@ import org.u2sa.service.handover.HandOver;
  * disarmed are ignored.
  */
 final class ActuationWatch implements Watch {
-  private static final int MAX_SERVICES = 500; // beyond it, silent ones are forgotten
+  private static final int MAX_SERVICES = 500; // beyond this number, silent ones are dropped
   private static final long FORGOTTEN_MICROS = 60 * Clock.MICROS_PER_SECOND;
 
   private static final String ARMED = "actuators armed";

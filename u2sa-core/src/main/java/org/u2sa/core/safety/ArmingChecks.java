@@ -104,7 +104,7 @@ final class ArmingChecks {
                     + " is LAND, but "
                     + (landGoals.isPresent()
                         ? "the Mission Manager has loaded no LAND MISSION"
-                        : "no Mission Manager has said that it has loaded a LAND MISSION"))
+                        : "no Mission Manager has reported a loaded LAND MISSION"))
         .findFirst();
   }
 }

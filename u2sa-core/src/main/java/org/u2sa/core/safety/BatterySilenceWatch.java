@@ -11,13 +11,13 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Checks that every battery that was heard is still heard, where a threshold is set: a battery
- * whose sensor is silent may be empty.
+ * Checks that every known battery still reports, if a threshold is set: a battery with a silent
+ * sensor may be empty.
  */
 final class BatterySilenceWatch implements Watch {
-  private static final int MAX_BATTERIES = 256; // so that invented ones do not fill the memory
+  private static final int MAX_BATTERIES = 256; // caps memory against spoofed batteries
 
-  /** While disarmed: it was taken out, as one with another name may have been put in. */
+  /** While disarmed: the battery may have been exchanged for one with another name. */
   private static final double FORGOTTEN_AFTER_S = 60.0;
 
   private final Supplier<SafetyVariables> settings;
@@ -79,7 +79,7 @@ final class BatterySilenceWatch implements Watch {
         .findFirst();
   }
 
-  /** Forgets batteries that are silent for long, unless BATTERIES names them. */
+  /** Drops batteries that have been silent for long, unless listed in BATTERIES. */
   @Override
   public Optional<String> objection(long nowMicros) {
     SafetyVariables now = settings.get();

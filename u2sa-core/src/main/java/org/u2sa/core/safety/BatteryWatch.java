@@ -27,7 +27,7 @@ final class BatteryWatch implements Watch {
   private final ToDoubleFunction<SafetyVariables> leastVolts;
   private final ToDoubleFunction<SafetyVariables> leastPercent;
   private final Map<String, Low> low = new TreeMap<>();
-  private final Set<String> chosenHeard = new TreeSet<>(); // of those that the settings name
+  private final Set<String> chosenHeard = new TreeSet<>(); // of the batteries in the settings
   private boolean heard; // any that counts
 
   private BatteryWatch(
@@ -98,7 +98,7 @@ final class BatteryWatch implements Watch {
     state.texts(hazard.words(), values);
   }
 
-  /** A battery is low until it says otherwise. */
+  /** A battery stays low until it reports otherwise. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     List<String> values = state.texts(hazard.words());

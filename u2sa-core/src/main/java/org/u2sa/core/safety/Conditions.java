@@ -36,7 +36,7 @@ final class Conditions {
     state.messages(FAILED, failed());
   }
 
-  /** Takes over the failed services: each has failed until a newer condition says otherwise. */
+  /** Restores the failed services, which count as failed until a newer condition arrives. */
   void takeOver(HandOver state) {
     state.messages(FAILED, ServiceCondition.class).forEach(this::see);
   }
@@ -66,7 +66,7 @@ final class Conditions {
         .findFirst();
   }
 
-  /** A service the health monitor has given up, by policy or after its restarts. */
+  /** A service that the health monitor has given up, by policy or after failed restarts. */
   Optional<String> givenUp() {
     return failed().stream()
         .filter(condition -> condition.action().startsWith(GIVEN_UP))

@@ -84,7 +84,7 @@ final class ExtensionWatch implements Watch {
     reported.ifPresent(words -> state.text(key(), words));
   }
 
-  /** What the predecessor's check reported counts until this one has heard something. */
+  /** The predecessor's result counts until this check has received data. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     inherited = check.channels().isEmpty() ? Optional.empty() : state.text(key());

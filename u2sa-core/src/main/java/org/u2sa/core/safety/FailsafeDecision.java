@@ -80,7 +80,7 @@ final class FailsafeDecision {
     return List.of(cause.hazard().words(), cause.action().name(), cause.words());
   }
 
-  /** Takes over all causes of the previous Safety Manager, as if they were present now. */
+  /** Adopts all causes of the previous Safety Manager, as if they were present now. */
   void takeOver(HandOver state, long nowMicros) {
     for (Cause cause : read(state.texts(CAUSES), nowMicros)) {
       causes.put(cause.hazard(), cause);
@@ -90,7 +90,7 @@ final class FailsafeDecision {
     }
   }
 
-  /** The causes written by {@link #texts} whose hazards exist here. */
+  /** The causes written by {@link #texts} whose hazards are known. */
   private List<Cause> read(List<String> values, long nowMicros) {
     List<Cause> read = new ArrayList<>();
     for (int i = 0; i + 2 < values.size(); i += 3) {
@@ -104,7 +104,7 @@ final class FailsafeDecision {
     return read;
   }
 
-  /** What must be saved as soon as it changes. */
+  /** State that must be saved as soon as it changes. */
   String saved() {
     return causes.keySet() + (kept == null ? "" : " " + kept.hazard() + " " + kept.action());
   }

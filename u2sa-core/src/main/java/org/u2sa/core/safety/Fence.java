@@ -50,7 +50,7 @@ final class Fence {
                 .toArray(PreparedGeometry[]::new));
   }
 
-  /** Copy shrunk on all sides; throws if nothing remains of it. */
+  /** Copy shrunk on all sides; throws if no area remains. */
   Fence drawnInBy(double marginM) {
     if (marginM == 0.0) {
       return this;

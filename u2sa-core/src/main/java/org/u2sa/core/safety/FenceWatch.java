@@ -27,7 +27,7 @@ final class FenceWatch implements Watch {
   private volatile Fence fence; // null if none; written by the Safety Manager's thread
   private boolean aboveFloor;
   private Point clear =
-      Point.of(0.0, 0.0, 0.0); // where the distance to the fence was last computed
+      Point.of(0.0, 0.0, 0.0); // position at which the distance to the fence was last computed
   private double clearM; // free radius around it; 0 if unknown
 
   /** Loads the configured fence; throws if its file is invalid. */

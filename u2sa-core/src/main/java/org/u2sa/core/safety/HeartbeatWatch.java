@@ -11,7 +11,7 @@ import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
-/** Checks that a periodic sender is still heard. */
+/** Checks that a periodic sender still sends. */
 final class HeartbeatWatch implements Watch {
   /** Expectation: sender, whether required before the first message, and timeout [s]. */
   private record Expected(String who, boolean required, double deadlineS) {}
@@ -84,7 +84,7 @@ final class HeartbeatWatch implements Watch {
     }
   }
 
-  /** Whoever was heard before must be heard again within the deadline. */
+  /** Every source heard before must be heard again within the deadline. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     double deadlineS = upToDate ? 0.0 : expected.get().deadlineS();

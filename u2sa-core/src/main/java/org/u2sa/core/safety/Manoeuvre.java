@@ -94,8 +94,8 @@ record Manoeuvre(
   }
 
   /**
-   * Region it may cover until it has stopped or turned round to either side: for a turn, the hull
-   * of both half circles ahead, extended by the wind drift.
+   * Region that the vehicle may cover until it has stopped or turned around to either side: for a
+   * turn, the hull of both half circles ahead, extended by the wind drift.
    *
    * @param place east and north [m]
    * @param velocity east and north [m/s]

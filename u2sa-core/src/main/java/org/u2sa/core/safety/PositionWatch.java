@@ -8,10 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.inbox.MessageAge;
 
-/**
- * Checks that the vehicle knows its position: lost when states are stale, lack x and y, or are too
- * uncertain.
- */
+/** Checks the position: lost when states are stale, lack x and y, or are too uncertain. */
 final class PositionWatch implements Watch {
   private static final String NEWEST = "state";
   private static final String AGE = "state heard before";

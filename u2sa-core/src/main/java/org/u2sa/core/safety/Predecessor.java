@@ -6,10 +6,10 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * The Safety Manager that this one replaces in the same run, so that a restart in flight neither
- * disarms the vehicle nor drops a failsafe. What it demanded is known from the state it saved. Its
- * last retained message only tells that this was not longer ago than a restart takes: others could
- * have published one.
+ * The previous Safety Manager of the same run, so that a restart in flight neither disarms the
+ * vehicle nor drops a failsafe. What it demanded is known from the state it saved. Its last
+ * retained message only proves that this is no longer ago than a restart takes, because others
+ * could have published it.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
@@ -41,12 +41,12 @@ final class Predecessor {
     state.flag(ARMED, armed);
   }
 
-  /** Passes its state on to the next one, which starts before this one has begun. */
+  /** Passes its state to the next successor, which starts before this one has begun. */
   void handOver(HandOver state) {
     handOver(state, armed);
   }
 
-  /** Takes over the state saved by {@link #handOver}. */
+  /** Restores the state saved by {@link #handOver}. */
   void takeOver(HandOver state) {
     armed = state.flag(ARMED);
   }

@@ -26,9 +26,9 @@ import org.u2sa.service.actuator.EmergencyLatch;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Decides what the vehicle does when something is wrong, by the failsafe matrix in its
- * configuration, and whether it may move at all. In: state, conditions, health, operator, power,
- * actuators, goals, arming, emergency-stop. Out: failsafe, arming-state, emergency-stop.
+ * Decides by the failsafe matrix how the vehicle reacts to faults, and whether it may move at all
+ * (arming). In: state, conditions, health, operator, power, actuators, goals, arming,
+ * emergency-stop. Out: failsafe, arming-state, emergency-stop.
  *
  * <p>Failsafes act while it is armed. The most severe cause wins.
  */
@@ -143,7 +143,7 @@ public final class SafetyManager extends PeriodicService {
     watches.forEach(watch -> watch.takeOver(state, now, isSwap));
   }
 
-  /** Saves what a successor must know, if it has changed. */
+  /** Saves the state for a successor, if it has changed. */
   private void save() {
     String state =
         watches.stream()

@@ -24,7 +24,8 @@ record SafetyVariables(
         String estimatorService,
     @Variable(ifAbsentText = "")
         @Description(
-            "Services whose failure is the loss of the actuator link, and whose refusals count, separated by commas; empty: refusals of all count.")
+            "Services whose failure counts as loss of the actuator link, separated by commas; "
+                + "only their refusals count. Empty: refusals of all services count.")
         String actuatorServices,
     @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 2)
         @Description(
@@ -55,11 +56,13 @@ record SafetyVariables(
         double batteryTime,
     @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 10)
         @Description(
-            "Time without a message from a battery once heard after which its sensor counts as lost, if a threshold is set.")
+            "Time without a message after which the sensor of a known battery counts as lost, if "
+                + "a threshold is set.")
         double batteryDeadline,
     @Variable(ifAbsentText = "")
         @Description(
-            "Sensor names of the batteries that count, separated by commas, so that an invented one is ignored; empty: all that are heard.")
+            "Sensor names of the monitored batteries, separated by commas, so that spoofed ones "
+                + "are ignored; empty: all.")
         String batteries,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 3)
         @Description("Time for which a cause must be gone before it no longer counts.")
@@ -75,7 +78,8 @@ record SafetyVariables(
         boolean missionRequired,
     @Variable(ifAbsentText = "")
         @Description(
-            "Actuators that must have announced themselves before arming, separated by commas; empty: any one.")
+            "Actuators that must be announced before arming, separated by commas; empty: at "
+                + "least one, whichever it is.")
         String requiredActuators,
     @Variable(ifAbsentText = "")
         @Description("Geofence XML file, relative to this one; empty: none.")
@@ -99,15 +103,14 @@ record SafetyVariables(
         @Description(
             "The planner's LOITER RADIUS: if ON FENCE is HOLD, the vehicle acts while there is still room for this circle.")
         double holdRadius,
-    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
-        @Description("Wind towards the fence to allow for.")
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0) @Description("Wind allowance towards the fence.")
         double windAllowance,
     @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 0.8)
         @Description(
-            "Acceleration with which a climb ends below the ceiling, or a descent above the floor.")
+            "Vertical acceleration for levelling off below the ceiling or above the floor.")
         double verticalAcceleration,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
-        @Description("Margin by which the fence is drawn in on all sides, for position errors.")
+        @Description("Margin inside the fence on all sides, for position errors.")
         double fenceMargin) {
   /** Names of the variables that define the fence. */
   static final String FENCE = "FENCE";

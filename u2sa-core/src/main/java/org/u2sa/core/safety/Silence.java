@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.handover.HandOver;
 
-/** How long senders have been silent, for a successor that must miss them too. */
+/** Silence of senders, saved for a successor that must also detect their loss. */
 final class Silence {
   private static final String NAMES = " heard";
   private static final String TIMES = " silent";
@@ -15,10 +15,10 @@ final class Silence {
   private Silence() {}
 
   /**
-   * Writes who was heard, and for how long each has been silent.
+   * Saves the known sources and how long each has been silent.
    *
    * @param key the beginning of the values' names
-   * @param heardMicros when each sender was last heard
+   * @param heardMicros time of each sender's last message
    */
   static void handOver(HandOver state, String key, Map<String, Long> heardMicros, long nowMicros) {
     List<String> silentS = new ArrayList<>();
@@ -27,8 +27,8 @@ final class Silence {
   }
 
   /**
-   * Returns when each sender was last heard. One that was silent for no longer than {@code sinceS}
-   * counts as heard now, because it may have spoken after the state was written.
+   * Returns the time of each sender's last message. A source silent for at most {@code sinceS}
+   * counts as heard now, because it may have sent data after the state was saved.
    */
   static Map<String, Long> takeOver(HandOver state, String key, long nowMicros, double sinceS) {
     List<String> names = state.texts(key + NAMES);

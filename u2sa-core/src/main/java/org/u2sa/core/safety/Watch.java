@@ -35,14 +35,14 @@ interface Watch {
   /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
 
-  /** Writes what a successor's watch must know, so that it sees the same trouble. */
+  /** Saves the watch's state for a successor, so that it detects the same faults. */
   default void handOver(HandOver state, long nowMicros) {}
 
   /**
-   * Takes over what {@link #handOver} has written.
+   * Restores the state written by {@link #handOver}.
    *
-   * @param upToDate whether it was written just now, at a swap; at a restart it is as old as the
-   *     last change
+   * @param upToDate true at a swap, where the state was just written; false at a restart, where it
+   *     dates from the last change
    */
   default void takeOver(HandOver state, long nowMicros, boolean upToDate) {}
 

@@ -7,7 +7,7 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Creates the standard watches, except the fence's. */
+/** Creates the standard watches, except that of the fence. */
 final class Watches {
   private Watches() {}
 

@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.MessageType;
 
 /**
  * One row of {@link AccessTable}: a type on the channel that carries it. Retention, QoS and urgency
- * are the channel's.
+ * are defined by the channel.
  *
  * @param channel a standard channel
  * @param type message type; the rule includes its subclasses
@@ -17,7 +17,7 @@ import org.u2sa.messages.schema.MessageType;
  */
 public record AccessRule(
     Channel<?> channel, MessageType<?> type, Set<AccessRole> roles, Kind kind, boolean mayBeWill) {
-  /** What a message demands of its receivers. */
+  /** Demand of a message on its receivers. */
   public enum Kind {
     /** Reports: measurements, states, plans, answers. */
     REPORT,
@@ -47,8 +47,8 @@ public record AccessRule(
   }
 
   /**
-   * Maximum payload [bytes]. Every service reads all questions and configuration changes, even
-   * those for others, between states and commands, which long ones would delay.
+   * Maximum payload [bytes]. Every service receives all queries and configuration changes, even
+   * those for others; long ones would delay states and commands.
    */
   public int longestPayload() {
     return switch (kind) {

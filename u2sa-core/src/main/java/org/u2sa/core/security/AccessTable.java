@@ -129,7 +129,7 @@ public final class AccessTable {
   }
 
   /**
-   * Rule for a message: that of its type, or of the nearest ancestor with a rule.
+   * Rule for a message: by its type, or its nearest ancestor type with a rule.
    *
    * @param channel a standard channel's name
    * @param known type as which the message will be read, {@link

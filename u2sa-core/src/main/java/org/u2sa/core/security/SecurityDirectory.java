@@ -46,7 +46,7 @@ public record SecurityDirectory(Path path) {
       if (!Files.isRegularFile(needed)) {
         throw new BadInputException(
             String.format(
-                "SECURITY DIRECTORY \"%s\": there is no %s; ./u2sa security init makes it",
+                "SECURITY DIRECTORY \"%s\": missing %s; create it with ./u2sa security init",
                 path, needed.getFileName()));
       }
     }
@@ -57,7 +57,7 @@ public record SecurityDirectory(Path path) {
    * Checks that only the owner may read or replace keys and users, including the authority's key if
    * present: with it, anyone could set up a broker that clients trust.
    *
-   * @throws BadInputException if one is too open; says how to close it
+   * @throws BadInputException if permissions are too open; names the remedy
    */
   public void requireClosed() {
     refuse(SecretFile.tooOpenFolder(path));

@@ -12,7 +12,7 @@ import org.u2sa.interfaces.communication.Topic;
  * One user of the broker: a person, a service or a host.
  *
  * @param name 1…64 letters, digits, '_', '.' or '-'
- * @param roles at least one; the permissions of all roles add up
+ * @param roles at least one role; their permissions add up
  * @param systems accessible systems; at least one, or {@link #EVERY_SYSTEM} for all
  * @param password password hash
  */

@@ -28,7 +28,8 @@ public final class UserFile {
    * Reads the file.
    *
    * @return the users by name
-   * @throws BadInputException if it is missing or wrong; names file, line and what was expected
+   * @throws BadInputException if it is missing or invalid; names file, line and the expected
+   *     content
    */
   public static Map<String, User> read(Path file) {
     Map<String, User> users = new TreeMap<>();
@@ -57,8 +58,7 @@ public final class UserFile {
       }
       return Files.readAllLines(file, StandardCharsets.UTF_8);
     } catch (NoSuchFileException e) {
-      throw new BadInputException(
-          file + ": there is no such file; ./u2sa security init makes one", e);
+      throw new BadInputException(file + ": no such file; create it with ./u2sa security init", e);
     } catch (IOException e) {
       throw new BadInputException(file + ": cannot be read: " + e, e);
     }

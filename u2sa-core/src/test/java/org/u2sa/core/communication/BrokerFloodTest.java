@@ -71,7 +71,7 @@ class BrokerFloodTest {
     whilePublishing(channel, large, "message to a slow client");
     assertThat(broker.manager.dropped()).isPositive();
     broker.servesOn();
-    whilePublishing(channel, large, "it reads nothing");
+    whilePublishing(channel, large, "it does not read");
     assertThat(deaf.isPutOut()).isTrue();
   }
 
@@ -98,7 +98,7 @@ class BrokerFloodTest {
           .until(
               () -> {
                 broker.bus.publish(Channels.STOP, frozen(new StopCommand()));
-                return broker.hasLogged("it acknowledges nothing");
+                return broker.hasLogged("it does not acknowledge");
               });
       assertThat(broker.log)
           .noneMatch(line -> line.contains("too slow") && line.contains("cessna/Remote"));

@@ -118,7 +118,7 @@ class ConnectionLimitsTest {
     addUser("bob", AccessRole.SERVICE);
     assertThat(connect("ann", "x")).isEqualTo(ACCEPTED);
     assertThat(connect("bob", "x")).isEqualTo(WRONG_ID);
-    assertRefusedFor("the client ID is another user's");
+    assertRefusedFor("the client ID belongs to another user");
 
     assertThat(clients.get(0).channel.isOpen()).isTrue();
   }

@@ -64,7 +64,9 @@ class ForgedNamesTest {
     assertThat(inbox.messages)
         .containsExactly(report("PathPlanner", ServiceStatus.RUNNING), own)
         .allMatch(message -> !((HealthReport) message).status().equals(ServiceStatus.FAILED));
-    awaitLog("its source name is another connection's: user \"anonymous\", client \"attacker\"");
+    awaitLog(
+        "its source name belongs to another connection: user \"anonymous\", client "
+            + "\"attacker\"");
     awaitLog("name \"PathPlanner\"");
   }
 
@@ -75,7 +77,7 @@ class ForgedNamesTest {
         .willing(LOST, lost("PathPlanner").serialize(), false)
         .introduced("attacker")
         .reset();
-    awaitLog("will refused, its source name is another connection's");
+    awaitLog("will refused, its source name belongs to another connection");
     planner.publish(Channels.HEALTH, after);
 
     assertThat(inbox.messages).noneMatch(ConnectionLost.class::isInstance).contains(after);

@@ -100,6 +100,6 @@ class IncomingCopiesTest {
     assertThat(log)
         .singleElement()
         .asString()
-        .contains("it is not of the channel's type StateInformation");
+        .contains("its type does not match the channel: StateInformation");
   }
 }

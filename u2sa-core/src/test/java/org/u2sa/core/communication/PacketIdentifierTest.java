@@ -118,7 +118,7 @@ class PacketIdentifierTest {
 
     publishLocally(1);
     pipeline.pass(1);
-    assertPutOut("client disconnected, it is too slow");
+    assertPutOut("client disconnected: it is too slow");
   }
 
   @Test

@@ -82,16 +82,17 @@ class PublishRulesTest {
   @Test
   void refusalOf_forbiddenTopic_saysWhy() {
     assertThat(refusal(everybodys(), "somewhere/else", MAP))
-        .contains("its topic is not one of U2SA's");
+        .contains("its topic is not a U2SA topic");
     assertThat(refusal(rulesOf(AccessRole.OBSERVER), OWN, MAP)).isPresent();
     assertThat(refusal(rulesOf(AccessRole.SERVICE), "u2sa/boat/tide/Tide", MAP))
-        .contains("it is another system");
+        .contains("it belongs to another system");
   }
 
   @Test
   void refusalOfSystem_ofOnesOwnOrNone_isEmpty() {
     PacketRules rules = rulesOf(AccessRole.SERVICE);
-    assertThat(rules.refusalOfSystem("u2sa/boat/tide/Tide")).contains("it is another system");
+    assertThat(rules.refusalOfSystem("u2sa/boat/tide/Tide"))
+        .contains("it belongs to another system");
     assertThat(rules.refusalOfSystem(OWN)).isEmpty();
     assertThat(rules.refusalOfSystem("somewhere/else")).isEmpty();
     assertThat(everybodys().refusalOfSystem("u2sa/boat/tide/Tide")).isEmpty();
@@ -144,7 +145,7 @@ class PublishRulesTest {
   @Test
   void refusalOf_retainedWithoutAcknowledgement_isRefused() {
     assertThat(everybodys().refusalOf(message(OWN, MAP, MqttQoS.AT_MOST_ONCE, true)))
-        .contains("it is to be retained and has QoS 0");
+        .contains("retained messages require QoS 1");
     assertThat(pipeline.broker.retained.topics()).isEmpty();
   }
 
@@ -155,7 +156,7 @@ class PublishRulesTest {
             .serialize();
     assertThat(refusalRetained(everybodys(), ANNOUNCED + "/=RUDDER", rudder)).isEmpty();
     assertThat(refusalRetained(everybodys(), ANNOUNCED + "/=AILERON", rudder))
-        .contains("it is retained for another source than it names");
+        .contains("it is retained on the topic of another source");
   }
 
   @Test

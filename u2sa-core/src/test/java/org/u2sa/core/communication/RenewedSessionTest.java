@@ -109,7 +109,7 @@ class RenewedSessionTest {
     receiver.awaitTrouble("restored");
 
     assertThat(receiver.troubles)
-        .anyMatch(line -> line.contains("refuses the subscription to \"goal-commands\""));
+        .anyMatch(line -> line.contains("rejects the subscription to \"goal-commands\""));
     assertThat(client.publish(Channels.GOALS, goals("first"))).isTrue();
     assertThat(client.refusedSubscriptions()).containsExactly("goal-commands");
     long asked = timesAsked(COMMANDS);

@@ -80,7 +80,7 @@ class SecuredBrokerTest extends SecuredClients {
     try (RawClient cunning = new RawClient(TestAuthority.socket(directory), broker.port)) {
       assertThat(cunning.introduce("cunning", "boatman", "boatman")).isZero();
       cunning.publish("u2sa/cessna/emergency-stop/EmergencyStop", stop, 0);
-      awaitLog("message refused, it is another system", "\"boatman\"");
+      awaitLog("message refused, it belongs to another system", "\"boatman\"");
     }
     publishUntilReceived(connect("control"), pilotHears, command);
 

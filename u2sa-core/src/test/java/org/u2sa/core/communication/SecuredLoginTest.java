@@ -40,7 +40,7 @@ class SecuredLoginTest extends SecuredClients {
       assertThat(second.introduce("twin", "boatman", "boatman")).isEqualTo(2);
       assertThat(first.subscribe("u2sa/cessna/state/#")).isZero();
     }
-    awaitLog("log-in refused, the client ID is another user's", "\"boatman\"");
+    awaitLog("log-in refused, the client ID belongs to another user", "\"boatman\"");
   }
 
   @Test
@@ -48,7 +48,7 @@ class SecuredLoginTest extends SecuredClients {
     assertThatThrownBy(() -> connect("boatman"))
         .isInstanceOf(CommunicationException.class)
         .hasMessageContaining("Not authorized");
-    awaitLog("log-in refused, it is another system", "\"boatman\"");
+    awaitLog("log-in refused, it belongs to another system", "\"boatman\"");
   }
 
   @Test

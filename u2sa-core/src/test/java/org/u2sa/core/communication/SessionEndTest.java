@@ -73,7 +73,9 @@ class SessionEndTest {
     first.passSeconds(1);
 
     assertThat(first.channel.isOpen()).isFalse();
-    assertLogged("connection closed, it does not say who it is: user \"anonymous\", client \"\"");
+    assertLogged(
+        "connection closed: the client did not identify itself: user \"anonymous\", "
+            + "client \"\"");
   }
 
   @Test

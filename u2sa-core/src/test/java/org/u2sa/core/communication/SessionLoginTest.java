@@ -130,7 +130,7 @@ class SessionLoginTest {
     client.send(
         MqttPacketBytes.connectAs("ann", PASSWORD, "hers", "u2sa/boat/health/HealthReport"));
     assertAnswered(client, NOT_AUTHORIZED);
-    assertRefusedFor("it is another system");
+    assertRefusedFor("it belongs to another system");
   }
 
   @Test

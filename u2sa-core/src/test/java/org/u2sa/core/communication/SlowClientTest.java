@@ -52,7 +52,7 @@ class SlowClientTest {
     assertThat(client.log)
         .anyMatch(
             line ->
-                line.startsWith("client disconnected, it is too slow: ") && line.contains(reason));
+                line.startsWith("client disconnected: it is too slow: ") && line.contains(reason));
   }
 
   private Client.Owed owed() throws Exception {
@@ -155,7 +155,7 @@ class SlowClientTest {
     assertIn();
 
     client.passSeconds(2);
-    assertPutOutFor("it reads nothing");
+    assertPutOutFor("it does not read");
   }
 
   @Test
@@ -184,7 +184,7 @@ class SlowClientTest {
     client.block();
     client.send(MqttPacketBytes.publish(TOPIC, 1, 10));
     client.passSeconds(PATIENCE_S + 2);
-    assertPutOutFor("it reads nothing");
+    assertPutOutFor("it does not read");
   }
 
   @Test
@@ -199,7 +199,7 @@ class SlowClientTest {
     assertIn();
 
     client.passSeconds(2);
-    assertPutOutFor("it acknowledges nothing");
+    assertPutOutFor("it does not acknowledge");
   }
 
   @Test

@@ -145,10 +145,10 @@ class SourceNamesTest {
     assertThat(publishes(first, Channels.ACTUATORS, rudder)).isTrue();
 
     assertThat(refusal(second, topic + "/=RUDDER", new byte[0], true))
-        .contains("its source name is another connection's");
+        .contains("its source name belongs to another connection");
     assertThat(refusal(second, topic + "/=FLAPS", rudder.serialize(), false))
         .as("what readers read counts")
-        .contains("its source name is another connection's");
+        .contains("its source name belongs to another connection");
     assertThat(refusal(first, topic + "/=RUDDER", new byte[0], true)).isEmpty();
   }
 

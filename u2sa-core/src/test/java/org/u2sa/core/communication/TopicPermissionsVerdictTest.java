@@ -25,13 +25,13 @@ class TopicPermissionsVerdictTest {
 
   @ParameterizedTest
   @CsvSource({
-    "u2sa/boat/stop/StopCommand, it is another system",
+    "u2sa/boat/stop/StopCommand, it belongs to another system",
     "u2sa/cessna/stop/StopCommand, role observer may not publish on stop (StopCommand)",
     "u2sa/cessna/tide/StateInformation, role observer may not publish on its own channels"
         + " (StateInformation)",
     "u2sa/cessna/stop/StateInformation, stop does not carry StateInformation",
-    "u2sa/cessna/state/StateInformation/=GPS, its topic is not one of U2SA's",
-    "u2sa/cessna/state, its topic is not one of U2SA's",
+    "u2sa/cessna/state/StateInformation/=GPS, its topic is not a U2SA topic",
+    "u2sa/cessna/state, its topic is not a U2SA topic",
     "u2sa/cessna/discovery/DiscoveryRequest/StopCommand, its types are not a class and its ancestors"
   })
   void judge_forbidden_saysWhy(String topic, String why) {
@@ -79,7 +79,7 @@ class TopicPermissionsVerdictTest {
     TopicPermissions.Verdict longer = judge.judge(start + "T".repeat(1_025 - start.length()));
     assertThat(longer.refusal()).isEqualTo("its topic is too long");
     assertThat(longer.topic()).isNull();
-    assertThat(judge.judge("/".repeat(31)).refusal()).isEqualTo("its topic is not one of U2SA's");
+    assertThat(judge.judge("/".repeat(31)).refusal()).isEqualTo("its topic is not a U2SA topic");
     assertThat(judge.judge("/".repeat(32)).refusal()).isEqualTo("its topic is too long");
   }
 

@@ -43,7 +43,7 @@ class WillTest {
   @Test
   void refusalOfWill_topicThatIsNone_isRefused() {
     assertThat(refusal("somewhere", new byte[0], false, false))
-        .contains("its topic is not one of U2SA's");
+        .contains("its topic is not a U2SA topic");
   }
 
   @Test
@@ -70,8 +70,7 @@ class WillTest {
 
   @Test
   void refusalOfWill_retainedAtQualityZero_isRefused() {
-    assertThat(refusal(STOP, stop(true), false, true))
-        .contains("it is to be retained and has QoS 0");
+    assertThat(refusal(STOP, stop(true), false, true)).contains("retained messages require QoS 1");
   }
 
   @Test
@@ -82,7 +81,7 @@ class WillTest {
   @Test
   void refusalOfWill_retainedAndUnreadable_isRefused() {
     assertThat(refusal("u2sa/cessna/own/Tide", new byte[] {1}, true, true))
-        .contains("it is to be retained and cannot be read");
+        .contains("it is retained but unreadable");
   }
 
   private PacketPipeline client(boolean isRetained) {

@@ -53,7 +53,7 @@ class ClockAgreementTest {
     assertThat(agreement.aheadMicros(log::add)).isEqualTo(HOUR + 2_000);
     assertThat(log)
         .containsExactly(
-            "this machine's clock is 3600.002 s behind that of Throttle on hub (± 0.005 s): "
+            "this machine's clock is 3600.002 s behind the clock of Throttle on hub (± 0.005 s): "
                 + "follows the system's time");
   }
 

@@ -49,7 +49,7 @@ class ArmingTest extends WatchedVehicle {
             "critical battery: a threshold is set, but no battery heard",
             "mission: no goals",
             "actuators: none announced",
-            "failsafe matrix: ON FENCE is LAND, but no Mission Manager has said that it has loaded a LAND MISSION");
+            "failsafe matrix: ON FENCE is LAND, but no Mission Manager has reported a loaded LAND MISSION");
   }
 
   @Test

@@ -162,11 +162,11 @@ class NamedFilesTest extends WatchedVehicle {
             reason ->
                 reason.startsWith("geofence: ")
                     && reason.contains("fence.xml")
-                    && reason.endsWith("what was loaded before stays in force"))
+                    && reason.endsWith("the previously loaded values stay in force"))
         .anyMatch(
             reason ->
                 reason.startsWith("mission: LAND MISSION: ")
-                    && reason.endsWith("what was loaded before stays in force"));
+                    && reason.endsWith("the previously loaded values stay in force"));
     kit.publish(
         Channels.FAILSAFE,
         new FailsafeState().action(FailsafeAction.LAND).causes(List.of("a test")));

@@ -81,7 +81,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   private void mark() {
     int marker = unsigned(segment + 1);
     if (unsigned(segment) != MARKER || marker < FIRST_START_OF_FRAME) {
-      drop("no marker where a segment ends");
+      drop("missing marker at the end of a segment");
     } else if (marker == MARKER) {
       length--; // fill bytes may precede a marker
     } else if (marker >= FIRST_RESTART && marker <= END_OF_IMAGE) {

@@ -52,7 +52,8 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
   public static final class Provider extends LinkProvider<Camera> {
     private record Variables(
         @Variable(ifAbsentText = "/?action=stream")
-            @Description("MJPEG: path of the stream on the camera; the default is mjpg-streamer's.")
+            @Description(
+                "MJPEG: path of the stream on the camera; defaults to that of " + "mjpg-streamer.")
             String streamPath) {}
 
     public Provider() {

@@ -8,8 +8,7 @@ import org.u2sa.drivers.nmea.NmeaParser;
  * their legacy binary protocol (Software Interface User's Manual 130-7524-001): {@code A4 command
  * data A0}, high byte first. It is polled: {@link #request} for the magnetic heading, answered by
  * {@code A4 09 hh hh A0}; true headings (02) are supported too. 4096 units per turn. The protocol
- * has no checksum: an answer is valid if it has the right length, ends with A0, and is less than a
- * turn.
+ * has no checksum: an answer is valid if it has the right length, ends with A0, and is below 360°.
  *
  * <p>It also parses the NMEA 0183 sentences this compass can send; no byte of a sentence can start
  * a binary answer.

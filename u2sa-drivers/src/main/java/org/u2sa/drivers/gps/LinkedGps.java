@@ -59,11 +59,11 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
     private record Variables(
         @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = NmeaGps.USUAL_RANGE_ERROR_M)
             @Description(
-                "NMEA: standard deviation of the distance to a satellite without corrections; DGPS and RTK have less. Times the dilution of precision, it is the position's where the receiver sends no GST.")
+                "NMEA: standard deviation of the range to a satellite without corrections; "
+                    + "smaller for DGPS and RTK. Without GST sentences, position sigma = this × DOP.")
             double rangeError,
         @Variable(min = 1_200, max = 921_600, ifAbsent = 9_600)
-            @Description(
-                "UBLOX: rate of the receiver's own port, as in CONNECTION; is not changed.")
+            @Description("UBLOX: baud rate of the receiver's port, as in CONNECTION; not changed.")
             int baud,
         @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5)
             @Description("UBLOX: fixes per second.")

@@ -6,14 +6,14 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
 
-/** Log-in at a board that is served over a network with users, by {@code ./u2sa board}. */
+/** Log-in at a board served over the network by {@code ./u2sa board} with users. */
 record BoardLogin(
-    @Variable(ifAbsentText = "") @Description("User at a board of tls:host:port.") String user,
+    @Variable(ifAbsentText = "") @Description("User name for a board at tls:host:port.")
+        String user,
     @Variable(ifAbsentText = "") @Description("File whose first line is USER's password.")
         String passwordFile,
     @Variable(name = "CA FILE", ifAbsentText = "")
-        @Description(
-            "Trusted authorities' certificates (PEM) for tls:host:port; empty: those that Java trusts.")
+        @Description("Trusted CA certificates (PEM) for tls:host:port; empty: Java's defaults.")
         String authority) {
   private static final String SECURED = "tls:";
 
@@ -28,7 +28,7 @@ record BoardLogin(
       return BoardConnection.of(address);
     }
     if (user.isEmpty() || passwordFile.isEmpty()) {
-      throw new BadInputException(address + ": expected USER and PASSWORD FILE, too");
+      throw new BadInputException(address + ": USER and PASSWORD FILE are also required");
     }
     String trusted = authority.isEmpty() ? "" : files.apply(authority);
     return PortConnection.at(

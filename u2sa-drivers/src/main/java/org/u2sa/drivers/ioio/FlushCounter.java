@@ -97,7 +97,7 @@ final class FlushCounter extends OutputStream {
    */
   synchronized void requireAll() throws IOException {
     if (dataSent < dataExpected) {
-      throw new IOException("the IOIO library does not send what was written to a UART");
+      throw new IOException("the IOIO library does not send the data written to a UART");
     }
   }
 }

@@ -55,7 +55,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     this(context, Optional.empty());
   }
 
-  /** Uses a given connection, such as a phone's or a simulated board's. */
+  /** Uses the given connection, e.g. of a phone or a simulated board. */
   public IoioService(ServiceContext context, BoardConnection connection) {
     this(context, Optional.of(connection));
   }

@@ -21,7 +21,7 @@ record IoioVariables(
         @Description("Type of the board, which determines its pins: IOIO-OTG, or the earlier IOIO.")
         String board,
     @Variable(ifAbsentText = "LEFT MOTOR=10, RIGHT MOTOR=11")
-        @Description("Actuators, each with the pin of its servo pulses.")
+        @Description("Actuators and the pins of their servo pulses.")
         String actuators,
     @Variable(ifAbsentText = "true")
         @Description("Whether all actuators are neutral while one of them has no command.")
@@ -31,19 +31,18 @@ record IoioVariables(
         @Description("Servo pulses per second.")
         int pulseRate,
     @Variable(min = -1, max = 48, ifAbsent = 6)
-        @Description("Pin that receives from the GPS; -1: no GPS at the board.")
+        @Description("RX pin of the GPS; -1: no GPS at the board.")
         int gpsRxPin,
     @Variable(min = -1, max = 48, ifAbsent = 7)
-        @Description("Pin that transmits to the GPS; -1: none, then the GPS is not set up.")
+        @Description("TX pin of the GPS; -1: none, so the GPS is not configured.")
         int gpsTxPin,
     @Variable(unit = "baud", min = 300, max = 1_000_000, ifAbsent = 9600)
         @Description("Baud rate of the GPS.")
         int gpsBaud,
     @Variable(min = -1, max = 48, ifAbsent = 13)
-        @Description("Pin that receives from the compass; -1: no compass at the board.")
+        @Description("RX pin of the compass; -1: no compass at the board.")
         int compassRxPin,
-    @Variable(min = -1, max = 48, ifAbsent = 14)
-        @Description("Pin that transmits to the compass; -1: none.")
+    @Variable(min = -1, max = 48, ifAbsent = 14) @Description("TX pin of the compass; -1: none.")
         int compassTxPin,
     @Variable(unit = "baud", min = 300, max = 1_000_000, ifAbsent = 9600)
         @Description("Baud rate of the compass.")

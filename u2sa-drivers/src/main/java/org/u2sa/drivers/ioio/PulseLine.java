@@ -8,9 +8,9 @@ import java.util.OptionalDouble;
  * A pulse input of the board, read without blocking.
  *
  * <p>The library can only wait for a pulse. An interrupted thread still receives an available pulse
- * and otherwise returns immediately with an exception, which is slow. So in lockstep, where the
- * board's bytes are seen before the library receives them, the library is asked only when those
- * bytes may contain a pulse. Confined to the service's thread.
+ * and otherwise returns immediately with an exception, which is slow. In lockstep, where the
+ * board's bytes are visible before the library receives them, the library is queried only when
+ * those bytes may contain a pulse. Confined to the service's thread.
  */
 final class PulseLine {
   // INCAP_REPORT: a pulse, followed by input number, 0 to 8, and length

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * Lets the IOIO library read on the thread that has bytes for it. The library reads only on its own
- * thread, and waking and awaiting that thread costs far more than the reading.
+ * Runs the IOIO library's reader on the thread that provides the bytes. The library reads only on
+ * its own thread, and waking and awaiting that thread costs far more than the reading.
  *
  * <p>The library's loop ({@code IOIOProtocol.IncomingThread.run}) keeps its state between messages
  * in fields only. So while its thread waits here between two messages, another thread runs the same

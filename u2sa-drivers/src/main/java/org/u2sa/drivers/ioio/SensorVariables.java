@@ -18,7 +18,8 @@ record SensorVariables(
             ifAbsentText = "UBLOX 6",
             oneOf = {"NMEA", "UBLOX 6", "UBLOX 8"})
         @Description(
-            "NMEA: any, listened to only; UBLOX 6: LEA-6 and older, UBLOX 8: generation 7 and newer, configured at each connection.")
+            "NMEA: any receiver, never configured; UBLOX 6: LEA-6 and older, UBLOX 8: generation "
+                + "7 and newer, both configured at each connection.")
         String gpsReceiver,
     @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5)
         @Description("Fixes per second of a u-blox receiver.")
@@ -31,7 +32,8 @@ record SensorVariables(
             ifAbsentText = "SPARTON",
             oneOf = {"NMEA", "SPARTON"})
         @Description(
-            "NMEA: any that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its successors, polled for each heading.")
+            "NMEA: any compass that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its "
+                + "successors, polled for each heading.")
         String compass,
     @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
         @Description(
@@ -67,7 +69,7 @@ record SensorVariables(
     }
     if (pins.transmit() == PinPlan.NONE) {
       throw new BadInputException(
-          "variable \"COMPASS TX PIN\": pin -1 is none, but a SPARTON compass must be asked");
+          "variable \"COMPASS TX PIN\": a SPARTON compass is polled and needs a TX pin");
     }
     return LinkedCompass.sparton(link);
   }

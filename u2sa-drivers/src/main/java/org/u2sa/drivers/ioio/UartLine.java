@@ -15,7 +15,7 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class UartLine {
   private static final double BITS_PER_BYTE = 10.0;
-  private static final double SHARE = 0.8; // share of the line rate
+  private static final double SHARE = 0.8; // fraction of the line rate
   private static final int PACKET = 64; // maximum payload of one board message
 
   private final InputStream in;
@@ -80,8 +80,8 @@ final class UartLine {
    *
    * <p>That thread sends once and is then ended by an interrupt. Afterwards this thread runs the
    * library's loop ({@code FlowControlledOutputStream.FlushThread.run}) and exits it by an error
-   * once all is sent ({@link FlushCounter#run}). Its interrupt flag is set meanwhile, so a wait for
-   * the board returns immediately.
+   * once all is sent ({@link FlushCounter#run}). Its interrupt flag is set, so a wait for the board
+   * returns immediately.
    *
    * @param sent counter of the library's output
    */
@@ -108,7 +108,7 @@ final class UartLine {
   }
 
   private static Thread end(Thread library) throws InterruptedException {
-    library.interrupt(); // it has nothing left to send and is about to wait
+    library.interrupt(); // the queue is empty and the loop is about to wait
     library.join();
     return library;
   }

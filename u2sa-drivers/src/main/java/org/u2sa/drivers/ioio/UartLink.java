@@ -10,7 +10,7 @@ import org.u2sa.drivers.link.ByteLink;
  */
 final class UartLink implements ByteLink {
   private static final int MAX_WAITING = 512;
-  private static final String NOT_THERE = "the IOIO is not there";
+  private static final String NOT_THERE = "the IOIO is not connected";
 
   private Optional<UartLine> line = Optional.empty(); // current connection
   private int connections;

@@ -4,8 +4,8 @@ import org.u2sa.device.port.Attached;
 
 /**
  * A bidirectional byte stream to a device: serial line, TCP, UDP, an IOIO UART, simulated or
- * replayed. An absent device is a state, not an exception: the link reconnects by itself. No call
- * blocks on the device.
+ * replayed. An absent device is a state, not an exception: the link reconnects automatically. No
+ * call blocks on the device.
  *
  * <p>Reads and writes belong to one thread; {@link #close} is thread-safe.
  */

@@ -93,7 +93,7 @@ public final class ByteLinks {
   /**
    * Opener of {@code tls:HOST:PORT}, a device that asks for a user.
    *
-   * @throws BadInputException if the address is none
+   * @throws BadInputException if the address is invalid
    */
   public static Port.Opener opener(String address, BrokerAccess access) {
     LinkAddress parsed = new LinkAddress(address);

@@ -7,12 +7,12 @@ import org.u2sa.device.DeviceProvider;
 import org.u2sa.device.port.Device;
 import org.u2sa.service.ServiceContext;
 
-/** Offers devices on the link of the variable CONNECTION; a subclass only names them. */
+/** Base of providers whose devices use the link of the variable CONNECTION. */
 public abstract class LinkProvider<D extends Device<?>> extends DeviceProvider<D> {
-  /** Creates a device with variables of its own. */
+  /** Creates a device with additional variables. */
   @FunctionalInterface
   protected interface Opener<D, V> {
-    /** Creates the device of a name in the configuration. */
+    /** Creates the device that the configuration names. */
     D open(String name, ByteLink link, V variables);
   }
 
@@ -25,7 +25,7 @@ public abstract class LinkProvider<D extends Device<?>> extends DeviceProvider<D
   }
 
   /**
-   * @param opener creates the device of a name in the configuration
+   * @param opener creates the device that the configuration names
    */
   protected LinkProvider(Class<D> port, BiFunction<String, ByteLink, D> opener, String... names) {
     super(port, names);
@@ -34,7 +34,7 @@ public abstract class LinkProvider<D extends Device<?>> extends DeviceProvider<D
   }
 
   /**
-   * @param variables record of the devices' own variables
+   * @param variables record of the devices' additional variables
    */
   protected <V> LinkProvider(
       Class<D> port, Class<V> variables, Opener<D, V> opener, String... names) {

@@ -96,7 +96,7 @@ final class ReconnectingLink implements ByteLink {
         heard(buffer, count);
       } else if (silenceMicros > 0 && stopwatch.micros() - heardMicros > silenceMicros) {
         if (!opened.isFoundBySpeaking()) {
-          throw new IOException("nothing came for " + Clock.seconds(silenceMicros) + " s");
+          throw new IOException("no data for " + Clock.seconds(silenceMicros) + " s");
         }
         lost("nothing comes");
       }

@@ -42,7 +42,8 @@ final class RecordingLink implements ByteLink {
   /**
    * Starts a recording.
    *
-   * @param wanted numbered if it exists: what was recorded before a crash is not lost
+   * @param wanted file name; a number is appended if it exists, so that recordings from before a
+   *     crash are kept
    * @throws BadInputException if it cannot be written
    */
   RecordingLink(ByteLink link, Path wanted, Clock clock) {

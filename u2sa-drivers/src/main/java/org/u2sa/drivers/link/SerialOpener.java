@@ -82,7 +82,7 @@ final class SerialOpener implements Port.Opener {
   /** Messages for the errno(3) values users encounter. */
   private static String errorText(int code) {
     return switch (code) {
-      case 2 -> "it is not there";
+      case 2 -> "not found";
       case 13 -> "permission denied: is the user in the group dialout?";
       case 16 -> "another program has it";
       default -> "error " + code;

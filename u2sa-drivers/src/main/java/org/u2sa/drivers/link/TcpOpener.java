@@ -21,7 +21,7 @@ final class TcpOpener implements Port.Opener {
   private final Optional<BrokerAccess> access;
 
   /**
-   * @param access user of a server that asks for one, over TLS; empty: plain
+   * @param access user of a server with log-in, over TLS; empty: plain connection
    */
   TcpOpener(String host, int port, Optional<BrokerAccess> access) {
     this.host = host;
@@ -42,8 +42,7 @@ final class TcpOpener implements Port.Opener {
       return new Connected(host + ":" + port, socket, spoken);
     } catch (IOException | RuntimeException e) {
       socket.close();
-      throw new IOException(
-          "nobody answers at " + host + ":" + port + " (" + e.getMessage() + ")", e);
+      throw new IOException("no answer at " + host + ":" + port + " (" + e.getMessage() + ")", e);
     }
   }
 
@@ -55,7 +54,7 @@ final class TcpOpener implements Port.Opener {
 
     /**
      * @param socket the plain socket: closing an encrypted one waits for its writer
-     * @param spoken the same or the encrypted one
+     * @param spoken the same socket, or the encrypted one
      */
     Connected(String peer, Socket socket, Socket spoken) throws IOException {
       this.peer = peer;

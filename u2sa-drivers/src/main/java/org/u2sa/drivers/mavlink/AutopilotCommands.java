@@ -41,14 +41,14 @@ final class AutopilotCommands {
   }
 
   /**
-   * Releases what a predecessor that handed nothing over may have commanded. Not by way of neutral,
-   * because a radio pilot may be in control instead.
+   * Releases commands of a predecessor that transferred no state. Not by way of neutral, because a
+   * radio pilot may be in control instead.
    */
   void inherit() {
     inherit(neutralMicros);
   }
 
-  /** Precedes the release of what was inherited by neutral, as an emergency stop demands. */
+  /** Sends neutral before releasing inherited commands, as an emergency stop demands. */
   void endInNeutral() {
     if (isInherited) {
       inheritedMicros = 0L;
@@ -70,7 +70,7 @@ final class AutopilotCommands {
     }
   }
 
-  /** Restores what {@link #handOver} saved; a state without it changes nothing. */
+  /** Restores the state saved by {@link #handOver}, if present. */
   void takeOver(HandOver state) {
     if (state.flag(HOLDS)) {
       inherit(Clock.micros(state.number(HELD_FOR).orElse(0.0)));
@@ -80,7 +80,7 @@ final class AutopilotCommands {
     }
   }
 
-  /** Time without a command; stands still until the link has accepted the first message. */
+  /** Time without a command; does not advance until the link has accepted the first message. */
   private long heldForMicros(long nowMicros) {
     return isInherited ? inheritedMicros : nowMicros - heldMicros;
   }
@@ -88,7 +88,7 @@ final class AutopilotCommands {
   /**
    * Sends due messages.
    *
-   * @param percentages of each actuator by name; empty without a command
+   * @param percentages percentage of each actuator by name; empty without a command
    */
   void step(
       CommandForm.Target target, Function<String, OptionalDouble> percentages, long nowMicros) {

@@ -4,8 +4,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Limits what an autopilot makes a service log to a number of lines per second: status texts and
- * heartbeats arrive at whatever rate the other end of the link chooses.
+ * Rate limit of log lines caused by an autopilot, because the other end of the link controls the
+ * rate of status texts and heartbeats.
  */
 final class LineLimit {
   private static final int MAX_LINES = 10; // per second

@@ -14,7 +14,7 @@ record MavlinkVariables(
         @Description("Address of the autopilot: udp:PORT, tcp:HOST:PORT or serial:DEVICE?baud=N.")
         String connection,
     @Variable(min = 0, max = 255, ifAbsent = 0)
-        @Description("MAVLink system ID of the autopilot; 0: the first that is heard.")
+        @Description("MAVLink system ID of the autopilot; 0: the first one heard.")
         int autopilotSystem,
     @Variable(min = 1, max = 255, ifAbsent = 255)
         @Description("System ID of this service; ArduPilot obeys its SYSID_MYGCS.")
@@ -23,10 +23,10 @@ record MavlinkVariables(
         @Description("Component ID of this service; 191: onboard computer.")
         int ownComponent,
     @Variable(unit = "Hz", min = 0.1, max = 100, ifAbsent = 10)
-        @Description("Rate at which the autopilot is asked to send attitude and position.")
+        @Description("Rate of attitude and position requested from the autopilot.")
         double stateRate,
     @Variable(unit = "s", min = 0.1, max = 10, ifAbsent = 1)
-        @Description("Age at which the autopilot's GPS status and errors no longer count.")
+        @Description("Age at which the autopilot's GPS status and errors expire.")
         double staleAfter,
     @Variable(unit = "s", min = 1.1, max = 60, ifAbsent = 3)
         @Description("Time without the autopilot's heartbeat after which it counts as lost.")
@@ -42,7 +42,8 @@ record MavlinkVariables(
         double commandRate,
     @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
         @Description(
-            "Time for which neutral is sent after commands end or are stopped, before control is returned.")
+            "Time for which neutral commands are sent after commands end or are stopped, before "
+                + "control is returned.")
         double neutralTime,
     @Variable(unit = "us", min = 800, max = 2200, ifAbsent = 1000)
         @Description("With COMMANDS rc: pulse at -100 %.")
@@ -60,7 +61,7 @@ record MavlinkVariables(
         @Description("With COMMANDS velocity: speed upwards at 100 %.")
         double fullClimb,
     @Variable(unit = "rad/s", min = 0.01, max = 10, ifAbsent = 1)
-        @Description("With COMMANDS velocity or attitude: rate of turn at 100 %.")
+        @Description("With COMMANDS velocity or attitude: turn rate at 100 %.")
         double fullTurn,
     @Variable(unit = "rad", min = 0.01, max = 1.5, ifAbsent = 0.5)
         @Description("With COMMANDS attitude: roll and pitch at 100 %.")

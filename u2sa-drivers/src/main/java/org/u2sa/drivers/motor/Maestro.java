@@ -12,7 +12,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * One channel of a Pololu Maestro servo controller: targets out, positions in (Maestro User's
- * Guide, section 5.e, compact protocol). The controller holds the last target by itself.
+ * Guide, section 5.e, compact protocol). The controller holds the last target.
  */
 public final class Maestro extends LinkedDevice<Servo.Position> implements Servo {
   private static final int SET_TARGET = 0x84;
@@ -25,31 +25,31 @@ public final class Maestro extends LinkedDevice<Servo.Position> implements Servo
   private final Variables wiring;
   private int target;
   private long askDueMicros = Long.MIN_VALUE;
-  private int firstByte = -1; // of a position
+  private int firstByte = -1; // of a position reply
 
   /**
    * Wiring of a servo.
    *
-   * @param channel of the controller
-   * @param middlePulse pulse in the middle of its travel [µs]
-   * @param pulsePerAngle change of the pulse by its angle [µs/rad]
-   * @param shortestPulse shortest pulse that it may get [µs]
-   * @param longestPulse longest pulse that it may get [µs]
+   * @param channel channel of the controller
+   * @param middlePulse pulse at the centre of the travel [µs]
+   * @param pulsePerAngle pulse change per angle [µs/rad]
+   * @param shortestPulse minimum pulse [µs]
+   * @param longestPulse maximum pulse [µs]
    */
   public record Variables(
       @Variable(min = 0, max = 23, ifAbsent = 0) @Description("MAESTRO: channel of the servo.")
           int channel,
       @Variable(unit = "us", min = 500, max = 2500, ifAbsent = 1500)
-          @Description("MAESTRO: pulse in the middle of the servo's travel.")
+          @Description("MAESTRO: pulse at the centre of the servo's travel.")
           double middlePulse,
       @Variable(unit = "us/rad", min = 10, max = 5000, ifAbsent = 636.6)
-          @Description("MAESTRO: change of the pulse by the angle; 500 us for 45 deg are usual.")
+          @Description("MAESTRO: pulse change per angle; typically 500 us for 45 deg.")
           double pulsePerAngle,
       @Variable(unit = "us", min = 500, max = 1500, ifAbsent = 1000)
-          @Description("MAESTRO: shortest pulse that the servo may get.")
+          @Description("MAESTRO: minimum pulse.")
           double shortestPulse,
       @Variable(unit = "us", min = 1500, max = 2500, ifAbsent = 2000)
-          @Description("MAESTRO: longest pulse that the servo may get.")
+          @Description("MAESTRO: maximum pulse.")
           double longestPulse) {}
 
   /** Uses the link; closing the device closes it. */
@@ -90,7 +90,7 @@ public final class Maestro extends LinkedDevice<Servo.Position> implements Servo
     write();
     if (nowMicros >= askDueMicros) {
       askDueMicros = nowMicros + ASK_EVERY_MICROS;
-      firstByte = -1; // an answer that lost a byte must not shift the next
+      firstByte = -1; // resynchronise after a truncated reply
       link.write(new byte[] {(byte) GET_POSITION, (byte) wiring.channel()});
     }
   }

@@ -12,13 +12,13 @@ public record PulseWidth(
         @Description("Pulse at -100 %, or 100 % if reversed.")
         double minimumUs,
     @Variable(name = "NEUTRAL PULSE", unit = "us", min = 100, max = 5000, ifAbsent = 1500)
-        @Description("Pulse at which nothing moves.")
+        @Description("Neutral pulse.")
         double neutralUs,
     @Variable(name = "MAX PULSE", unit = "us", min = 100, max = 5000, ifAbsent = 2000)
         @Description("Pulse at 100 %, or -100 % if reversed.")
         double maximumUs,
     @Variable(ifAbsentText = "false")
-        @Description("Whether the device is reversed: swaps the ends.")
+        @Description("Whether the device is reversed: swaps minimum and maximum.")
         boolean reversed,
     @Variable(name = "DEAD BAND", unit = "%", min = 0, max = 100, ifAbsent = 0)
         @Description("Dead band: percentages up to this are neutral.")

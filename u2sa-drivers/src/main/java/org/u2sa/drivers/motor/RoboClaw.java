@@ -17,8 +17,8 @@ import org.u2sa.service.ServiceContext;
  * A RoboClaw on a serial line, in packet serial mode (RoboClaw Series User Manual, Basicmicro). One
  * request at a time; duty-cycle commands and encoder requests alternate.
  *
- * <p>The controller is configured to stop by itself after the serial time-out. Until it
- * acknowledges that, only duty 0 is sent, even if only its replies are lost.
+ * <p>The controller is configured to stop after its serial time-out. Until it acknowledges that,
+ * only duty 0 is sent, even if only its replies are lost.
  */
 public final class RoboClaw extends LinkedDevice<MotorController.Counts>
     implements MotorController {
@@ -47,7 +47,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
 
   /**
    * @param address 0x80…0x87, as set at the controller
-   * @param serialTimeoutS time without a command after which it stops by itself [s], 0.1…25.5
+   * @param serialTimeoutS time without a command after which the controller stops [s], 0.1…25.5
    */
   public RoboClaw(ByteLink link, int address, double serialTimeoutS) {
     super(link);

@@ -12,7 +12,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * A VESC motor controller driving a propeller, on USB or a UART: duty cycles out, values in
- * (vedderb/bldc, {@code comm/commands.c}). It stops by itself after the time-out of its own
+ * (vedderb/bldc, {@code comm/commands.c}). The controller stops the motor after the time-out in its
  * application settings (factory default 1 s).
  */
 public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thruster {

@@ -87,7 +87,7 @@ public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
   public static final class Provider extends DeviceProvider<RangeFinder> {
     private record Variables(
         @Variable(unit = "V", min = 0, max = 10, minExcluded = true, ifAbsent = 0.001)
-            @Description("LV ANALOG, SHARP: voltage of one count of the converter in CONNECTION.")
+            @Description("LV ANALOG, SHARP: voltage per count of the converter in CONNECTION.")
             double voltsPerCount,
         @Variable(unit = "V", min = 2.5, max = 5.5, ifAbsent = 5)
             @Description("LV ANALOG: supply voltage of the sonar.")

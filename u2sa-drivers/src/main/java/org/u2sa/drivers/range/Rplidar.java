@@ -15,9 +15,9 @@ import org.u2sa.messages.RangeScan;
  * Operates an RPLIDAR: stops it, queries its health, resets it after a protection stop, starts the
  * motor if needed, starts the standard scan, and restarts when scans stop arriving.
  *
- * <p>The A1's motor runs by itself or by DTR. From the A2 on it is driven by the USB adapter, whose
- * presence is queried and which obeys SET_MOTOR_PWM (Slamtec's rplidar_sdk, sl_lidar_cmd.h and
- * sl_lidar_driver.cpp; not in LR001).
+ * <p>The A1's motor runs permanently or by DTR. From the A2 on, the motor is driven by the USB
+ * adapter, whose presence is queried and which accepts SET_MOTOR_PWM (Slamtec's rplidar_sdk,
+ * sl_lidar_cmd.h and sl_lidar_driver.cpp; not in LR001).
  */
 public final class Rplidar extends LinkedDevice<LaserScanner.Scan> implements LaserScanner {
   private static final int START = 0xA5;

@@ -107,9 +107,9 @@ record ScipSensor(
 
   /**
    * Ranges per step [m]; empty without an echo: above the maximum, or an error code for nothing in
-   * range or too little light (0 and 1 in tables 3 and 4). The other codes, such as of an object
-   * too near or a dazzling reflection, do not tell whether something is there: they stay ranges
-   * below the minimum, which prove neither an obstacle nor free space.
+   * range or too little light (0 and 1 in tables 3 and 4). Other codes, such as for an object too
+   * near or a dazzling reflection, are ambiguous: they stay ranges below the minimum, which
+   * indicate neither an obstacle nor free space.
    *
    * @param lines lines after the status: timestamp, and blocks of at most 64 characters with a
    *     checksum character each

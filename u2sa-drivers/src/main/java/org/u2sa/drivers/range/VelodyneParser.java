@@ -9,8 +9,8 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * Collects the data packets of a VLP-16 into revolutions (VLP-16 User Manual, 63-9243, chapter 9).
- * A packet has twelve blocks with an azimuth and two firings of sixteen lasers each, and ends with
- * the product's number. A cloud is complete when the azimuth passes zero, straight ahead.
+ * A packet has twelve blocks, each with an azimuth and two firings of sixteen lasers, and ends with
+ * the product ID. A cloud is complete when the azimuth passes zero, straight ahead.
  */
 final class VelodyneParser extends ByteParser<PointScanner.Cloud> {
   private static final int PACKET = 1206;
@@ -19,7 +19,7 @@ final class VelodyneParser extends ByteParser<PointScanner.Cloud> {
   private static final int LASERS = 16;
   private static final int RETURN = 3; // bytes: distance, low byte first, and reflectivity
   private static final int FLAG = 0xEEFF; // of each block
-  private static final int PRODUCT = 1205; // its place in the packet
+  private static final int PRODUCT = 1205; // offset in the packet
   private static final int VLP16 = 0x22;
   private static final int CIRCLE = 36_000; // hundredths of a degree
   private static final double METRES_PER_UNIT = 0.002;
@@ -29,7 +29,7 @@ final class VelodyneParser extends ByteParser<PointScanner.Cloud> {
   };
 
   private final Packets packets = new Packets();
-  private int lastAzimuth = -1; // of the latest block; negative before the first
+  private int lastAzimuth = -1; // of the latest block; negative before the first block
   private List<Point> points = new ArrayList<>();
   private boolean isWhole; // whether the revolution was received from its beginning
   private long nowMicros;
@@ -67,7 +67,9 @@ final class VelodyneParser extends ByteParser<PointScanner.Cloud> {
           complete();
         }
         lastAzimuth = azimuth;
-        int before = Math.min(block, BLOCKS - 2); // the last block turns as the one before it
+        int before =
+            Math.min(
+                block, BLOCKS - 2); // assume the rotation of the previous block for the last one
         int step = Math.floorMod(azimuth(at, before + 1) - azimuth(at, before), CIRCLE);
         firing(at + block * BLOCK + 4, azimuth);
         firing(at + block * BLOCK + 4 + LASERS * RETURN, azimuth + 0.5 * step);

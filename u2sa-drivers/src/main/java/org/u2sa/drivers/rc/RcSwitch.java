@@ -27,13 +27,13 @@ public final class RcSwitch {
   /** Configuration variables of the switch. */
   public record Variables(
       @Variable(name = "RC AUTOMATIC ABOVE", unit = "us", min = 1000, max = 2000, ifAbsent = 1700)
-          @Description("Pulse of the radio's switch above which commands are obeyed.")
+          @Description("Pulse width of the radio's switch above which commands are obeyed.")
           double automaticAbove,
       @Variable(name = "RC HYSTERESIS", unit = "us", min = 0, max = 150, ifAbsent = 100)
-          @Description("Hysteresis: how much shorter the pulse must be for manual again.")
+          @Description("Hysteresis: how much shorter the pulse must be to return to manual.")
           double hysteresis,
       @Variable(name = "RC CONFIRMATIONS", min = 1, max = 50, ifAbsent = 3)
-          @Description("Pulses in a row that automatic needs; manual needs one.")
+          @Description("Debounce: consecutive pulses required for automatic; manual requires one.")
           int confirmations,
       @Variable(name = "RC TIMEOUT", unit = "s", min = 0.05, max = 5, ifAbsent = 0.25)
           @Description("Time without a pulse after which the receiver counts as lost: manual.")

@@ -128,7 +128,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
                 "PING360: speed of sound in the water: 1500 in the sea, 1450 in a cold lake.")
             double soundSpeed,
         @Variable(min = 1, max = 100, ifAbsent = 4)
-            @Description("PING360: step between pings in gradians, 400 to a turn.")
+            @Description("PING360: step between pings in gradians (400 per turn).")
             int stepGradians,
         @Variable(min = 0, max = 2, ifAbsent = 1)
             @Description("PING360: analog gain: 0 low, 1 normal, 2 high.")

@@ -38,7 +38,7 @@ public final class IioPressure extends FileDevice<Pressure> implements Barometer
   /** Variable common to all pressure files. */
   record Scale(
       @Variable(unit = "kPa", min = 0, minExcluded = true, ifAbsent = 1)
-          @Description("IIO: kilopascals of one unit of the file; 1 for in_pressure_input.")
+          @Description("IIO: kilopascals per unit of the file; 1 for in_pressure_input.")
           double fileScale) {}
 
   private static IioPressure open(ServiceContext context) {

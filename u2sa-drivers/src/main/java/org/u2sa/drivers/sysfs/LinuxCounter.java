@@ -29,7 +29,7 @@ public final class LinuxCounter extends FileDevice<WheelEncoder.Ticks> implement
     private record Files(
         @Variable(ifAbsentText = "/sys/bus/counter/devices/counter1/count0/count")
             @Description(
-                "LINUX COUNTER: file of the right wheel's count; CONNECTION is the left one's.")
+                "LINUX COUNTER: file of the right wheel's count; CONNECTION is the left wheel's.")
             String rightCounter) {}
 
     public Provider() {

@@ -1,2 +1,2 @@
-/** Anemometers. Airspeed by pressure belongs to {@code org.u2sa.drivers.sysfs}. */
+/** Anemometers. Pitot airspeed sensors belong to {@code org.u2sa.drivers.sysfs}. */
 package org.u2sa.drivers.wind;

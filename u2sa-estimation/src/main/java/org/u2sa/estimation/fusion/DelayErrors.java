@@ -6,8 +6,8 @@ import org.u2sa.estimation.measurement.SensedQuantity;
 /**
  * Residual delays of the first {@link FilterState#DELAY_SLOTS} position sources, estimated as
  * filter states (online temporal calibration; Li and Mourikis, IJRR 33(7), 2014): a position fused
- * at time t was measured at t - τ and lags by v τ. Velocity measurements do not help to estimate τ:
- * on a vibrating vehicle, no sample tells how much they changed in that time.
+ * at time t was measured at t - τ and lags by v τ. Velocity measurements cannot be used to estimate
+ * τ: on a vibrating vehicle, samples do not show how much velocity changed in that time.
  *
  * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain
  * along track in proportion to the uncertainty of τ; turns and speed changes make it observable if

@@ -2,7 +2,7 @@ package org.u2sa.estimation.fusion;
 
 /**
  * The filter's estimate at one time: a view that is valid until the next query. The has… methods
- * tell which quantities are known.
+ * show which quantities are known.
  */
 public final class Estimate {
   private static final double VERTICAL = 0.02; // cos θ below which the heading's rate is undefined
@@ -33,8 +33,8 @@ public final class Estimate {
 
   /**
    * Whether the horizontal position, geodetic or from a local origin, is known well enough. For a
-   * ground vehicle it is not once no source measures its speed any more, however small the sigma
-   * still is: such a vehicle can stop and wait.
+   * ground vehicle it is false once no source measures its speed, however small the sigma still is,
+   * because the vehicle may have stopped.
    */
   public boolean hasPosition() {
     boolean isSure = Math.max(positionSigmaM(0), positionSigmaM(1)) <= tuning.lostSigmaM();

@@ -82,10 +82,10 @@ public final class FilterMemory {
   }
 
   /**
-   * Reads the texts into a filter that has fused nothing yet.
+   * Restores the texts into a new filter.
    *
    * @return false if absent or of another version
-   * @throws IllegalArgumentException if they are damaged
+   * @throws IllegalArgumentException if the texts are damaged
    */
   public static boolean read(ErrorStateFilter filter, Function<String, Optional<String>> from) {
     Optional<String> nominal = from.apply(NOMINAL);

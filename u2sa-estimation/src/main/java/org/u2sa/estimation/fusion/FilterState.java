@@ -162,7 +162,7 @@ final class FilterState {
     return p.data[i * N + i];
   }
 
-  /** Makes an error state independent of all others, with the given variance. */
+  /** Resets an error state to the given variance, uncorrelated with all others. */
   void isolate(int i, double variance) {
     for (int k = 0; k < N; k++) {
       p.data[i * N + k] = 0.0;

@@ -255,8 +255,9 @@ final class Fuser {
   }
 
   /**
-   * Uses the course of a moving vehicle as its heading if nothing measures that. If its velocity
-   * follows from positions only and the wheels turn, {@link HeadingSearch} is more accurate.
+   * Uses the course of a moving vehicle as its heading if no sensor measures the heading. If its
+   * velocity follows from positions only and the wheels turn, {@link HeadingSearch} is more
+   * accurate.
    */
   private void headingOfMotion(FilterState s) {
     double vn = s.x[FilterState.V];
@@ -284,7 +285,8 @@ final class Fuser {
     }
     boolean isGround = tuning.domain() == MotionDomain.GROUND;
     boolean isInFlow = s.hasFlow && (s.micros - s.fluidMicros) / MICROS < FLUID_FRESH_S;
-    // Without a speed source, the constraint with an uncertain heading would act as one.
+    // Without a speed source, the constraint with an uncertain heading would act as a speed
+    // measurement.
     if (isGround && InertialInput.isAided(s, SPEED_FRESH_S) || isInFlow) {
       s.constraintMicros = s.micros;
       model.noSlip(s, tuning.sideSlipSigma(), !isGround, isGround);

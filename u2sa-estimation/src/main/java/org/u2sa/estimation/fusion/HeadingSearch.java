@@ -35,7 +35,7 @@ final class HeadingSearch {
   private static final double UNKNOWN = 100.0; // variance per axis of h, whose length is 1
   private static final double MAX_SIGMA_RAD = 0.15; // displacement of about ten position sigmas
   private static final double UNLIKELY =
-      3.0; // standard deviations by which the displacements may differ
+      3.0; // maximum difference of the displacements, in standard deviations
   private static final double SLIP = 0.1; // fraction of the displacement
   private static final double UNMEASURED = 0.01; // rad²/s of unmeasured turns
   private static final double USUAL = 4.0; // NIS above which a fix is down-weighted
@@ -48,7 +48,7 @@ final class HeadingSearch {
     return Quaternions.psi(r);
   }
 
-  /** Discards the fixes; the search restarts with the next one. */
+  /** Discards the fixes; the search restarts with the next fix. */
   static void restart(FilterState s) {
     s.search[FIX_MICROS] = 0.0;
   }

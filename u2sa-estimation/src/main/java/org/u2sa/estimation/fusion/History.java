@@ -7,8 +7,9 @@ import org.u2sa.estimation.measurement.Measurement;
 /**
  * Time-ordered buffer of recent measurements with snapshots of the state after them, from which
  * fusion can resume. The newest entries all keep a snapshot, because late measurements are mostly
- * late by a few entries; of older ones, every eighth does, so a later one causes a few more to be
- * fused again. States are large, and the fewer there are, the more of them fit into the CPU caches.
+ * late by a few entries; of older entries, every eighth does, so a later measurement requires
+ * fusing a few more again. States are large, and the fewer there are, the more of them fit into the
+ * CPU caches.
  */
 final class History {
   private static final int RECENT = 32; // newest measurements, which all keep the state after them
@@ -44,7 +45,10 @@ final class History {
     return ring[(first + index) % ring.length];
   }
 
-  /** State before an entry; all earlier ones must be fused, and the previous one keep its state. */
+  /**
+   * State before an entry; all earlier entries must be fused, and the previous entry must hold its
+   * state.
+   */
   FilterState before(int index) {
     return index == 0 ? base : at(index - 1).after;
   }
@@ -118,7 +122,8 @@ final class History {
    * Inserts a measurement in order of time, then source name. If the history is full, the oldest
    * entry must be fused.
    *
-   * @return its index, from which on entries must be fused; -1 if it is older than the history
+   * @return index of the entry, from which entries must be fused again; -1 if it is older than the
+   *     history
    */
   int insert(Measurement m, int source) {
     if (isBefore(m.micros())) {

@@ -87,7 +87,7 @@ final class InertialInput {
     density(s, m, continues ? gyroJump : 0.0, continues && hasForce ? forceJump : 0.0);
   }
 
-  /** Makes the input that {@link #meet} was last called with drive the prediction from m on. */
+  /** Makes the input of the last {@link #meet} call drive the prediction from m on. */
   void take(FilterState s, Measurement m, int source) {
     double[] x = s.x;
     System.arraycopy(held, 0, x, FilterState.GYRO, 3);

@@ -138,7 +138,7 @@ final class KalmanUpdate {
 
   /**
    * Projects the correction onto valid delays along the covariance (estimate projection, Simon
-   * 2010): clamping only the delay would leave its share of the innovation to other states.
+   * 2010): clamping only the delay would attribute its part of the innovation to other states.
    */
   private void constrain(FilterState state) {
     for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
@@ -154,7 +154,7 @@ final class KalmanUpdate {
     }
   }
 
-  /** Element of the product of a matrix stored by columns and a square one. */
+  /** Element of the product of a column-major matrix and a square matrix. */
   private double product(double[][] columns, int row, double[] square, int column) {
     double sum = 0.0;
     for (int c = 0; c < rows; c++) {
@@ -163,7 +163,7 @@ final class KalmanUpdate {
     return sum;
   }
 
-  /** Adds one component's share of (K S - G) Kᵀ - K Gᵀ to the lower half. */
+  /** Adds one component's part of (K S - G) Kᵀ - K Gᵀ to the lower triangle. */
   private void change(double[] p, double[] of, double[] gain, double[] rounding) {
     for (int a = 0; a < touches; a++) {
       int i = touched[a];

@@ -263,7 +263,7 @@ final class MeasurementModel {
     return linear.rows > 0;
   }
 
-  /** Model of body rates that do not drive the prediction: incomplete, or a second sensor's. */
+  /** Model of body rates that do not drive the prediction: incomplete, or from a second sensor. */
   private void bodyRates(FilterState s, Measurement m) {
     for (int i = 0; i < 3; i++) {
       if (m.has(SensedQuantity.BODY_RATES, i) && (s.hasTilt || i == 2) && !s.isInertial) {

@@ -18,15 +18,16 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  * <p>If wheels measure the motion, they also reveal how much a position source drifts, and its
  * variance is learned by expectation maximisation: the mean of b² + P, estimated error and its
  * variance (Shumway and Stoffer 1982). The learned variance is never below the claim. With
- * multipath, a receiver's error is several times what it claims.
+ * multipath, a receiver's error is several times the claimed sigma.
  */
 final class PersistentErrors {
   static final int NONE = -1;
 
-  /** White share of a claimed sigma. The rest is time-correlated. */
+  /** White-noise fraction of a claimed sigma. The rest is time-correlated. */
   private static final double NEW_SHARE = 0.2;
 
-  private static final double OUTGROWN = 9.0; // ratio of variance to that of the newest claim
+  private static final double OUTGROWN =
+      9.0; // ratio of the variance to the newest claimed variance
 
   private static final double MEMORY = 4.0; // time constants over which a variance is learned
   private static final double LARGEST = 4.0; // limit of one error, as a multiple of the variance
@@ -51,7 +52,7 @@ final class PersistentErrors {
     return isPosition(slot) ? 2 : 1;
   }
 
-  /** Index of a slot's first state among those of all slots. */
+  /** Index of a slot's first state in the filter's state vector. */
   private static int first(int slot) {
     return isPosition(slot) ? 2 * slot : FilterState.POSITION_SOURCES + slot;
   }

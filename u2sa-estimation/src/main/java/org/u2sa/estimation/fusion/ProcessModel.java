@@ -25,7 +25,7 @@ final class ProcessModel {
     persistent = new PersistentErrors(tuning);
   }
 
-  /** Predicts the state to the given time; does nothing if it is already there. */
+  /** Predicts the state to the given time; no-op if already reached. */
   void predict(FilterState s, long micros) {
     while (s.micros < micros) {
       double leftS = (micros - s.micros) * 1e-6;

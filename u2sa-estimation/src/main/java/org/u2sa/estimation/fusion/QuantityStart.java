@@ -57,8 +57,8 @@ final class QuantityStart {
 
   /**
    * Called before a reset from this source. If resets recur within a short time, source and
-   * estimate are inconsistent: a heading that nothing measures is discarded; otherwise the source
-   * is distrusted, because dead reckoning shows that it claims too small a sigma.
+   * estimate are inconsistent: an unmeasured heading is discarded; otherwise the source is
+   * distrusted, because dead reckoning shows that its claimed sigma is too small.
    */
   static void doubt(FilterState s, SensedQuantity quantity, int at) {
     double[] t = s.trust;

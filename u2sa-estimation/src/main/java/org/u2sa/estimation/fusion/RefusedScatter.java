@@ -6,8 +6,8 @@ package org.u2sa.estimation.fusion;
  * more than they claim only show the source's own noise: its claimed sigma is wrong in any case.
  *
  * <p>Differences between consecutive rejected positions have twice the noise variance (von Neumann
- * 1941). Their mean is removed, so that a steady drift does not count as scatter, and so is the
- * largest one, which may be a jump.
+ * 1941). Their mean is removed, so that a steady drift does not count as scatter, and the largest
+ * deviation, which may be a jump, is also removed.
  */
 final class RefusedScatter {
   private static final int MIN_STEPS = 4;
@@ -42,7 +42,7 @@ final class RefusedScatter {
     t[at + SourceTrust.STREAK_NEWEST + 1] = second;
   }
 
-  /** Noise variance of the rejected positions, per axis [m²]; 0 if there are too few. */
+  /** Noise variance of the rejected positions per axis [m²]; 0 with too few positions. */
   private static double variance(double[] t, int at) {
     double steps = t[at + SourceTrust.STREAK] - 1.0;
     if (steps < MIN_STEPS) {
@@ -58,7 +58,7 @@ final class RefusedScatter {
 
   /**
    * Uses the scatter instead of the claimed variance if it is much larger, and resets the streak.
-   * If this is the only source, the position becomes uncertain by the same amount, and the wheel
+   * If this is the only source, the position uncertainty grows by the same amount, and the wheel
    * scale, which may have been learned from it, is reset.
    *
    * @param isAlone whether no other source supports the position

@@ -3,7 +3,7 @@ package org.u2sa.estimation.fusion;
 import org.u2sa.estimation.measurement.Measurement;
 
 /**
- * Remembers when landmarks were last seen. Repeated sightings of a landmark from nearly the same
+ * Time of each landmark's last sighting. Repeated sightings of a landmark from nearly the same
  * position have nearly the same range and bearing error: such errors carry as much information as
  * independent ones every two correlation times (Brown and Hwang, 3rd ed., section 5.3). On the ten
  * robots of UTIAS MRCLAM 6 and 7, 83 % of the errors lie within 3 standard deviations if sightings

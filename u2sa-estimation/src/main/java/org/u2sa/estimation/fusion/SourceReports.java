@@ -21,7 +21,7 @@ public final class SourceReports {
     UNUSED,
     /** Its newest measurements contradict the estimate. */
     GATED,
-    /** It contradicts other sources, always in the same direction. */
+    /** The source contradicts other sources, always in the same direction. */
     BIASED,
     /** It repeats its values while the vehicle moves. */
     FROZEN,

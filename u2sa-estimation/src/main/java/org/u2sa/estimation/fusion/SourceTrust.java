@@ -14,7 +14,7 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  * <p>The actual variance of a source is learned from innovations: the squared difference of
  * consecutive ones is 2 (H P Hᵀ + R) on average and is insensitive to constant errors, which are
  * handled separately (innovation-based adaptive estimation, Mehra 1970; difference as in von
- * Neumann 1941). The variance used is never below the claimed one.
+ * Neumann 1941). The variance used is never below the claimed variance.
  */
 final class SourceTrust {
   // Numbers of a source.
@@ -44,7 +44,7 @@ final class SourceTrust {
   static final int IS_BIASED = 14;
   static final int PASSED = 15; // consecutive, while biased
   static final int RUN_START = 16; // prediction when the values stopped changing: three
-  static final int OFFSET = 19; // of a local frame other than the filter's: three
+  static final int OFFSET = 19; // three in a local frame other than that of the filter
   static final int HAS_OFFSET = 22;
   static final int NIS = 23; // normalised squared innovation of the newest vector
   static final int RUN_OF = 24; // message at which the run of RUN_START began
@@ -107,7 +107,7 @@ final class SourceTrust {
     return places.get(source)[0];
   }
 
-  /** Offset of the numbers of one of a source's quantities. */
+  /** Offset of the values of one quantity of a source. */
   int of(FilterState s, int source, SensedQuantity quantity) {
     int[] place = places.get(source);
     if (place[1 + quantity.ordinal()] < 0) {

@@ -3,8 +3,8 @@ package org.u2sa.flightgear.link;
 import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
- * The {@link Simulator} service's connection to a simulated aircraft: FlightGear, the stand-in that
- * speaks its protocol, or the embedded one.
+ * Connection of the {@link Simulator} service to a simulated aircraft: FlightGear, a stand-in that
+ * speaks its protocol, or the embedded aircraft.
  */
 public interface AircraftLink extends AutoCloseable {
   /**

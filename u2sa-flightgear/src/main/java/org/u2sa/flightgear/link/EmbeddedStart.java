@@ -28,14 +28,14 @@ public final class EmbeddedStart {
         place.latitudeDeg(),
         -RunwayStart.NORTHERNMOST_DEG,
         RunwayStart.NORTHERNMOST_DEG,
-        "deg of latitude, where the aircraft can start: nearer to a pole headings change too fast");
+        "deg of latitude, the range for starting: nearer to a pole headings change too fast");
     requireWithin(
         mission,
         "z",
         place.altitudeM(),
         RunwayStart.LOWEST_M,
         RunwayStart.HIGHEST_M,
-        "m above sea level, where the aircraft can start");
+        "m above sea level, the range for starting");
     return new RunwayStart(place.longitudeDeg(), place.latitudeDeg(), place.altitudeM(), heading);
   }
 

@@ -8,7 +8,7 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * direction (thesis 4.5.2.1). The constructor opens the listening port. Start FlightGear after it,
  * because FlightGear connects only once.
  *
- * <p>A reading's {@code measuredAtMicros} follows FlightGear's own time, so time steps are those of
+ * <p>A reading's {@code measuredAtMicros} follows FlightGear's clock, so time steps are those of
  * the flight. It is never later than the arrival, keeps its age after a network stall, increases
  * with each reading, and follows the run's clock if FlightGear loses time or runs faster than real
  * time (one second between readings is then several seconds of flight). There are no new readings
@@ -19,8 +19,8 @@ import org.u2sa.sim.aircraft.ControlInputs;
  * 1 s after the last line, or immediately when FlightGear closes the connection. A cut link
  * recovers automatically: the control connection reconnects with exponential back-off; the output
  * connection, which FlightGear never reopens itself, is restored through the property server if a
- * port is given. FlightGear holds the last controls meanwhile. For real time only: the link never
- * waits for a simulated clock.
+ * port is given. FlightGear holds the last controls during an outage. For real time only: the link
+ * never waits for a simulated clock.
  *
  * <p>While FlightGear starts its engine, throttle and mixture are limited to values that keep the
  * engine running, whatever is written.
@@ -37,8 +37,8 @@ public final class FlightGearLink implements AircraftLink {
    * Opens the listening port.
    *
    * @param clock the run's clock, in real time
-   * @throws org.u2sa.interfaces.communication.CommunicationException if the out-port is taken; the
-   *     message says what to do
+   * @throws org.u2sa.interfaces.communication.CommunicationException if the out-port is in use; the
+   *     message names the remedy
    */
   public FlightGearLink(FlightGearAddress address, Clock clock) {
     troubles = new Troubles(clock);
@@ -51,8 +51,8 @@ public final class FlightGearLink implements AircraftLink {
    * Opens the listening port.
    *
    * @param propertyPort 0 for none
-   * @throws org.u2sa.interfaces.communication.CommunicationException if the out-port is taken; the
-   *     message says what to do
+   * @throws org.u2sa.interfaces.communication.CommunicationException if the out-port is in use; the
+   *     message names the remedy
    */
   public FlightGearLink(String host, int outPort, int inPort, int propertyPort, Clock clock) {
     this(FlightGearAddress.of(host, outPort, inPort, propertyPort), clock);
@@ -85,10 +85,7 @@ public final class FlightGearLink implements AircraftLink {
     return troubles.take();
   }
 
-  /**
-   * Closes the connections after sending the controls written last. Takes at most some tenths of a
-   * second.
-   */
+  /** Closes the connections after sending the controls written last. Takes less than a second. */
   @Override
   public void close() {
     thread.end();

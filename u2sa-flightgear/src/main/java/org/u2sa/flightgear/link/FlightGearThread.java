@@ -170,7 +170,7 @@ final class FlightGearThread extends Thread {
 
   /**
    * FlightGear accepts connections to a dead input channel and ignores their data. Only the echoed
-   * count shows that it is listening.
+   * count shows that FlightGear is listening.
    */
   private void listenForEcho(boolean flying, long now) {
     boolean heard = out.count() != heardCount;

@@ -14,8 +14,8 @@ import org.u2sa.sim.aircraft.ControlInputs;
 
 /**
  * Connection that carries controls to FlightGear. It connects only when there is something to send
- * and closes only after a complete line, because anything else kills FlightGear's channel. Only the
- * newest controls are sent. Confined to the link's thread.
+ * and closes only after a complete line, because otherwise FlightGear's channel stops working. Only
+ * the newest controls are sent. Confined to the link's thread.
  */
 final class InChannel {
   static final long SPACING_MICROS = 20_000; // FlightGear reads at 20 to 60 Hz

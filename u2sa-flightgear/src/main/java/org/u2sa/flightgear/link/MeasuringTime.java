@@ -42,7 +42,7 @@ final class MeasuringTime {
    */
   boolean take(double elapsedS, long arrivalMicros) {
     boolean paused = anchored && elapsedS == lastS;
-    if (!anchored || elapsedS <= lastS) { // earlier: FlightGear was reset or is another one
+    if (!anchored || elapsedS <= lastS) { // earlier: FlightGear was reset or restarted
       anchor(elapsedS, arrivalMicros);
     }
     lastS = elapsedS;

@@ -94,7 +94,7 @@ final class OutChannel {
     channel.register(selector, SelectionKey.OP_READ, peer);
   }
 
-  /** Takes what has come from a peer. */
+  /** Handles bytes received from a peer. */
   void read(Peer peer) {
     try {
       buffer.clear();

@@ -11,8 +11,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Client of FlightGear's property server, for repairs. Calls block for at most some seconds and
- * read a limited number of bytes, because another program may listen there.
+ * Client of FlightGear's property server, for repairs. Calls block for at most a few seconds and
+ * read a limited number of bytes, because another program may use the port.
  */
 final class PropertyServer implements AutoCloseable {
   private static final int PATIENCE_MS = 3_000;
@@ -26,7 +26,7 @@ final class PropertyServer implements AutoCloseable {
   private long untilMicros; // end of the current call
 
   /**
-   * @throws IOException if nobody answers
+   * @throws IOException if there is no answer
    */
   PropertyServer(String host, int port) throws IOException {
     try {

@@ -15,7 +15,7 @@ import org.u2sa.interfaces.time.Clock;
 final class Repair {
   private static final long SHORTEST_PAUSE_MICROS = Clock.MICROS_PER_SECOND;
   private static final long LONGEST_PAUSE_MICROS = 10 * Clock.MICROS_PER_SECOND;
-  private static final String NOT_NEEDED = "not needed any more";
+  private static final String NOT_NEEDED = "no longer needed";
 
   private final FlightGearAddress address;
   private final Troubles troubles;

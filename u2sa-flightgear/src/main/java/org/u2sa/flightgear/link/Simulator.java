@@ -44,7 +44,9 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
   private record Senses(
       @Variable(ifAbsentText = "true")
           @Description(
-              "Whether sensed-state has the aircraft's true position, motion and attitude; false: only weight on wheels, engine and height above ground, as sensors measure the rest.")
+              "Whether sensed-state has the aircraft's true position, motion and attitude; "
+                  + "false: only weight on wheels, engine and height above ground; sensors measure "
+                  + "the rest.")
           boolean sensesMotion) {}
 
   private final boolean sensesMotion;
@@ -184,7 +186,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
     commands.takeOver(state);
   }
 
-  /** Leaves the controls as they are until the successor takes over. */
+  /** Keeps the controls unchanged until the successor takes over. */
   @Override
   protected void releaseToSuccessor() {
     link.close();

@@ -12,7 +12,7 @@ interface StandInChannel extends Closeable {
   /**
    * Processes one frame.
    *
-   * @param told commands received last
+   * @param told last commands received
    * @param line output line of this frame
    * @return commands received in this frame
    * @throws IOException if the channel is permanently lost

@@ -94,8 +94,8 @@ public final class StandInFlightGear implements AutoCloseable {
   }
 
   /**
-   * Starts the flight and connects once. If nobody listens, the flight continues without output, as
-   * in FlightGear.
+   * Starts the flight and connects once. Without a listener, the flight continues without output,
+   * as in FlightGear.
    */
   public void start(String peerHost, int outPort) {
     thread = new Thread(() -> run(peerHost, outPort), "stand-in-flightgear");

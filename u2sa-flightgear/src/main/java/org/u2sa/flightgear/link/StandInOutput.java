@@ -18,7 +18,7 @@ final class StandInOutput implements StandInChannel {
   private final SocketChannel channel = SocketChannel.open();
 
   /**
-   * @throws IOException if nobody listens; the channel then does not exist
+   * @throws IOException if there is no listener; the channel then does not exist
    */
   StandInOutput(String host, int port) throws IOException {
     try {
@@ -26,7 +26,7 @@ final class StandInOutput implements StandInChannel {
       channel.socket().setTcpNoDelay(true);
     } catch (IOException e) {
       channel.close();
-      throw new IOException("nobody listens on " + host + ":" + port + ": " + e.getMessage(), e);
+      throw new IOException("no listener on " + host + ":" + port + ": " + e.getMessage(), e);
     }
   }
 

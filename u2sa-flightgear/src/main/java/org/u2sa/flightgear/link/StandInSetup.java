@@ -7,8 +7,8 @@ package org.u2sa.flightgear.link;
  * @param speedUp simulated seconds per second of wall time [0.01…100]
  * @param loadingS wall time during which lines are sent before the flight model runs [s, at least
  *     0]
- * @param primerS simulated duration of the engine start [s, at least 0]; 0: the engine state is the
- *     aircraft's
+ * @param primerS simulated duration of the engine start [s, at least 0]; 0: the engine state is
+ *     unchanged
  */
 public record StandInSetup(double rateHz, double speedUp, double loadingS, double primerS) {
   /**
@@ -26,7 +26,7 @@ public record StandInSetup(double rateHz, double speedUp, double loadingS, doubl
     return new StandInSetup(20.0, 1.0, 2.5, 7.5);
   }
 
-  /** Lines start immediately and the engine state is the aircraft's. */
+  /** Lines start immediately, with the aircraft's current engine state. */
   public static StandInSetup ready(double rateHz, double speedUp) {
     return new StandInSetup(rateHz, speedUp, 0.0, 0.0);
   }

@@ -28,7 +28,7 @@ final class Troubles {
 
   synchronized void event(String what) {
     if (events.size() == MAX_KEPT) {
-      events.removeFirst(); // nobody reads the events: keep the newest
+      events.removeFirst(); // events are not read: keep the newest
     }
     events.addLast(what);
   }

@@ -24,7 +24,7 @@ public enum InField {
   BRAKE_LEFT("/controls/gear/brake-left", ControlInputs::brakeLeft),
   /** 0…1. */
   BRAKE_RIGHT("/controls/gear/brake-right", ControlInputs::brakeRight),
-  /** Counts lines; FlightGear keeps it and tells it back as {@link OutField#COUNT}. */
+  /** Line counter, which FlightGear echoes as {@link OutField#COUNT}. */
   COUNT("/u2sa/link/count", controls -> 0.0);
 
   private final String node;

@@ -48,7 +48,7 @@ public enum OutField {
   WEIGHT_ON_WHEEL("/gear/gear[1]/wow", Unit.NONE, 0.0, 1.0),
   /** 1 while the engine is being started; 0 or 1. */
   PRIMER("/controls/engines/engine[0]/use-primer", Unit.NONE, 0.0, 1.0),
-  /** 1 if FlightGear says that the aircraft crashed; its c172p never does. */
+  /** 1 if FlightGear reports a crash; its c172p never does. */
   CRASHED("/sim/crashed", Unit.NONE, 0.0, 1.0),
   /** {@link InField#COUNT} as FlightGear received it last: shows that it listens. */
   COUNT(InField.COUNT.node(), Unit.NONE, 0.0, 1e9);

@@ -33,7 +33,8 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Answers of all services by name: until all heard services have answered, or the link times out.
+   * Collects the answers of all known services, by name, until all have answered or the link times
+   * out.
    */
   public List<ConfigurationResponse> all() throws InterruptedException {
     return answersOr(Set.of());
@@ -61,7 +62,7 @@ public final class RemoteConfiguration {
             .collect(Collectors.toCollection(TreeSet::new));
     throw new BadInputException(
         String.format(
-            "no service \"%s\" answered in system \"%s\"; there are %s%s",
+            "no service \"%s\" answered in system \"%s\"; found: %s%s",
             service,
             link.systemId(),
             String.join(", ", there),
@@ -69,8 +70,8 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Answers of the given services if they answer; otherwise of all. All are asked even for a single
-   * one, so that a mistyped name can be reported with the existing names.
+   * Answers of the given services if they answer; otherwise of all. All services are queried even
+   * for a single one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
     DirectoryObservation heard = DirectoryObservation.begin(link);
@@ -89,7 +90,7 @@ public final class RemoteConfiguration {
   /**
    * The variable of that name.
    *
-   * @throws BadInputException if the service has none
+   * @throws BadInputException if the service has no such variable
    */
   public static ConfigurationVariable variable(ConfigurationResponse of, String name) {
     List<String> names =
@@ -98,7 +99,7 @@ public final class RemoteConfiguration {
     if (index < 0) {
       throw new BadInputException(
           String.format(
-              "%s, variable \"%s\": there is none%s",
+              "%s, variable \"%s\": not found%s",
               of.serviceName(), name, NearestNames.didYouMean(name, names)));
     }
     return of.variables().get(index);

@@ -14,7 +14,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Watches a variable of a running service: its value, and each later change by messages. Changes
- * that a service makes to its own file are not seen.
+ * that a service makes to its own file are not detected.
  */
 public final class VariableWatch implements AutoCloseable {
   /**

@@ -1,2 +1,2 @@
-/** Variables of a running system's services: read, changed, undone, watched. */
+/** Reading, changing, undoing and watching the variables of a running system's services. */
 package org.u2sa.gcs.configuration;

@@ -96,7 +96,7 @@ public final class MissionView {
     return new Geodetic(global.x().getAsDouble(), global.y().getAsDouble(), 0.0);
   }
 
-  /** How often a goal was finished. */
+  /** Number of times a goal was finished. */
   public long timesFinished(int index) {
     return index < report.finished().size() ? Math.round(report.finished().get(index)) : 0;
   }

@@ -63,7 +63,7 @@ public final class LocalSystems {
   /**
    * Announces a system of this process.
    *
-   * @param broker address of its own broker; empty if it has none, and then it is not announced
+   * @param broker address of its broker; empty if it has none, so that it is not announced
    * @param console receives a line if that fails, which does not prevent the run
    */
   public Announcement announce(
@@ -121,8 +121,8 @@ public final class LocalSystems {
   }
 
   /**
-   * Returns the system of a file; empty if the process ended without removing it, if another
-   * process has its number now, or if it is another file.
+   * Returns the system of a file; empty if its process ended without removing it, if its PID now
+   * belongs to another process, or if it is not such a file.
    */
   private static Optional<LocalSystem> read(Path file, Consumer<String> failures) {
     String name = file.getFileName().toString();
@@ -153,7 +153,7 @@ public final class LocalSystems {
     try {
       Files.deleteIfExists(file);
     } catch (IOException e) {
-      return Optional.empty(); // as on a disk that became read-only; it says nothing true anyway
+      return Optional.empty(); // e.g. the disk became read-only; the entry is outdated anyway
     }
     return Optional.empty();
   }
@@ -166,7 +166,7 @@ public final class LocalSystems {
           .map(LocalSystem::systemId)
           .collect(Collectors.toSet());
     } catch (BadInputException e) {
-      return Set.of(); // the broker's messages tell them too
+      return Set.of(); // they are also in the broker's messages
     }
   }
 
@@ -205,7 +205,7 @@ public final class LocalSystems {
       throw new BadInputException(
           "several systems run on this machine: "
               + meant.stream().map(LocalSystem::toString).collect(Collectors.joining(", "))
-              + "; --system or --broker chooses one");
+              + "; choose one with --system or --broker");
     }
     return brokers.stream().findFirst();
   }

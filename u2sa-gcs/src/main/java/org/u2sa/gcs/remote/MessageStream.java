@@ -9,8 +9,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Queue of received messages waiting to be shown, so that a slow terminal blocks nobody. Overflow
- * is dropped and counted.
+ * Queue of received messages waiting to be shown, so that a slow terminal does not block senders.
+ * Overflow is dropped and counted.
  */
 public final class MessageStream {
   private static final int ROOM = 4096;

@@ -7,10 +7,10 @@ import java.time.Instant;
 import java.util.Optional;
 
 /**
- * Tells a process from a later one with the same number, by when it started.
+ * Distinguishes a process from a later one with the same PID, by its start time.
  *
- * <p>On Linux the start is counted from the machine's boot, which the boot's ID names: the time of
- * day, and with it the start that Java tells, moves when the clock is set.
+ * <p>On Linux the start time is relative to boot, identified by the boot ID, because the wall-clock
+ * start time reported by Java shifts when the clock is set.
  */
 final class ProcessIdentity {
   private static final Path BOOT = Path.of("/proc/sys/kernel/random/boot_id");
@@ -27,7 +27,7 @@ final class ProcessIdentity {
     }
     try {
       String stat = Files.readString(Path.of("/proc", String.valueOf(pid), "stat"));
-      // The program's name is in parentheses, and may contain spaces and parentheses itself.
+      // The program's name is in parentheses, and may itself contain spaces and parentheses.
       String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
       return Optional.of(Files.readString(BOOT).trim() + "/" + fields[START_FIELD - STATE_FIELD]);
     } catch (IOException e) { // no Linux, or ended just now

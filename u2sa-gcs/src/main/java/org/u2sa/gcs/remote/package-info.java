@@ -1,5 +1,5 @@
 /**
  * The connection to a system that runs in another process or on another host, and which systems run
- * on this machine. The content of requests and orders belongs to the packages beside this one.
+ * on this machine. The content of requests and orders belongs to sibling packages.
  */
 package org.u2sa.gcs.remote;

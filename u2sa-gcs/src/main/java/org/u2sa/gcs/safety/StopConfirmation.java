@@ -42,7 +42,7 @@ public final class StopConfirmation {
    * Starts listening.
    *
    * @param link to that system, or to all
-   * @param waiter signalled with each message of that system that matters
+   * @param waiter signalled with each relevant message of that system
    */
   public static StopConfirmation listen(RemoteLink link, String systemId, Clock.Waiter waiter) {
     StopConfirmation confirmation = new StopConfirmation(link, systemId, waiter);
@@ -117,16 +117,14 @@ public final class StopConfirmation {
     return by;
   }
 
-  /**
-   * Reasons why the vehicle as a whole does not satisfy the condition, one text each; empty if it
-   * does.
-   */
+  /** Reasons why the vehicle does not satisfy the condition, one text each; empty if it does. */
   public synchronized List<String> missing(Outcome wanted) {
     List<String> missing = new ArrayList<>();
     if (heard.isEmpty()) {
       missing.add("no service of system \"" + systemId + "\" is heard");
     } else if (holding.isEmpty()) {
-      missing.add("of its " + heard.size() + " services none says that it heeds emergency stops");
+      missing.add(
+          "of its " + heard.size() + " services, none reports that it obeys emergency " + "stops");
     }
     holding.forEach(
         (service, held) -> {
@@ -138,7 +136,7 @@ public final class StopConfirmation {
     broken.forEach(
         (service, how) -> {
           if (!confirmed(service, wanted)) {
-            missing.add(service + " does not answer, it is " + how);
+            missing.add(service + " does not answer: it is " + how);
           }
         });
     return missing;
@@ -171,7 +169,7 @@ public final class StopConfirmation {
     return all;
   }
 
-  /** Time of the latest stop heard [µs]; 0 if none. */
+  /** Time of the latest stop received [µs]; 0 if none. */
   public synchronized long newestMicros() {
     return stops.values().stream().mapToLong(stop -> stop.timestamp().orElse(0L)).max().orElse(0L);
   }

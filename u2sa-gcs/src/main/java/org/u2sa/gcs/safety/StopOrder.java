@@ -19,11 +19,11 @@ public final class StopOrder {
   /** Time in which a service with the default report period reports twice. */
   private static final double LISTEN_S = 0.6;
 
-  /** The Safety Manager's arming state is retained, so it arrives at once if there is one. */
+  /** The Safety Manager's arming state is retained, so it arrives immediately if it exists. */
   private static final double RETAINED_WITHIN_S = 0.1;
 
   /** Systems that one order stops. */
-  public static final int MAX_SYSTEMS = 64; // invented ones must not fill the memory
+  public static final int MAX_SYSTEMS = 64; // caps memory against spoofed systems
 
   private final RemoteLink link;
   private final Clock.Waiter waiter;
@@ -75,8 +75,8 @@ public final class StopOrder {
   }
 
   /**
-   * Sends the stop to every system that is heard from now on, on the transport's thread: it must
-   * not wait until all are known.
+   * Sends the stop to every system as soon as it is discovered, on the transport's thread, without
+   * waiting for the others.
    */
   public void sendToAllHeard() throws InterruptedException {
     link.listen(Channels.ARMING_STATE, this::heard);
@@ -102,7 +102,7 @@ public final class StopOrder {
    * Waits until every known system has confirmed the stop, at least for as long as two reports
    * take.
    *
-   * @return the systems the stop was sent to; empty if none was heard
+   * @return the systems to which the stop was sent; empty if none was found
    */
   public SortedMap<String, StopConfirmation> await() throws InterruptedException {
     long begun = link.clock().micros();
@@ -133,7 +133,7 @@ public final class StopOrder {
     return held -> held.contains(stopId);
   }
 
-  /** Whether a system was heard beyond {@link #MAX_SYSTEMS}, to which the stop was not sent. */
+  /** Whether more than {@link #MAX_SYSTEMS} systems were found, so that some were not stopped. */
   public synchronized boolean leftSome() {
     return leftSome;
   }

@@ -43,7 +43,7 @@ public final class DirectoryObservation {
   }
 
   /**
-   * {@link #begin}, then waits until all heard services have answered, or for the link's timeout.
+   * Calls {@link #begin}, then waits until all known services have answered or the link times out.
    */
   public static DirectoryObservation made(RemoteLink link) throws InterruptedException {
     DirectoryObservation observation = begin(link);
@@ -60,8 +60,8 @@ public final class DirectoryObservation {
   }
 
   /**
-   * Whether each heard service is among these, and there was time to hear all. A service counts
-   * from its first answer or health report. False while none was heard.
+   * Whether the given names include each known service, after enough time to discover all. A
+   * service counts from its first answer or health report. False while none is known.
    */
   public boolean areAmong(Set<String> names) {
     directory.refresh();

@@ -26,7 +26,7 @@ public record ServiceRow(
     Optional<HealthReport> health,
     Optional<ServiceCondition> condition) {
 
-  /** Creates a row for a heard service. */
+  /** Creates a row for a known service. */
   static ServiceRow of(KnownService service, ServiceCondition condition) {
     Optional<DiscoveryResponse> discovery = service.discovery();
     String status =

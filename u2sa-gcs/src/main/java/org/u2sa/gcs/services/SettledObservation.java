@@ -14,9 +14,9 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * A {@link DirectoryObservation} of a settled system: all heard services have answered twice with
- * the same result, and none was created just now. A starting system answers service by service, and
- * a single answer could show a channel without subscribers whose subscriber is about to appear.
+ * A {@link DirectoryObservation} of a settled system: all known services have answered twice with
+ * the same result, and none is newly created. A starting system answers service by service, and a
+ * single answer could show a channel without subscribers whose subscriber is about to appear.
  */
 public final class SettledObservation {
   /** Maximum time between the creation of two services of a starting system [s]. */
@@ -59,7 +59,7 @@ public final class SettledObservation {
     }
   }
 
-  /** Asks all services again; returns whether all heard ones have answered. */
+  /** Queries all services again; returns whether all known services have answered. */
   private boolean askedAgain(long deadlineMicros) throws InterruptedException {
     answered.clear();
     observation.directory().ask();

@@ -1,2 +1,2 @@
-/** Services of a running system: which there are, their condition, and who feeds whom. */
+/** Services of a running system, their condition, and the data flow between them. */
 package org.u2sa.gcs.services;

@@ -23,7 +23,7 @@ final class OriginCheck extends ChannelInboundHandlerAdapter {
 
   private final Set<String> others;
 
-  /** Accepts these origins besides the usual ones and those of this host; "*" for all. */
+  /** Accepts these origins in addition to the default ones and this host's; "*" for all. */
   OriginCheck(Set<String> others) {
     this.others = others;
   }

@@ -67,7 +67,7 @@ public final class ViewServer implements AutoCloseable {
    * @param name name of the source
    * @param sessionId a new ID makes viewers discard their data
    * @param tellsTime whether viewers use {@link #time} as their clock, as for a recording
-   * @param origins web pages that may connect besides the usual ones, see {@link OriginCheck}
+   * @param origins additional web pages that may connect, see {@link OriginCheck}
    * @param remarks receives connects and disconnects
    * @throws RunFailedException if the port is taken
    */
@@ -345,7 +345,7 @@ public final class ViewServer implements AutoCloseable {
         return;
       }
       if (!channels.has(channelId)) {
-        viewer.status(ViewerSession.Level.WARNING, "there is no channel " + channelId);
+        viewer.status(ViewerSession.Level.WARNING, "no channel " + channelId);
         return;
       }
       String refused = viewer.subscribe(id, channelId.intValue());
@@ -360,7 +360,7 @@ public final class ViewServer implements AutoCloseable {
 
     private void unsubscribe(Object id) {
       if (!(id instanceof Long known) || !viewer.unsubscribe(known)) {
-        viewer.status(ViewerSession.Level.WARNING, "there is no subscription " + id);
+        viewer.status(ViewerSession.Level.WARNING, "no subscription " + id);
       }
     }
 

@@ -57,7 +57,7 @@ final class ViewerSession {
     }
     return channelBySubscription.putIfAbsent(subscription, channel) == null
         ? null
-        : "subscription " + subscription + " is there already";
+        : "subscription " + subscription + " already exists";
   }
 
   boolean unsubscribe(long subscription) {

@@ -170,7 +170,7 @@ class ViewServerTest {
       assertThat(viewer.next("status").get("level").asInt()).isPositive();
       viewer.send("{'op': 'subscribe', 'subscriptions': [{'id': 1, 'channelId': 1}]}");
       viewer.send("{'op': 'subscribe', 'subscriptions': [{'id': 1, 'channelId': 1}]}");
-      assertThat(viewer.next("status").get("message").asText()).contains("is there already");
+      assertThat(viewer.next("status").get("message").asText()).contains("already exists");
     }
   }
 

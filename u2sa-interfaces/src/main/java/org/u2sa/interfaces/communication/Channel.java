@@ -109,8 +109,8 @@ public final class Channel<T extends U2SAData> {
   }
 
   /**
-   * Copy that carries only these subclasses of its type, and their subclasses: a request/response
-   * channel has several types, and nothing else may be sent on it.
+   * Copy that carries only these subclasses of its type, and their subclasses, for request/response
+   * channels with several types.
    */
   @SafeVarargs
   public final Channel<T> carrying(MessageType<? extends T>... types) {
@@ -130,7 +130,7 @@ public final class Channel<T extends U2SAData> {
     return with(Trait.RETAINED, Trait.BY_SOURCE);
   }
 
-  /** Copy whose messages overtake all others in a service's inbox. */
+  /** Copy whose messages have priority over all others in a service's inbox. */
   public Channel<T> urgent() {
     return with(Trait.URGENT);
   }

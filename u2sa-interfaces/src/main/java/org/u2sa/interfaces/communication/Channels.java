@@ -57,8 +57,8 @@ public final class Channels {
       Channel.latest("state", StateInformation.TYPE, StateInformation::sensorName);
 
   /**
-   * The State Estimator's dead reckoning in a local frame that never jumps, beside {@link #STATE};
-   * to maps of the surroundings and to control.
+   * The State Estimator's dead reckoning in a local frame that never jumps, in addition to {@link
+   * #STATE}; for maps and control.
    */
   public static final Channel<StateInformation> LOCAL_STATE =
       Channel.latest("local-state", StateInformation.TYPE, StateInformation::sensorName);

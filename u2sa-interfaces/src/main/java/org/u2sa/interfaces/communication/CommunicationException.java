@@ -10,7 +10,7 @@ public class CommunicationException extends RuntimeException {
     super(message, cause);
   }
 
-  /** Creates an exception whose message says what was tried, where, and what to do. */
+  /** Creates an exception whose message states what was tried, where, and what to do. */
   public CommunicationException(String message) {
     super(message);
   }

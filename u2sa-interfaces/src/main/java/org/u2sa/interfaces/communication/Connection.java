@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 public interface Connection extends AutoCloseable {
   /**
    * Unique ID of this connection, kept on reconnection. Health, discovery and the will carry it, so
-   * that reports about a predecessor of the same name are not mistaken for this one.
+   * that reports about a predecessor with the same name are not attributed to this service.
    */
   String instance();
 

@@ -18,7 +18,9 @@ import org.u2sa.messages.schema.U2SAData;
  * subscribers, recorders and observers.
  */
 public final class LocalBus implements Transport {
-  /** Memory of a channel's retained messages of other processes, if it has several sources. */
+  /**
+   * Memory limit of a channel's retained messages from other processes, if it has several sources.
+   */
   private static final long MAX_RETAINED_BYTES =
       Math.max(2L << 20, Runtime.getRuntime().maxMemory() / 64);
 
@@ -57,8 +59,8 @@ public final class LocalBus implements Transport {
   }
 
   /**
-   * Attaches a bridge, which immediately receives the retained messages. Messages published
-   * meanwhile may arrive twice, but never an older one after a newer one.
+   * Attaches a bridge, which immediately receives the retained messages. Messages published during
+   * the swap may arrive twice, but never out of order.
    */
   public void attach(Bridge added) {
     bridges.add(added);
@@ -188,9 +190,8 @@ public final class LocalBus implements Transport {
     }
 
     /**
-     * Retains a message if there is room; otherwise neither it nor what it replaces, because that
-     * is no longer true. A message of a channel with one source, such as an emergency stop, always
-     * has room.
+     * Retains a message if there is room; otherwise drops it and the outdated message that it
+     * replaces. A message of a channel with one source, such as an emergency stop, always has room.
      */
     private void retain(String source, U2SAData message, boolean isOwn) {
       U2SAData before = retained.get(source);

@@ -36,7 +36,7 @@ record AuditEntry(
   enum Outcome {
     /** About to be written; successful unless a FAILED line with the same revision follows. */
     ACCEPTED,
-    /** Rejected; nothing was changed. */
+    /** Rejected; no variable was changed. */
     REFUSED,
     /** An accepted change could not be written; the old values remain. */
     FAILED

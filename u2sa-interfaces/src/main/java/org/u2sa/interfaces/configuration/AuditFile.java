@@ -16,10 +16,10 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * The audit log of one configuration file: JSON lines in {@code <file>.audit.jsonl} beside it. A
- * last line truncated by a power cut is removed, because its change was not started. At one
- * megabyte the log is rotated to {@code <file>.audit.jsonl.1}; the new log starts with the latest
- * changes, so rejected ones cannot displace them.
+ * The audit log of one configuration file: JSON lines in {@code <file>.audit.jsonl} in the same
+ * folder. A last line truncated by a power cut is removed, because its change was not started. At
+ * one megabyte the log is rotated to {@code <file>.audit.jsonl.1}; the new log starts with the
+ * latest changes, so rejected ones cannot displace them.
  *
  * <p>Read once; afterwards only additions by others are read.
  */

@@ -56,7 +56,7 @@ final class BoundVariable {
   /**
    * Value from the file, else the declared default.
    *
-   * @throws ConfigurationException if there is neither, or the value is invalid
+   * @throws ConfigurationException if both are missing, or the value is invalid
    */
   Object value() {
     if (!stated.isPresent()) {

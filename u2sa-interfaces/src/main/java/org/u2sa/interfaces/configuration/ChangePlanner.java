@@ -189,7 +189,7 @@ final class ChangePlanner {
       if (wanted.size() > MAX_VARIABLES) {
         throw new ConfigurationException(
             String.format(
-                "%s: %s variables at once, expected %s at most",
+                "%s: %s variables in one change, expected at most %s",
                 origin, wanted.size(), MAX_VARIABLES));
       }
       wanted.forEach(

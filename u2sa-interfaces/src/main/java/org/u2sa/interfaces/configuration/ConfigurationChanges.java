@@ -250,7 +250,7 @@ final class ConfigurationChanges {
   private String outdated(long seen, ChangeHistory history) {
     String since = history.since(seen);
     return String.format(
-        "%s: is at revision %s by now, not %s%s: nothing was changed",
+        "%s: is already at revision %s, not %s%s: no change made",
         live.origin(), history.revision(), seen, since.isEmpty() ? "" : "; since then " + since);
   }
 

@@ -30,7 +30,7 @@ final class ConfigurationFile {
       FileVariable variable = FileVariable.of(element);
       XmlElement first = elements.putIfAbsent(variable.name(), element);
       if (first != null) {
-        throw variable.error("appears twice; it is in line " + first.line() + " already");
+        throw variable.error("appears twice; first in line " + first.line());
       }
       variables.put(variable.name(), variable);
     }

@@ -73,7 +73,7 @@ final class ConfigurationValues {
     if (value == null) {
       throw new ConfigurationException(
           String.format(
-              "%s, variable \"%s\": there is none%s",
+              "%s, variable \"%s\": not found%s",
               origin, name, NearestNames.didYouMean(name, values.keySet())));
     }
     readByName.add(name);

@@ -57,10 +57,10 @@ public final class LoadedFile {
     try {
       reader.accept(file);
       return file
-          + ": was changed after it was loaded; what was loaded stays in force until the "
+          + ": was changed after it was loaded; the loaded values stay in force until the "
           + "service is restarted";
     } catch (BadInputException e) {
-      return e.getMessage() + "; what was loaded before stays in force";
+      return e.getMessage() + "; the previously loaded values stay in force";
     }
   }
 }

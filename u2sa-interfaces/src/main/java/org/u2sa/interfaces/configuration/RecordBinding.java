@@ -29,7 +29,7 @@ final class RecordBinding<T> {
   /**
    * @param prefix prefix of each variable's name
    * @throws IllegalArgumentException if it is not a record of correctly declared variables; names
-   *     the first wrong one
+   *     the first invalid one
    */
   static <T> RecordBinding<T> of(Class<T> type, String prefix) {
     return in(type, prefix)
@@ -103,7 +103,7 @@ final class RecordBinding<T> {
   private static String description(Variable said, Parameter parameter) {
     Description description = parameter.getAnnotation(Description.class);
     if (description == null) {
-      throw new IllegalArgumentException(said + ": expected a @Description beside it");
+      throw new IllegalArgumentException(said + ": expected a @Description");
     }
     return description.value();
   }

@@ -7,9 +7,7 @@ package org.u2sa.interfaces.configuration;
  * @param effect applies the change in memory
  */
 public record WrittenChange(ConfigurationOutcome outcome, Runnable effect) {
-  /**
-   * Applies this and earlier written changes in memory, all at once. Thread-safe and idempotent.
-   */
+  /** Applies this and earlier written changes in memory, atomically. Thread-safe and idempotent. */
   public ConfigurationOutcome takeEffect() {
     effect.run();
     return outcome;

@@ -25,9 +25,9 @@ import org.u2sa.messages.contract.ConfigurationVariable;
  * }</pre>
  *
  * <p>The file is read once. A change edits only the value in the current file text, preserving
- * comments, order and concurrent changes. Several variables change atomically; the audit log beside
- * the file records who changed what, and changes can be undone. Any number of processes and threads
- * may write.
+ * comments, order and concurrent changes. Several variables change atomically; the audit log in the
+ * same folder records who changed what, and changes can be undone. Any number of processes and
+ * threads may write.
  */
 public final class XmlConfiguration implements Configurator {
   private final Optional<Path> file;
@@ -91,8 +91,8 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Overrides a variable until the end of this object, before it is declared; the file stays as it
-   * is.
+   * Overrides a variable for the lifetime of this object, before it is declared; the file is not
+   * changed.
    *
    * @param value Integer, Double, Boolean, String or {@link InferredValue}, in the declared unit
    * @throws IllegalArgumentException if the value is of another class

@@ -21,7 +21,7 @@ import org.u2sa.interfaces.time.SystemClock;
  *
  * <p>In real time lines wait in a bounded queue for the {@link DiskWriter}, so that no service
  * waits for a disk that hangs; further lines are dropped, counted, and reported in the next line.
- * In simulated time lines are written at once.
+ * In simulated time lines are written immediately.
  *
  * <p>Uses no logging library, because Logback's file appender silently drops lines for a while
  * after a failure, and Android needs a different library.
@@ -44,7 +44,8 @@ public final class LogFile implements AutoCloseable {
   private final PrintStream complaints;
   private final Opener opener;
   private final DiskWriter disk;
-  private final Clock stopwatch; // not the run's: how often it is read differs in a repetition
+  private final Clock
+      stopwatch; // not the run's clock: the number of reads differs in a re-execution
   private final LogFile first; // first of the logs sharing the file; owns the fields below
   private final AtomicLong failures = new AtomicLong();
   private final Deque<FileLine> waiting = new ArrayDeque<>(); // also the lock of the next four

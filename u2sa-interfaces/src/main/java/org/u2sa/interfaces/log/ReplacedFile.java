@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A file that is replaced as a whole. In real time the {@link DiskWriter} accesses it, and of
- * several pending changes makes only the last; in simulated time the caller does.
+ * A file that is replaced atomically. In real time the {@link DiskWriter} writes it, and only the
+ * last of several pending changes; in simulated time the caller writes it.
  */
 public final class ReplacedFile {
   private static final long READS_WITHIN_MS = 5_000;
@@ -25,7 +25,7 @@ public final class ReplacedFile {
   }
 
   /**
-   * Makes the change, replacing a pending one.
+   * Schedules the change, replacing a pending one.
    *
    * @param failed called if it fails, possibly later on another thread
    */

@@ -52,13 +52,14 @@ public final class AccountFile implements AutoCloseable {
     timer.scheduleWithFixedDelay(this::writeMissing, LOOK_MS, LOOK_MS, TimeUnit.MILLISECONDS);
   }
 
-  /** Writes the file again where it is missing. Called every second. */
+  /** Rewrites the file if it is missing. Called every second. */
   synchronized void writeMissing() {
     if (closed) {
       return;
     }
     for (Path folder : folders.all()) {
-      // A file with other content belongs to a later program, as that of a broker at the same port.
+      // A file with other content belongs to a later program, such as another broker at
+      // the same port.
       if (!Files.exists(folder.resolve(name), LinkOption.NOFOLLOW_LINKS)) {
         write(folder);
       }
@@ -86,7 +87,7 @@ public final class AccountFile implements AutoCloseable {
     WholeFile.fillAndRename(beside, content, file);
   }
 
-  /** Removes the file, except where a later program has replaced it. */
+  /** Removes the file, unless a later program has replaced it. */
   @Override
   public void close() {
     timer.shutdownNow();

@@ -13,10 +13,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Folders in which programs of one account leave files for each other: {@code
- * $XDG_RUNTIME_DIR/u2sa} and {@code ~/.u2sa/run}. Files are written to and looked for in both,
- * because sessions of one account differ in the variable, and its folder is removed with the last
- * session.
+ * Folders in which programs of one account share files: {@code $XDG_RUNTIME_DIR/u2sa} and {@code
+ * ~/.u2sa/run}. Files are written to and searched for in both, because the variable differs between
+ * sessions of one account, and its folder is removed with the last session.
  */
 public final class AccountFolders {
   private static final String UNKNOWN = "?"; // the JVM's name of an account without an entry
@@ -39,8 +38,8 @@ public final class AccountFolders {
   }
 
   /**
-   * The folders, existing or not; that in {@code XDG_RUNTIME_DIR} only if nobody else can replace
-   * its content.
+   * The folders, existing or not; {@code XDG_RUNTIME_DIR} only if no other account can replace its
+   * content.
    */
   public List<Path> all() {
     List<Path> all = new ArrayList<>();
@@ -51,7 +50,7 @@ public final class AccountFolders {
     return all;
   }
 
-  /** The existing folders to which nobody else can write. */
+  /** The existing folders that only this account can write. */
   public List<Path> readable() {
     List<Path> readable = new ArrayList<>();
     for (Path folder : all()) {
@@ -65,7 +64,7 @@ public final class AccountFolders {
   /**
    * Creates the folder if absent, with access for its owner only.
    *
-   * @throws IOException if that fails, or if it is a link or another account's
+   * @throws IOException on failure, or if it is a link or belongs to another account
    */
   public static void prepare(Path folder) throws IOException {
     if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
@@ -102,13 +101,13 @@ public final class AccountFolders {
       others.retainAll(Files.getPosixFilePermissions(folder, LinkOption.NOFOLLOW_LINKS));
       return others.isEmpty();
     } catch (IOException e) {
-      return false; // removed meanwhile, or not ours to look at
+      return false; // removed in the meantime, or not accessible
     }
   }
 
   private static boolean isOurs(Path folder) throws IOException {
     if (!isPosix(folder)) {
-      return true; // there, a program may own what it creates as a group
+      return true; // there, the owner of a created file may be a group
     }
     String account = System.getProperty("user.name", UNKNOWN);
     if (account.equals(UNKNOWN) && Files.exists(SELF)) {

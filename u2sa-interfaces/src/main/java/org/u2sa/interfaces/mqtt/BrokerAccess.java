@@ -27,7 +27,7 @@ public final class BrokerAccess {
   public record Login(
       @Variable(ifAbsentText = "")
           @Description(
-              "User at the Communication Manager, if it runs in another process; empty: none.")
+              "User name at the Communication Manager, if it runs in another process; empty: none.")
           String user,
       @Variable(ifAbsentText = "") @Description("File whose first line is USER's password.")
           String passwordFile,
@@ -37,7 +37,7 @@ public final class BrokerAccess {
           boolean tls,
       @Variable(name = "CA FILE", ifAbsentText = "")
           @Description(
-              "Trusted authorities' certificates (PEM), which switches TLS on; empty: those that Java trusts.")
+              "Trusted CA certificates (PEM); setting them enables TLS. Empty: Java's defaults.")
           String authority) {}
 
   private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);

@@ -6,8 +6,8 @@ import java.nio.channels.ByteChannel;
 import java.nio.channels.SocketChannel;
 
 /**
- * Bytes from and to the broker, never blocking. One thread at a time reads and one writes; both may
- * do so at once.
+ * Bytes from and to the broker, never blocking. One reader and one writer thread at a time may use
+ * it concurrently.
  */
 interface BrokerChannel extends ByteChannel {
   /** Whether bytes have arrived that a selector does not announce; asked by the reading thread. */

@@ -6,8 +6,8 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.communication.TopicLevel;
 
 /**
- * MQTT client IDs of this process: {@code <system>/<service>/<run>/<connection>}. The run is a
- * secret that a process shares with its child processes, by which a broker recognises them as one
+ * MQTT client IDs of this process: {@code <system>/<service>/<run>/<connection>}. The run ID is a
+ * secret shared by a process and its child processes, by which a broker recognises them as one
  * sender. Both last levels are random and published nowhere.
  */
 public final class ClientIds {

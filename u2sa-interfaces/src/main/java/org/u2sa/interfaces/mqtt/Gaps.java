@@ -27,10 +27,7 @@ public final class Gaps {
       };
   private long missed;
 
-  /**
-   * Returns the number of messages missing immediately before this one; without an origin nothing
-   * is counted.
-   */
+  /** Returns the number of messages missing immediately before this one; 0 without an origin. */
   public synchronized long arrived(String topic, Optional<Origin> origin) {
     if (!origin.isPresent()) {
       return 0;

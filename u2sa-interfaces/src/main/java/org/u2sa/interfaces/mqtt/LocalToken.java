@@ -38,7 +38,7 @@ public final class LocalToken {
 
   /**
    * Token of a local broker; empty if this account has none, or if others could read or write the
-   * file. Of several, the newest is the running broker's.
+   * file. Of several tokens, the newest belongs to the running broker.
    */
   public static Optional<char[]> read(String host, int port) {
     return read(AccountFolders.ofProcess(), host, port);
@@ -76,7 +76,8 @@ public final class LocalToken {
   }
 
   /**
-   * Where a token was looked for in vain; empty if there is one, or the broker is on another host.
+   * Locations searched without finding a token; empty if one was found, or if the broker is on
+   * another host.
    */
   public static List<Path> missing(String host, int port) {
     return missing(AccountFolders.ofProcess(), host, port);

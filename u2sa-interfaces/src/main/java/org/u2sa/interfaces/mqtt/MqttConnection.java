@@ -236,7 +236,8 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   void restored(double afterS) {
     receiver.trouble(
         String.format(
-            "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be sent meanwhile",
+            "connection to %s restored, subscriptions %s, after %.1f s; %d messages could not be "
+                + "sent in between",
             address,
             subscriptions.refused().isEmpty() ? "too" : "except " + subscriptions.refused(),
             afterS,
@@ -270,8 +271,8 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   }
 
   /**
-   * Cache of outgoing topics by channel and type. Without a system of its own, each message's
-   * system counts, and nothing is cached.
+   * Cache of outgoing topics by channel and type. Without a system ID, each message's system ID is
+   * used, and nothing is cached.
    */
   static final class TopicNames {
     private final String systemId;

@@ -88,7 +88,8 @@ final class MqttLink {
           throw failure;
         }
       } catch (CancellationException | RejectedExecutionException e) {
-        throw new MqttException(MqttException.REASON_CODE_CLIENT_CLOSED, e); // closed meanwhile
+        throw new MqttException(
+            MqttException.REASON_CODE_CLIENT_CLOSED, e); // closed in the meantime
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
         throw new MqttException(e);
@@ -107,7 +108,7 @@ final class MqttLink {
             && options.get().getUserName() != null;
   }
 
-  /** Creates a session if there is none; returns whether it did. */
+  /** Creates a session if none exists; returns whether it did. */
   private boolean connectOnce() throws MqttException, InterruptedException {
     if (closed || current.get() != null) {
       return false;
@@ -225,7 +226,7 @@ final class MqttLink {
     try {
       linkThread.schedule(task, delayMs, TimeUnit.MILLISECONDS);
     } catch (RejectedExecutionException e) {
-      current.set(null); // closed meanwhile
+      current.set(null); // closed in the meantime
     }
   }
 

@@ -90,7 +90,7 @@ final class MqttSubscriptions {
     if (refused.add(channel.name())) { // reported once, however often the link breaks
       trouble.accept(
           String.format(
-              "the broker at %s refuses the subscription to \"%s\"; it is asked again at the next connection",
+              "the broker at %s rejects the subscription to \"%s\"; retried at the next connection",
               address, channel));
     }
     return false;

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.function.Predicate;
 
 /**
- * Last message received on each retained topic. Bounded, because others may invent topics;
- * forgotten ones are delivered again after a reconnection. Thread-safe.
+ * Last message received on each retained topic. Bounded, because clients can create arbitrary
+ * topics; evicted messages are delivered again after a reconnection. Thread-safe.
  */
 final class ReceivedMessages {
   private static final int MAX_TOPICS = 4_096;
@@ -16,7 +16,7 @@ final class ReceivedMessages {
   private final Map<String, byte[]> last = new LinkedHashMap<>(16, 0.75f, true);
   private long bytes;
 
-  /** Records a message; returns the one before on its topic, or null. */
+  /** Records a message; returns the previous message on its topic, or null. */
   synchronized byte[] put(String topic, byte[] payload) {
     byte[] before = last.put(topic, payload);
     bytes += payload.length - (before == null ? 0 : before.length);

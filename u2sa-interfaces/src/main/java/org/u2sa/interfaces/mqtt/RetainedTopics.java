@@ -43,13 +43,14 @@ final class RetainedTopics {
   static final class Published {
     private final byte[] payload;
     private volatile boolean confirmed;
-    private volatile MqttSession settled; // latest session whose broker holds it or a newer one
+    private volatile MqttSession
+        settled; // latest session whose broker holds this or a newer message
 
     private Published(byte[] payload) {
       this.payload = payload;
     }
 
-    /** Marks the message as held by the session's broker, or no longer needed there. */
+    /** Marks the message as stored by the session's broker, or no longer needed there. */
     void settle(MqttSession session) {
       settled = session;
     }
@@ -89,13 +90,13 @@ final class RetainedTopics {
     return !(first && Arrays.equals(before, payload));
   }
 
-  /** Forgets what was received on a channel, so that a new subscription delivers it again. */
+  /** Forgets the messages received on a channel, so that a new subscription delivers them again. */
   void forget(Channel<?> channel) {
     received.forget(topic -> Topic.parse(topic).channel().equals(channel.name()));
   }
 
   /**
-   * Republishes what a new session's broker does not hold or may not have received, unless another
+   * Republishes messages that a new session's broker lacks or may not have received, unless another
    * connection has published since. The session is not in use yet.
    */
   void restore(MqttSession session) throws MqttException, InterruptedException {
@@ -155,8 +156,8 @@ final class RetainedTopics {
   }
 
   /**
-   * Publishes what the current session lacks: published while it was created, or rejected when
-   * sent.
+   * Publishes the messages missing in the current session: published while it was created, or
+   * rejected when sent.
    *
    * @param lockOf lock held while publishing on a topic, so that no message overtakes a newer one
    * @return whether the session now has everything

@@ -10,8 +10,8 @@ import javax.net.ssl.SSLSocket;
 import org.u2sa.interfaces.OneLine;
 
 /**
- * Encrypted connections to devices that ask for a log-in, such as {@code ./u2sa board}: over TLS,
- * the line {@code LOGIN user password} is answered by {@code OK} or {@code REFUSED reason}.
+ * TLS connections to devices that require a log-in, such as {@code ./u2sa board}: the client sends
+ * {@code LOGIN user password}, the device answers {@code OK} or {@code REFUSED reason}.
  */
 public final class SecuredSocket {
   private static final int LONGEST_ANSWER = 256;
@@ -23,9 +23,9 @@ public final class SecuredSocket {
    * Encrypts a connection, verifies the device's host name, and logs in. Reads wait as long as the
    * socket's time-out.
    *
-   * @param access with a user, encrypted
-   * @param host name by which the certificate must know the device
-   * @throws IOException if the device is not the expected one, or refuses the user
+   * @param access user and certificates
+   * @param host host name that the certificate must contain
+   * @throws IOException if the device is not the expected one, or rejects the user
    */
   public static Socket logIn(BrokerAccess access, Socket plain, String host, int port)
       throws IOException {
@@ -40,7 +40,7 @@ public final class SecuredSocket {
     socket.getOutputStream().flush();
     String answer = answer(socket.getInputStream());
     if (!answer.equals(OK)) {
-      throw new IOException("it answers the log-in by \"" + OneLine.of(answer) + '"');
+      throw new IOException("unexpected answer to the log-in: \"" + OneLine.of(answer) + '"');
     }
     return socket;
   }
@@ -51,7 +51,7 @@ public final class SecuredSocket {
       if (line.size() < LONGEST_ANSWER) {
         line.write(octet);
       } else {
-        throw new IOException("its answer to the log-in has no end");
+        throw new IOException("the answer to the log-in is too long");
       }
     }
     return new String(line.toByteArray(), StandardCharsets.UTF_8);

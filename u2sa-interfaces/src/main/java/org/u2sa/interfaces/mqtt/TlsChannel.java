@@ -13,7 +13,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * A {@link BrokerChannel} with TLS, which never blocks after its handshake. Sends no close_notify,
- * because MQTT says itself when a session ends.
+ * because MQTT has its own end-of-session message.
  */
 final class TlsChannel implements BrokerChannel {
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);
@@ -71,7 +71,7 @@ final class TlsChannel implements BrokerChannel {
     }
     selector.select(leftMs);
     selector.selectedKeys().clear();
-    write(NOTHING); // what the network has not accepted yet
+    write(NOTHING); // data that the network has not accepted yet
     if (socket.read(received) < 0) {
       throw new IOException("the broker ended the connection during the TLS handshake");
     }
@@ -175,7 +175,7 @@ final class TlsChannel implements BrokerChannel {
     }
   }
 
-  /** Sends what is encrypted; returns whether the network has accepted it all. */
+  /** Sends the encrypted data; returns whether the network has accepted all of it. */
   private boolean sent() throws IOException {
     MqttPackets.flip(sending);
     try {

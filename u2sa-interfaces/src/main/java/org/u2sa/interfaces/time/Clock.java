@@ -20,7 +20,7 @@ public interface Clock {
    */
   long micros();
 
-  /** Whether time stands still while threads work. */
+  /** Whether time is frozen while threads work. */
   default boolean isSimulated() {
     return false;
   }
@@ -96,7 +96,7 @@ public interface Clock {
     void await(long deadlineMicros) throws InterruptedException;
 
     /**
-     * Runs turns until they are over, {@linkplain #await waiting} between them.
+     * Runs turns until they end, {@linkplain #await waiting} between them.
      *
      * <p>The clock may run some of them on its own thread while this one is blocked in the call.
      * Turns run one at a time, each sees the writes of earlier ones, and no lock may be held
@@ -114,7 +114,9 @@ public interface Clock {
     /** Ends the current wait, or the next one if the thread is not waiting. Never blocks. */
     void signal();
 
-    /** Releases the waiter: waits return at once, and a simulation advances without this thread. */
+    /**
+     * Releases the waiter: waits return immediately, and a simulation advances without this thread.
+     */
     @Override
     void close();
   }

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 
 /**
  * Worker threads on which a {@link LockstepClock} runs lent turns: usually one, more while a turn
- * waits inside or hangs. They end when no thread lends turns any more. Guarded by the clock's lock.
+ * waits inside or hangs. They end when no thread lends turns. Guarded by the clock's lock.
  */
 final class LentTurnThreads {
   private final ArrayDeque<Carrier> free = new ArrayDeque<>(); // LIFO

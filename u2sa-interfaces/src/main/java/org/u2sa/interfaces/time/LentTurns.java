@@ -10,7 +10,7 @@ import java.util.function.Predicate;
  */
 final class LentTurns {
   private final Thread lender = Thread.currentThread();
-  private final TurnWait wait = new TurnWait(); // the lender's
+  private final TurnWait wait = new TurnWait(); // owned by the lender
   private final Clock.Turns turns;
   private final Predicate<LentTurns> goesOn;
   private LentTurnThreads.Carrier carrier; // running a turn; null if none
@@ -19,7 +19,7 @@ final class LentTurns {
   private boolean interrupted;
 
   /**
-   * @param goesOn evaluated on the carrier after each turn: whether it runs the next one, too
+   * @param goesOn evaluated on the carrier after each turn: whether it also runs the next turn
    */
   LentTurns(Clock.Turns turns, Predicate<LentTurns> goesOn) {
     this.turns = turns;

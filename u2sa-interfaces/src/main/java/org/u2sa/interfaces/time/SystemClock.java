@@ -34,7 +34,7 @@ public final class SystemClock implements Clock {
     return new SystemClock(new TimeBase(base.zeroMicros() + offsetMicros));
   }
 
-  /** JVM option by which a child process started now agrees with this one on the time. */
+  /** JVM option that gives a child process started now the same time base. */
   public static String option() {
     return "-D" + PROPERTY + "=" + OF_PROCESS.text(System.nanoTime());
   }

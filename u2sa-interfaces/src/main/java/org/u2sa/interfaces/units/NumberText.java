@@ -5,7 +5,7 @@ import java.math.MathContext;
 
 /** Human-readable number formatting without superfluous digits. */
 public final class NumberText {
-  /** Enough digits to distinguish limits, few enough to hide rounding of unit conversions. */
+  /** Enough digits to distinguish limits, but few enough to hide rounding of unit conversions. */
   private static final MathContext DIGITS = new MathContext(10);
 
   private static final double PLAIN_BELOW = 1.0e15;

@@ -61,7 +61,7 @@ final class XmlAttributes {
       length = Character.charCount(c);
       if (!allowed(c)) {
         throw new IllegalArgumentException(
-            String.format("character U+%04X at position %d cannot stand in XML", c, i + 1));
+            String.format("character U+%04X at position %d is not allowed in XML", c, i + 1));
       }
       if (c == '&') {
         out.append("&amp;");

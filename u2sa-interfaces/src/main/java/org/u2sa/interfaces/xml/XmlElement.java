@@ -66,9 +66,7 @@ public record XmlElement(
     if (found.size() > 1) {
       throw found
           .get(1)
-          .error(
-              String.format(
-                  "appears twice in <%s>; it is in line %s already", name, found.get(0).line));
+          .error(String.format("appears twice in <%s>; first in line %s", name, found.get(0).line));
     }
     return found.stream().findFirst();
   }
@@ -108,14 +106,14 @@ public record XmlElement(
     }
   }
 
-  /** Error for a child that is none of the known ones; quotes both. */
+  /** Error for an unknown child; quotes it and the known ones. */
   public BadInputException unknown(XmlElement child, List<String> known) {
     return child.error(
         "unknown element in <" + name + ">; " + expected("element", known, child.name));
   }
 
   /**
-   * @throws BadInputException quoting the start of the text, if there is any
+   * @throws BadInputException quoting the start of the text, if present
    */
   public void refuseText() {
     if (!text.isEmpty()) {

@@ -50,7 +50,7 @@ final class XmlParser {
     woodstox.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
     XMLResolver nothing =
         (publicId, systemId, baseUri, namespace) -> {
-          throw new XMLStreamException("nothing is read from outside: " + systemId);
+          throw new XMLStreamException("external entities are not read: " + systemId);
         };
     woodstox.setXMLResolver(nothing);
     woodstox.setProperty(WstxInputProperties.P_DTD_RESOLVER, nothing);

@@ -300,8 +300,7 @@ class AuditFileTest {
     assertThat(outcome.refusal())
         .contains(
             file
-                + ": is at revision 2 by now, not 1; since then \"eve\":  (revision 2): nothing was"
-                + " changed");
+                + ": is already at revision 2, not 1; since then \"eve\":  (revision 2): no change made");
   }
 
   @Test

@@ -35,7 +35,7 @@ class ConfigurationFileErrorsTest extends RefusedFile {
           name='A' type='string' value='1' min='5' | variable "A": min and max are for numbers, the type is string
           name='A' type='int' value='1' min='low' | variable "A": min "low" is not a number
           name='A' type='double' value='95' unit='deg' min='0' max='60' | variable "A": 95 deg is outside 0…60 deg
-          name='B' type='int' value='1'/><variable name='B' type='int' value='2' | variable "B": appears twice; it is in line 2 already
+          name='B' type='int' value='1'/><variable name='B' type='int' value='2' | variable "B": appears twice; first in line 2
           """)
   void load_wrongVariable_namesLineVariableAndExpectation(String attributes, String expected) {
     assertRefused(() -> configuration("<variable " + attributes + "/>"), ", line 2, " + expected);

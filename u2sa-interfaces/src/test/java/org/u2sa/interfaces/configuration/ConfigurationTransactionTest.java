@@ -136,8 +136,8 @@ class ConfigurationTransactionTest {
     assertThat(outcome.refusal())
         .contains(
             file
-                + ": is at revision 1 by now, not 0; since then \"ann\": \"SPEED\" 45.0 → 50.0"
-                + " (revision 1): nothing was changed");
+                + ": is already at revision 1, not 0; since then \"ann\": \"SPEED\" 45.0 → 50.0"
+                + " (revision 1): no change made");
     assertThat(configuration.getVariable("BANK")).isEqualTo(Math.toRadians(30.0));
   }
 

@@ -138,7 +138,7 @@ class ConfigurationWritingTest {
     assertThat(configuration.change("A", 1.5).get()).contains("1.5 is not a whole number");
     assertThat(configuration.change("C", 1)).contains(file + ", variable \"C\": there is none");
     assertThat(configuration.change("B", "a\u0001"))
-        .contains(file + ", variable \"B\": character U+0001 at position 2 cannot stand in XML");
+        .contains(file + ", variable \"B\": character U+0001 at position 2 is not allowed in XML");
     assertThat(text(file)).isEqualTo(two(1, "x"));
     assertThat(configuration.enumerateFields()).extracting("value").containsExactly(1, "x");
   }

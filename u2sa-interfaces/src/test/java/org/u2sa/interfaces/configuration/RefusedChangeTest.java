@@ -29,7 +29,7 @@ class RefusedChangeTest {
   @Test
   void change_oneVariableTooMany_isRefusedBeforeAnyIsLookedAt() {
     assertThat(change(many(257)).refusal())
-        .contains("test: 257 variables at once, expected 256 at most");
+        .contains("test: 257 variables in one change, expected at most 256");
     assertThat(change(many(256)).refusal())
         .hasValueSatisfying(why -> assertThat(why).startsWith("test, variable \"V0\": there is"));
   }

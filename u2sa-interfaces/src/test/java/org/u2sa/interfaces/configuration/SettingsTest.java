@@ -281,7 +281,7 @@ class SettingsTest {
   void settings_descriptionOfItsOwn_isTheVariables() {
     XmlConfiguration configuration = XmlConfiguration.inMemory("here", Map.of());
     assertThatThrownBy(() -> configuration.settings(Undescribed.class))
-        .hasMessageContainingAll("Undescribed", "expected a @Description beside it");
+        .hasMessageContainingAll("Undescribed", "expected a @Description");
 
     configuration.settings(Described.class);
 

@@ -135,7 +135,7 @@ class XmlReaderTest {
 
     assertThat(mission.children("home")).hasSize(2);
     assertThatThrownBy(() -> mission.child("home"))
-        .hasMessage("m.xml, line 3, <home>: appears twice in <mission>; it is in line 2 already");
+        .hasMessage("m.xml, line 3, <home>: appears twice in <mission>; first in line 2");
   }
 
   @Test

@@ -62,7 +62,7 @@ class XmlTextProperties {
 
     assertThatThrownBy(() -> text.withAttribute(root, "a", "ab" + c))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage(String.format("character U+%04X at position 3 cannot stand in XML", (int) c));
+        .hasMessage(String.format("character U+%04X at position 3 is not allowed in XML", (int) c));
   }
 
   @Property(tries = 1000)

@@ -70,7 +70,7 @@ public final class ByteString {
     return Arrays.hashCode(bytes);
   }
 
-  /** "1024 bytes": how many there are, not which. */
+  /** "1024 bytes": the number of bytes, not their values. */
   @Override
   public String toString() {
     return bytes.length == 1 ? "1 byte" : bytes.length + " bytes";

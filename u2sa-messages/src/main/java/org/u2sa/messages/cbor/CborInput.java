@@ -4,7 +4,7 @@ import java.nio.ByteBuffer;
 
 /**
  * Reads consecutive CBOR data items (RFC 8949) from untrusted bytes. Tags are skipped. Allocates no
- * more memory than there are bytes; malformed input causes an {@link IllegalArgumentException}
+ * more memory than the input's size; malformed input causes an {@link IllegalArgumentException}
  * naming what was expected.
  */
 public final class CborInput {
@@ -189,7 +189,7 @@ public final class CborInput {
   /**
    * Reads an integer of 64 bits.
    *
-   * @throws IllegalArgumentException if the next item is none
+   * @throws IllegalArgumentException if the next item has another type
    */
   public long count() {
     int left = bytes.length - at;
@@ -229,7 +229,7 @@ public final class CborInput {
   /**
    * Reads a text.
    *
-   * @throws IllegalArgumentException if the next item is none, is too long or not UTF-8
+   * @throws IllegalArgumentException if the next item has another type, is too long or not UTF-8
    */
   public String text() {
     String text = shortText();
@@ -257,12 +257,12 @@ public final class CborInput {
     return CborStrings.byteString(this);
   }
 
-  /** Opens an array; returns how many elements follow, or {@link #UNTIL_BREAK}. */
+  /** Opens an array; returns the number of elements, or {@link #UNTIL_BREAK}. */
   public long array() {
     return open(Cbor.ARRAY, "an array");
   }
 
-  /** Opens a map; returns how many pairs follow, or {@link #UNTIL_BREAK}. */
+  /** Opens a map; returns the number of pairs, or {@link #UNTIL_BREAK}. */
   public long map() {
     return open(Cbor.MAP, "a map");
   }
@@ -353,7 +353,8 @@ public final class CborInput {
       case Cbor.EIGHT_BYTES -> view().getLong(skipBytes(1 + Long.BYTES) + 1);
       default -> {
         at++;
-        throw new IllegalArgumentException("expected a length or a value, not CBOR's reserved one");
+        throw new IllegalArgumentException(
+            "expected a length or a value, not a reserved CBOR code");
       }
     };
   }

@@ -49,7 +49,7 @@ public final class Limits {
     }
   }
 
-  /** The failure of a value that is not what was expected. */
+  /** Error for an unexpected value. */
   public static IllegalArgumentException expected(String what) {
     return new IllegalArgumentException("expected " + what);
   }

@@ -12,7 +12,7 @@ public final class MalformedMessageException extends Exception {
   /**
    * @param where type and field of the message
    * @param offset offset of the byte at which reading stopped
-   * @param what what was expected
+   * @param what expected content
    */
   public MalformedMessageException(String where, long offset, String what) {
     super(where + ", byte " + offset + ": " + what);

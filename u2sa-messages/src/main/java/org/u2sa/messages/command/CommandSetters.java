@@ -18,7 +18,7 @@ abstract class CommandSetters<S extends ActuatorCommand> extends ActuatorCommand
     return self();
   }
 
-  @SuppressWarnings("unchecked") // a command extends the setters of its own class
+  @SuppressWarnings("unchecked") // self type: a command extends the setters of its own class
   private S self() {
     return (S) this;
   }

@@ -123,10 +123,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(RATE_LIMIT, value);
   }
 
-  /**
-   * Dead band: percentage below which nothing moves [%, 0…99]; the effect grows from there; empty:
-   * 0.
-   */
+  /** Dead band [%, 0…99]: smaller commands have no effect, which grows from there; empty: 0. */
   public OptionalDouble deadband() {
     return get(DEADBAND);
   }
@@ -229,7 +226,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Remaining share of the announced effect [%, 0…100]: 0 if the actuator is withdrawn; empty: 100.
+   * Remaining fraction of the announced effect [%, 0…100]: 0 if the actuator is withdrawn; empty:
+   * 100.
    */
   public OptionalDouble available() {
     return get(AVAILABLE);

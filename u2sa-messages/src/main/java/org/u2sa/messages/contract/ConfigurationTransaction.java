@@ -47,8 +47,8 @@ public final class ConfigurationTransaction extends ServiceExchange<Configuratio
   }
 
   /**
-   * Configuration revision that the author saw; nothing is changed if it is outdated. Empty: any
-   * revision.
+   * Configuration revision on which the change is based; nothing is changed if it is outdated.
+   * Empty: any revision.
    */
   public OptionalLong revision() {
     return optionalCount(REVISION);

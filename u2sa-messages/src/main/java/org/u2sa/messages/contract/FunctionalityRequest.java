@@ -4,7 +4,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Request to a service for what it publishes and subscribes to (thesis 3.2.2.1). */
+/** Request for a service's publications and subscriptions (thesis 3.2.2.1). */
 public final class FunctionalityRequest extends ServiceMessage<FunctionalityRequest> {
   private static final Schema<FunctionalityRequest> SCHEMA =
       Schema.of(FunctionalityRequest.class, FunctionalityRequest::new, U2SAData.TYPE)

@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** What a service publishes and subscribes to (thesis 3.2.2.1). */
+/** Publications and subscriptions of a service (thesis 3.2.2.1). */
 public final class FunctionalityResponse extends ServiceMessage<FunctionalityResponse> {
   private static final Schema<FunctionalityResponse> SCHEMA =
       Schema.of(FunctionalityResponse.class, FunctionalityResponse::new, U2SAData.TYPE)

@@ -90,8 +90,8 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Messages lost because the inbox was full. Services whose reports lack {@link #replaced()} count
-   * replaced messages here too.
+   * Messages lost because the inbox was full. Reports without {@link #replaced()} include replaced
+   * messages here.
    */
   public long dropped() {
     return require(DROPPED);
@@ -243,7 +243,7 @@ public class HealthReport extends ServiceMessage<HealthReport> {
   }
 
   /**
-   * Waiting messages replaced by newer ones of the same source on latest-value channels; not a
+   * Queued messages superseded by newer ones of the same source on latest-value channels; not a
    * loss. Empty if the service does not count them.
    */
   public OptionalLong replaced() {

@@ -29,7 +29,7 @@ public abstract class ServiceMessage<S extends ServiceMessage<S>> extends U2SADa
             .orElseThrow(() -> new IllegalStateException(field + " is required and was never set"));
   }
 
-  @SuppressWarnings("unchecked") // S is the subclass itself
+  @SuppressWarnings("unchecked") // self type: S is the subclass
   final S set(String name, String value) {
     field(name).set(this, value);
     return (S) this;

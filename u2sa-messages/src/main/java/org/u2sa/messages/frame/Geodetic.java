@@ -147,7 +147,7 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
           Math.toDegrees(Math.atan2(ecef.y(), ecef.x())), Math.toDegrees(latitude), altitude);
     }
 
-    /** Turns earth-centred vectors into east-north-up ones at a place. */
+    /** Rotates earth-centred vectors to east-north-up axes at a position. */
     static Rotation toEnu(Geodetic place) {
       double latitude = Math.toRadians(place.latitudeDeg());
       double longitude = Math.toRadians(place.longitudeDeg());

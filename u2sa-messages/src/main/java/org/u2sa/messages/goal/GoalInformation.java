@@ -146,7 +146,7 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * How many of several next goals must be completed, no matter which; empty: as configured in the
+   * Number of next goals that must be completed, no matter which; empty: as configured in the
    * Mission Manager.
    */
   public OptionalLong choose() {

@@ -45,8 +45,8 @@ public final class GoalList extends U2SAData {
 
   /**
    * The goals that become current when one of {@link #goals()} is completed, so that a planner can
-   * look ahead; empty at the end of the mission. If several goals are current, each of these only
-   * follows the one whose {@link GoalInformation#next()} names it.
+   * look ahead; empty at the end of the mission. If several goals are current, each of these
+   * follows only the goal whose {@link GoalInformation#next()} lists it.
    */
   public List<GoalInformation> upcoming() {
     return require(UPCOMING);
@@ -91,9 +91,8 @@ public final class GoalList extends U2SAData {
   }
 
   /**
-   * How long the mission has been pursued when this was published [s]: while the vehicle was armed,
-   * without pauses and failsafes. It counts on while the mission is pursued. Empty from senders
-   * that do not know the field.
+   * Mission time at publication [s]: time while armed, without pauses and failsafes. It advances
+   * while the mission is pursued. Empty from senders unaware of the field.
    */
   public OptionalDouble elapsed() {
     return get(ELAPSED);

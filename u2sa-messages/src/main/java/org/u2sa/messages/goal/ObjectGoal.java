@@ -55,7 +55,7 @@ public class ObjectGoal extends GoalInformation {
     return put(SPEED, value);
   }
 
-  /** Subsystems to point at the object meanwhile, such as "GIMBAL" or "ARM". */
+  /** Subsystems to point at the object during the approach, such as "GIMBAL" or "ARM". */
   public List<String> pointed() {
     return get(POINTED);
   }

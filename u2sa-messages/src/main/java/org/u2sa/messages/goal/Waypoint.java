@@ -131,7 +131,7 @@ public class Waypoint extends GoalInformation {
     return put(VERTICAL_THRESHOLD, value);
   }
 
-  /** Speed to go there, relative to the fluid [m/s]; empty: any. */
+  /** Speed on the way to the waypoint, relative to the fluid [m/s]; empty: any. */
   public OptionalDouble speed() {
     return get(SPEED);
   }

@@ -10,7 +10,7 @@ public enum MissionAction {
   INSERT,
   /** Change fields of existing goals. */
   UPDATE,
-  /** Continue a paused mission, or else return to where the mission was left. */
+  /** Continue a paused mission; otherwise return to the interrupted goal. */
   RESUME,
   /** Hold position, or circle if the vehicle cannot stop, until RESUME or GOTO. */
   PAUSE

@@ -74,7 +74,7 @@ public final class MissionOrder extends U2SAData {
     return put(FILE, value);
   }
 
-  /** INSERT: whether to pursue the goals at once, and the current goals after them. */
+  /** INSERT: whether to pursue the goals immediately, before the current goals. */
   public boolean now() {
     return require(NOW);
   }

@@ -106,7 +106,7 @@ public final class MissionReport extends U2SAData {
     return put(UPCOMING, List.copyOf(value));
   }
 
-  /** UIDs of the goals in default order, which applies unless a goal's next says otherwise. */
+  /** UIDs of the goals in default order, which applies unless overridden by a goal's next. */
   public List<String> sequence() {
     return require(SEQUENCE);
   }
@@ -115,7 +115,7 @@ public final class MissionReport extends U2SAData {
     return put(SEQUENCE, List.copyOf(value));
   }
 
-  /** Failsafe whose goals are pursued instead of the mission's; empty: none. */
+  /** Failsafe whose goals are pursued instead of the mission's goals; empty: none. */
   public Optional<String> failsafe() {
     return Optional.ofNullable(get(FAILSAFE));
   }
@@ -151,7 +151,7 @@ public final class MissionReport extends U2SAData {
     return put(BEGAN, value);
   }
 
-  /** Where RESUME would return to, in words; empty: nowhere. */
+  /** Description of the position to which RESUME would return; empty: none. */
   public Optional<String> resumable() {
     return Optional.ofNullable(get(RESUMABLE));
   }

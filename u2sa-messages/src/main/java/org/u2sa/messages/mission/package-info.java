@@ -1,2 +1,2 @@
-/** Messages with which a mission is set, changed and reported. */
+/** Messages to set, change and report a mission. */
 package org.u2sa.messages.mission;

@@ -1,5 +1,5 @@
 /**
- * The registry of standard messages. What a message is belongs to {@code messages.schema}, the
- * messages to their subjects.
+ * The registry of standard messages. The message model belongs to {@code messages.schema}, message
+ * classes to the packages of their subjects.
  */
 package org.u2sa.messages.registry;

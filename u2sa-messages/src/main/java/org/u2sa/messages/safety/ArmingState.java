@@ -40,7 +40,7 @@ public final class ArmingState extends U2SAData {
     return put(REASONS, List.copyOf(value));
   }
 
-  /** ID of the {@link ArmCommand} answered; empty if the state changed by itself. */
+  /** ID of the {@link ArmCommand} answered; empty if the state changed without a command. */
   public Optional<String> requestId() {
     return Optional.ofNullable(get(REQUEST_ID));
   }

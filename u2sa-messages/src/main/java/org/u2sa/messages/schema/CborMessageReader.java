@@ -18,7 +18,7 @@ final class CborMessageReader extends CborReader {
   private static final FieldKey ORIGIN_NAME = WireForm.READABLE.key(Origin.KEY);
   private static final FieldKey ORIGIN_LABEL = WireForm.COMPACT.key(Origin.KEY);
   private static final double FULL_LATITUDE_DEG = 90.0;
-  private static final int NESTED_BYTES = 400; // per message within a message, beside its lists
+  private static final int NESTED_BYTES = 400; // per nested message, in addition to its lists
 
   private final MessageTypes types;
 

@@ -6,15 +6,15 @@ import java.util.RandomAccess;
 import java.util.function.Supplier;
 
 /**
- * An immutable list of texts, created lazily on first access: messages between services of one
- * process are not encoded, so it is never created there. Thread-safe.
+ * An immutable list of texts, created lazily on first access: messages within one process are not
+ * encoded, so it is never created for them. Thread-safe.
  */
 public final class DeferredTexts extends AbstractList<String> implements RandomAccess {
   private final Supplier<List<String>> maker;
   private volatile List<String> made; // null until first access; equal whichever thread creates it
 
   /**
-   * Creates a list whose texts are made on first access.
+   * Creates a list whose texts are computed on first access.
    *
    * @param maker returns the same texts on every call and thread, within the bounds of a message's
    *     texts

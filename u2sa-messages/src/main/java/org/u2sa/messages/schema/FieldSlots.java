@@ -1,6 +1,6 @@
 package org.u2sa.messages.schema;
 
-/** Allocates storage and presence bits to the fields of one class, after its parent's. */
+/** Allocates storage and presence bits to the fields of one class, after those of its parent. */
 final class FieldSlots {
   private static final int MAX = Long.SIZE; // presence is one long
 

@@ -107,7 +107,7 @@ final class ListKinds {
     }
   }
 
-  /** A kind that differs from another in some methods only. */
+  /** Base of kinds that override some methods of another kind. */
   interface Derived<V> extends ValueKind<V> {
     ValueKind<V> base();
 

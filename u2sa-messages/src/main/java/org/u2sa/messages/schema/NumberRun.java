@@ -65,7 +65,7 @@ final class NumberRun {
 
   /**
    * Fast path: reads the same numbers as the last map with this fingerprint, if present. Otherwise
-   * reads nothing; a caller that then reads them one by one calls {@link #expect}.
+   * reads nothing; the caller then reads the numbers individually and calls {@link #expect}.
    *
    * @param storage storage of a message without these and any later numbers
    * @param pairs number of pairs in the map

@@ -6,7 +6,7 @@ import org.u2sa.messages.cbor.CborOutput;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * What fields, kinds and the writer know of a message: its values, but not its type. {@link
+ * View of a message for fields, kinds and the writer: its values, but not its type. {@link
  * U2SAData} is the only subclass.
  */
 abstract class StoredMessage {

@@ -9,8 +9,8 @@ import org.u2sa.messages.cbor.MalformedMessageException;
 
 /**
  * Kinds of texts with their own bounds. Overlong names and identifiers are rejected, because
- * truncated ones could be ambiguous. Notes are texts for people that often quote other messages:
- * they are truncated instead, so that setting one never fails because of its content.
+ * truncated ones could be ambiguous. Notes are human-readable texts that often quote other
+ * messages: they are truncated instead of rejected, so that setting one never fails.
  */
 final class TextKinds {
   static final ValueKind<String> NAME = new Bounded(Limits.NAME_CHARS);

@@ -109,8 +109,8 @@ public abstract class U2SAData extends StoredMessage {
   }
 
   /**
-   * About the memory that it takes [B], at least the bytes that it was decoded from; 0 if it was
-   * made here. For budgets: a packed list of points takes seven times its bytes.
+   * Approximate memory use [B], at least the size of the encoded form; 0 if created in this
+   * process. For budgets: a packed list of points takes seven times its bytes.
    */
   public final int receivedBytes() {
     return receivedBytes;
@@ -129,7 +129,7 @@ public abstract class U2SAData extends StoredMessage {
   /**
    * Makes this message and nested ones immutable; called by the publisher.
    *
-   * @throws IllegalStateException naming the required field that is missing, or what does not agree
+   * @throws IllegalStateException naming the missing required field, or the inconsistency
    */
   public final void freeze() {
     if (!storage.isFrozen()) {
@@ -172,12 +172,12 @@ public abstract class U2SAData extends StoredMessage {
    * can be unpacked. Called before a message is frozen, encoded or delivered, so that receivers
    * never see an inconsistent one.
    *
-   * @throws IllegalStateException naming the field, and what is wrong
+   * @throws IllegalStateException naming the field and the error
    */
   protected void requireConsistent() {}
 
   /**
-   * @throws IllegalStateException naming the required field that is missing, or what does not agree
+   * @throws IllegalStateException naming the missing required field, or the inconsistency
    */
   void requireComplete() {
     if (storage.isFrozen()) {

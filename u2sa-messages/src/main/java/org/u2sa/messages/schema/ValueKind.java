@@ -20,7 +20,7 @@ interface ValueKind<V> {
 
   V read(CborReader in) throws MalformedMessageException;
 
-  /** What {@link #read} gives, {@link #checked}. */
+  /** Result of {@link #read}, {@link #checked}. */
   default V readChecked(CborReader in) throws MalformedMessageException {
     return checked(read(in));
   }

@@ -32,7 +32,7 @@ final class Shapes {
     return Math.max(0.0, Math.abs(coordinate) - size / 2.0);
   }
 
-  /** Distance to the nearest of some points; to the centre if there are none. */
+  /** Distance to the nearest of several points; to the centre without points. */
   static double toNearest(Metric metric, List<Point> points, Point from) {
     Point p = metric.metres(from);
     double nearest = Double.POSITIVE_INFINITY;

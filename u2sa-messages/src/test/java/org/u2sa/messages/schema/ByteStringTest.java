@@ -118,7 +118,7 @@ class ByteStringTest {
         "5a 000f0001 | expected at most 983040 bytes in a byte string",
         "5a ffffffff | expected at most 983040 bytes in a byte string",
         "5b ffffffffffffffff | expected at most 983040 bytes in a byte string",
-        "5c | expected a length or a value, not CBOR's reserved one",
+        "5c | expected a length or a value, not a reserved CBOR code",
         "5f 41 01 | expected a data item or a break, not the end",
         "5f 61 61 ff | expected a piece of a byte string or its end, not text",
         "5f 5f 41 01 ff ff | expected a piece of a byte string or its end, not a byte string",

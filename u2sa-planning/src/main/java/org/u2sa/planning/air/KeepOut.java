@@ -42,7 +42,7 @@ final class KeepOut {
         }
       }
     }
-    for (PlanarShape corridor : corridors) { // paths may have to round their corners
+    for (PlanarShape corridor : corridors) { // paths may have to go around their corners
       for (int i = 0; i < corridor.count(); i++) {
         rounds.add(new Round(corridor.northM(i), corridor.eastM(i), 0.0));
       }

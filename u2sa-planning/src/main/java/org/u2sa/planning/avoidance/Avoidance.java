@@ -38,7 +38,7 @@ import org.u2sa.planning.seen.SeenWorld;
 public final class Avoidance {
   private static final String NONE = "NONE";
 
-  /** Below this share of its speed, a vehicle that cannot hover or stop has not taken off. */
+  /** Fraction of its speed below which a vehicle that cannot stop or hover has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
   private final Supplier<String> chosen;
@@ -97,7 +97,9 @@ public final class Avoidance {
             .oneOf(names.toArray(new String[0]))
             .ifAbsent(NONE)
             .describedAs(
-                "NONE sees no obstacles; GRID plans around them for vehicles that turn on the spot, HYBRID for those with a turning circle; others are planners of extensions.");
+                "NONE ignores obstacles; GRID avoids them for vehicles that turn on the spot, "
+                    + "HYBRID for vehicles with a minimum turn radius; other names are planners of "
+                    + "extensions.");
     chosen = () -> configuration.getVariable(planner);
     chosen.get(); // an invalid value must fail before the vehicle moves
     passages = new Passages(settings, this::turnsOnTheSpot);
@@ -132,7 +134,7 @@ public final class Avoidance {
     news.begin();
   }
 
-  /** Called when a waypoint was reached: closes the way back. */
+  /** Called when a waypoint was reached: blocks the way back. */
   public void reached(Vehicle vehicle, StateInformation state) {
     AvoidanceVariables now = settings.get();
     if (now.closeBehind() > 0.0) {

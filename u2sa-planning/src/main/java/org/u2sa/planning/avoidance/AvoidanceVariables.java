@@ -14,10 +14,10 @@ import org.u2sa.planning.seen.SeenWorld;
 /** Obstacle-avoidance variables of a {@link PathPlanner}; used if PLANNER is not NONE. */
 public record AvoidanceVariables(
     @Variable(unit = "m", min = 0, ifAbsent = 0.3)
-        @Description("From the vehicle's reference point to its front.")
+        @Description("Distance from the vehicle's reference point to its front.")
         double vehicleFront,
     @Variable(unit = "m", min = 0, ifAbsent = 0.3)
-        @Description("From the vehicle's reference point to its rear.")
+        @Description("Distance from the vehicle's reference point to its rear.")
         double vehicleRear,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 0.5)
         @Description("Width of the vehicle, or span.")
@@ -27,53 +27,62 @@ public record AvoidanceVariables(
         double clearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: it cuts them as far as it is free to.")
+            "Distance from obstacles within which the vehicle does not cut its route's corners, "
+                + "but follows it closely and more slowly; 0: corners are cut as far as obstacles "
+                + "allow.")
         double preferredClearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Narrowest passage, as the map has it, that routes lead through, straight on; for vehicles that turn on the spot. 0: one in which they can turn or, if no other route leads to the goal, VEHICLE WIDTH and CLEARANCE.")
+            "Narrowest passage on the map that routes lead straight through, for vehicles that "
+                + "turn on the spot. 0: wide enough to turn in or, if no other route leads to the "
+                + "goal, VEHICLE WIDTH plus CLEARANCE.")
         double narrowestPassage,
     @Variable(unit = "m", min = 0, ifAbsent = 1)
         @Description("Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
         double inflation,
     @Variable(min = 0, max = 100, ifAbsent = 3)
-        @Description("Extra cost of a metre at CLEARANCE from an obstacle over one in the open.")
+        @Description("Extra cost per metre at CLEARANCE from an obstacle, relative to open space.")
         double inflationCost,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 0.1)
         @Description("Cell of the grid on which routes are planned.")
         double planningCell,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "As PLANNING CELL, while routes may lead through passages in which the vehicle cannot turn, because cells make passages narrower; 0: PLANNING CELL.")
+            "PLANNING CELL for routes through passages too narrow to turn in, because coarse "
+                + "cells make passages narrower; 0: PLANNING CELL.")
         double narrowCell,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 40)
         @Description("Edge of the square around the vehicle in which obstacles are planned around.")
         double planningSpan,
     @Variable(ifAbsentText = "corridor")
-        @Description("Type of objects that are areas to stay inside, each overlapping the next.")
+        @Description(
+            "Type of objects that form the area to stay inside, each overlapping the " + "next.")
         String corridorType,
     @Variable(ifAbsentText = "")
-        @Description("Types of objects that are no obstacles, separated by commas.")
+        @Description("Types of objects that are not obstacles, separated by commas.")
         String ignoredTypes,
     @Variable(ifAbsentText = "")
         @Description(
-            "Types of objects that are passed on one side, such as red flag: LEFT, blue flag: RIGHT; the other side counts as closed until there is no other way (OVERLOOK AFTER).")
+            "Types of objects to pass on one side, such as red flag: LEFT, blue flag: RIGHT; the "
+                + "other side is blocked unless no other route exists (OVERLOOK AFTER).")
         String passSides,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 2.5)
-        @Description("How far beside such an object the other side is closed.")
+        @Description("Lateral distance up to which the other side of such an object is blocked.")
         double passReach,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
-        @Description("Objects farther above or below are no obstacles; 0: heights do not matter.")
+        @Description("Objects farther above or below are ignored; 0: heights do not matter.")
         double verticalClearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "At a waypoint that was reached between two lines, each at most so far away, the way back is closed until the next, or until there is no other (OVERLOOK AFTER); 0: never.")
+            "At a waypoint reached between two lines within this distance, the way back is "
+                + "blocked until the next waypoint, or until no other route exists (OVERLOOK AFTER); "
+                + "0: never.")
         double closeBehind,
     @Variable(unit = "m/s", min = 0, minExcluded = true, ifAbsent = 1)
         @Description("Speed around obstacles, unless the waypoint sets one.")
         double plannedSpeed,
     @Variable(unit = "m/s", min = 0, ifAbsent = 0)
-        @Description("Minimum speed; above 0 the vehicle cannot stand, like an aeroplane.")
+        @Description("Minimum speed; above 0 for a vehicle that cannot stop, such as an aeroplane.")
         double minSpeed,
     @Variable(unit = "m/s", min = 0, ifAbsent = 0)
         @Description("Maximum speed to arrive at a waypoint in time; 0: PLANNED SPEED.")
@@ -85,14 +94,14 @@ public record AvoidanceVariables(
         @Description("Deceleration that the control system achieves.")
         double plannedBraking,
     @Variable(unit = "s", min = 0, ifAbsent = 0.3)
-        @Description("Time from a navigation point until the vehicle moves accordingly.")
+        @Description("Delay from a navigation point until the vehicle moves accordingly.")
         double reactionTime,
     @Variable(unit = "deg/s", min = 0, minExcluded = true, ifAbsent = 45)
         @Description("Yaw rate that the control system achieves in turns on the spot.")
         double plannedTurnRate,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Radius of the tightest turn; 0: that of TURN ACCELERATION, or turns on the spot.")
+            "Minimum turn radius; 0: derived from TURN ACCELERATION, or turns on the spot.")
         double turnRadius,
     @Variable(ifAbsentText = "false")
         @Description("Whether the control system can drive backwards.")
@@ -100,14 +109,13 @@ public record AvoidanceVariables(
     @Variable(unit = "m", min = 0, ifAbsent = 0.3)
         @Description("Distance to keep from traffic, beyond its own radius and the vehicle's.")
         double trafficClearance,
-    @Variable(unit = "s", min = 0, ifAbsent = 4)
-        @Description("How far ahead in time traffic is avoided.")
+    @Variable(unit = "s", min = 0, ifAbsent = 4) @Description("Time horizon for avoiding traffic.")
         double trafficHorizon,
     @Variable(unit = "deg", min = 0, minExcluded = true, max = 180, ifAbsent = 10)
-        @Description("How near to a waypoint's heading the vehicle must arrive.")
+        @Description("Heading tolerance at waypoints.")
         double arrivalAngle,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 0.5)
-        @Description("Time from one search for a better route to the next.")
+        @Description("Interval between searches for a better route.")
         double replanInterval,
     @Variable(min = 100, max = 1_000_000, ifAbsent = 2000)
         @Description(
@@ -117,20 +125,22 @@ public record AvoidanceVariables(
         @Description("Time without progress after which the vehicle frees itself.")
         double stuckAfter,
     @Variable(min = 0, max = 100, ifAbsent = 4)
-        @Description("Attempts to free itself before it gives a goal up.")
+        @Description("Attempts to free itself before it gives up a goal.")
         int recoveries,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 20)
-        @Description("Time without any route to a goal after which it is given up.")
+        @Description("Time without any route after which a goal is given up.")
         double giveUpAfter,
     @Variable(unit = "s", min = 0, ifAbsent = 0)
         @Description(
-            "Time without any route after which obstacles of a confidence below 0.6 are passed through, until a route has led on for as long; 0: never.")
+            "Time without any route after which obstacles with a confidence below 0.6 are "
+                + "ignored, until a route has existed for as long; 0: never.")
         double overlookAfter,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 2)
         @Description(
-            "Age of the World Modeler's newest objects or grid from which the vehicle stands, or circles if it cannot stop, until newer ones come. Not with PLANNER = NONE.")
+            "Age of the World Modeler's newest objects or grid at which the vehicle stops, or "
+                + "circles if it cannot stop, until newer data arrive. Not with PLANNER = NONE.")
         double worldStaleAfter) {
-  /** Smaller distances to an obstacle are a collision, allowing for rounding [share of a cell]. */
+  /** Collision distance to an obstacle, allowing for rounding [fraction of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
   private static final double COVER_CELLS = 1.5; // spacing of discs that cover it closely
@@ -153,7 +163,7 @@ public record AvoidanceVariables(
   }
 
   /**
-   * How the world is read, for a vehicle that can turn in place or not.
+   * Settings for reading the world, for a vehicle that can or cannot turn in place.
    *
    * @param narrow whether routes may use every passage that it fits through
    */
@@ -200,7 +210,7 @@ public record AvoidanceVariables(
         .collect(Collectors.toList());
   }
 
-  /** Distance to an obstacle below which it is a collision, on cells of this size [m]. */
+  /** Collision distance to an obstacle, for cells of this size [m]. */
   double touchM(double cellM) {
     return Math.min(0.5 * clearance, TOUCH_CELLS * cellM);
   }
@@ -231,7 +241,7 @@ public record AvoidanceVariables(
     return Clock.micros(overlookAfter);
   }
 
-  /** Time without progress after which a goal is given up [µs]. */
+  /** Time without progress after which a goal is abandoned [µs]. */
   public long giveUpMicros() {
     return Clock.micros(giveUpAfter);
   }

@@ -7,11 +7,11 @@ import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
 
-/** State of a {@link GoalAttempt}: what the vehicle does to reach its goal. */
+/** State of a {@link GoalAttempt}: the vehicle's current way of reaching its goal. */
 sealed interface Behaviour {
   ArcChoice choose(ArcChooser arcs, Situation now);
 
-  /** Excludes time in which traffic held the vehicle up [µs]. */
+  /** Excludes time in which traffic blocked the vehicle [µs]. */
   void leaveOut(long micros);
 
   /** Reason for giving up the goal, or empty. */
@@ -79,7 +79,7 @@ sealed interface Behaviour {
       this.sinceMicros = sinceMicros;
     }
 
-    /** Whether it has lasted long enough to ignore obstacles that are only guessed. */
+    /** Whether it has lasted long enough to ignore inferred obstacles. */
     boolean doubtsObstacles(AvoidanceVariables settings, long micros) {
       return lasts(settings, micros, 1);
     }

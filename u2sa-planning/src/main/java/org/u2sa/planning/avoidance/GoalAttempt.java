@@ -55,8 +55,8 @@ final class GoalAttempt {
   }
 
   /**
-   * Whether to ignore obstacles that are guessed rather than seen: for a while whenever none of the
-   * remaining routes was free for a while, because a gap may have been closed in error.
+   * Whether to ignore obstacles that are inferred rather than observed: for a while whenever none
+   * of the remaining routes was free for a while, because a gap may have been closed in error.
    */
   boolean overlooks(AvoidanceVariables settings, long micros) {
     if (at(micros) instanceof Searching search && search.doubtsObstacles(settings, micros)) {
@@ -125,11 +125,11 @@ final class GoalAttempt {
         false);
     long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
     behaviour = new BackingOut(until, new Searching(routes, now.micros()));
-    routes.dropUntil(until - now.settings().replanMicros()); // then planning is due
+    routes.dropUntil(until - now.settings().replanMicros()); // replan then
   }
 
   /**
-   * Measures the time in which traffic holds the vehicle up: it waits, or backs off from slow
+   * Measures the time in which traffic blocks the vehicle: it waits, or backs off from slow
    * oncoming traffic. Such time does not count as lack of progress. Confined to the planner's
    * thread.
    */

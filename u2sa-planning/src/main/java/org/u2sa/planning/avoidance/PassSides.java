@@ -12,11 +12,11 @@ import org.u2sa.planning.seen.PlanarShape;
 
 /**
  * Marks to be passed on one side only, such as IGVC's flags or a channel's buoys: the other side of
- * each is closed, across the approach, until the vehicle has passed. Confined to the planner's
+ * each is blocked, across the approach, until the vehicle has passed. Confined to the planner's
  * thread.
  */
 final class PassSides {
-  /** Distance below which the route past the mark follows what was seen on both sides [reaches]. */
+  /** Distance below which the route past the mark uses the objects seen on both sides [reaches]. */
   private static final double NEAR_REACHES = 1.8;
 
   /** Dead band of a mark's position [m]. */
@@ -101,7 +101,7 @@ final class PassSides {
     return closed;
   }
 
-  /** Resets, such as for another plane. */
+  /** Resets, for example when the planning plane changes. */
   void forget() {
     marks.clear();
     closed = List.of();
@@ -155,7 +155,7 @@ final class PassSides {
     return changed;
   }
 
-  /** Course of the route past a place; without a route, the vehicle's heading. */
+  /** Course of the route past a position; without a route, the vehicle's heading. */
   private static double courseRad(
       Pose pose, Optional<RouteTrack> route, double north, double east) {
     double course = pose.headingRad();

@@ -43,7 +43,7 @@ final class PathNews {
    * Reports changes, if any.
    *
    * @param named path with the names of the goal and the planner
-   * @param why reason why there is no route or the goal is given up, or empty
+   * @param why reason why there is no route or the goal is abandoned, or empty
    * @param downM down coordinate of the path's points on its plane [m]
    */
   void announce(

@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
  * gap that is a sensor error, so only the remaining distance to the goal counts.
  */
 final class ProgressWatch {
-  /** Without progress, a goal is given up after the time to travel the route this many times. */
+  /** Without progress, a goal is abandoned after the time to travel the route this many times. */
   private static final double MAX_ROUTES = 4.0;
 
   private double nearestM = Double.POSITIVE_INFINITY; // shortest remaining route to this goal [m]
@@ -20,7 +20,7 @@ final class ProgressWatch {
     nearestMicros = beginsMicros;
   }
 
-  /** Excludes time in which something else held the vehicle up. */
+  /** Excludes time in which the vehicle was blocked by something else. */
   void leaveOut(long micros) {
     nearestMicros += micros;
   }

@@ -12,11 +12,11 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
- * Keeps a route to the goal: plans when there is none, when it is blocked or was left, and when a
- * better one may exist. Confined to the planner's thread.
+ * Maintains a route to the goal: replans when there is none, when it is blocked or was left, and
+ * when a better one may exist. Confined to the planner's thread.
  */
 final class RouteKeeper {
-  /** Hysteresis: a new route must cost no more than this share of the old one's remainder. */
+  /** Hysteresis: maximum cost of a new route, as a fraction of the old route's remaining cost. */
   private static final double BETTER = 0.9;
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
@@ -64,7 +64,7 @@ final class RouteKeeper {
     tryAgain();
   }
 
-  /** Plans again although the world is the one in which no route was found. */
+  /** Replans although the world is unchanged since no route was found. */
   void tryAgain() {
     triedRevision = -1;
   }

@@ -6,7 +6,7 @@ import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.search.BodyDiscs;
 
 /**
- * What one step of {@link Avoidance} knows. Immutable.
+ * Input of one step of {@link Avoidance}. Immutable.
  *
  * @param pose pose of the vehicle on the planning plane; an aircraft's heading is its course
  * @param goalNorthM north coordinate of the goal on the plane [m]

@@ -15,8 +15,8 @@ import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
- * Virtual obstacles that the planner adds while another route exists: the way back, gaps found
- * closed, and the wrong sides of marks. Confined to the planner's thread.
+ * Virtual obstacles that the planner adds while another route exists: the way back, blocked gaps,
+ * and the wrong sides of marks. Confined to the planner's thread.
  */
 final class VirtualObstacles {
   private final SeenWorld world;
@@ -41,7 +41,7 @@ final class VirtualObstacles {
     sides.forget();
   }
 
-  /** Closes the way back, up to a distance to each side. */
+  /** Blocks the way back, up to a distance to each side. */
   void closeBehind(Pose pose, double circleM, double mostM) {
     wayBack = WayBack.closed(world.shapes(), pose, circleM, mostM).map(List::of).orElse(List.of());
     tell();
@@ -77,8 +77,8 @@ final class VirtualObstacles {
   /**
    * Gaps that appear open only from a distance. Scanner errors widen obstacles where they are seen
    * best, so a gap may close as the vehicle approaches and open again as it leaves. Two such gaps
-   * would make it oscillate; so a gap that closed twice counts as closed while another route
-   * exists. Confined to the planner's thread.
+   * would make the vehicle oscillate, so a gap that closed twice counts as closed while another
+   * route exists. Confined to the planner's thread.
    */
   static final class FalseGaps {
     /** Maximum distance at which a gap is seen reliably [radii of the vehicle with clearance]. */
@@ -149,8 +149,8 @@ final class VirtualObstacles {
   }
 
   /**
-   * Closes the way back between two lines, such as those of a lane, behind a vehicle that has
-   * reached a waypoint: the way ahead is not seen yet and may be longer, but leads to the next
+   * Blocks the way back between two lines, such as those of a lane, behind a vehicle that has
+   * reached a waypoint: the way ahead is still unseen and may be longer, but leads to the next
    * waypoint.
    */
   static final class WayBack {

@@ -133,6 +133,6 @@ public final class Dubins {
     if (turned < 0.0) {
       turned += TURN;
     }
-    return turned > TURN - ROUNDING ? 0.0 : turned; // a full turn is none
+    return turned > TURN - ROUNDING ? 0.0 : turned; // a full turn counts as none
   }
 }

@@ -175,7 +175,7 @@ public final class ReedsShepp {
     return new double[] {tau, Pose.wrapped(tau - u + v - phi)};
   }
 
-  /** Keeps a candidate if it is the shortest so far. */
+  /** Stores a candidate if it is the shortest so far. */
   private void take(int time, int mirror, boolean reversed, int[] word, double... found) {
     double sum = 0.0;
     for (double length : found) {

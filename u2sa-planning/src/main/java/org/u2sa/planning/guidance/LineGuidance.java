@@ -24,7 +24,9 @@ public final class LineGuidance implements WaypointGuidance {
   /** … so the vehicle moves away until it is farther than this (hysteresis). */
   private static final double OUTSIDE_CIRCLE = 1.6;
 
-  /** In an anticipated turn, passed when the distance has grown by this share of the threshold … */
+  /**
+   * In an anticipated turn, passed when the distance has grown by this fraction of the threshold …
+   */
   private static final double PASSED_SHARE = 0.2;
 
   /** … by the distance travelled in this time, whichever is more [s]. */
@@ -149,7 +151,7 @@ public final class LineGuidance implements WaypointGuidance {
     return turnsOnTheSpot() || Math.abs(Leg.wrapped(bearing - vehicle.courseRad())) < ALIGNED_RAD;
   }
 
-  /** Without a leg: to the target, or straight on while it is inside the turning circle. */
+  /** Without a leg: to the target, or straight ahead while it is inside the turning circle. */
   private Point straightTo(Vehicle vehicle, Point to) {
     double radius = settings.get().turns().radiusM(vehicle.speedMps());
     double course = vehicle.courseRad();

@@ -5,7 +5,7 @@ package org.u2sa.planning.guidance;
  *
  * @param leastLookAheadM minimum look-ahead [m]
  * @param lookAheadS look-ahead time of a fast vehicle, multiplied by its ground speed [s]
- * @param turns how the vehicle turns
+ * @param turns turn performance of the vehicle
  * @param altitudes how altitude changes along a leg
  */
 public record LineSettings(
@@ -15,7 +15,7 @@ public record LineSettings(
     return Math.max(leastLookAheadM, lookAheadS * speedMps);
   }
 
-  /** How altitude changes along a leg. */
+  /** Altitude profile along a leg. */
   public enum AltitudeProfile {
     /** At once to the altitude of the leg's end. */
     IMMEDIATE {
@@ -24,7 +24,10 @@ public record LineSettings(
         return share -> targetDownM;
       }
     },
-    /** In proportion to the distance along the leg if both ends have an altitude, else at once. */
+    /**
+     * In proportion to the distance along the leg if both ends have an altitude, otherwise
+     * immediately.
+     */
     LINEAR {
       @Override
       Slope along(Place start, Place end, Vehicle vehicle, double targetDownM) {
@@ -38,12 +41,12 @@ public record LineSettings(
     };
 
     interface Slope {
-      /** Depth of the path below the vehicle [m], at a share of the leg's length. */
+      /** Depth of the path below the vehicle [m], at a fraction of the leg's length. */
       double downM(double share);
     }
 
     /**
-     * Altitudes between two places.
+     * Altitudes between two positions.
      *
      * @param targetDownM depth of the current target below the vehicle [m]
      */

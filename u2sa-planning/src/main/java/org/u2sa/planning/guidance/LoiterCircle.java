@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * A loiter circle around a place. Radius 0 holds the place itself.
+ * A loiter circle around a position. Radius 0 holds the position.
  *
  * <p>The direction follows from the vehicle's arrival: clockwise if the centre is on its right.
  */

@@ -79,7 +79,7 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
     upM.ifPresent(value -> state.number(name + " UP", value));
   }
 
-  /** Position handed over under a name; empty if none. */
+  /** Position saved under a name; empty if none. */
   public static Optional<Place> takenOver(HandOver state, String name) {
     String onEarth = name + " ON EARTH";
     return state.names().contains(onEarth)
@@ -92,7 +92,7 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
         : Optional.empty();
   }
 
-  /** Copy with the altitude of another place if this one has none. */
+  /** Copy with the altitude of another position if this one has none. */
   public Place orAltitudeOf(Place other) {
     return upM.isPresent() ? this : new Place(onEarth, x, y, other.upM);
   }

@@ -1,8 +1,8 @@
 package org.u2sa.planning.guidance;
 
 /**
- * Computes how far before a waypoint a vehicle must start its turn to join the next leg without
- * overshoot.
+ * Computes the distance before a waypoint at which a vehicle must start its turn to join the next
+ * leg without overshoot.
  *
  * @param accelerationMps2 lateral acceleration of the vehicle's turns [m/s²]: g · tan(bank) for an
  *     aircraft; 0 for a vehicle that turns in place and does not anticipate
@@ -10,7 +10,9 @@ package org.u2sa.planning.guidance;
  * @param lagS delay from command to established turn [s]: roll-in of an aircraft
  */
 public record TurnAnticipation(double accelerationMps2, double lagS, double cornerM) {
-  /** Share of a waypoint's horizontal threshold by which an anticipated turn may cut its corner. */
+  /**
+   * Fraction of a waypoint's horizontal threshold by which an anticipated turn may cut its corner.
+   */
   static final double CORNER_SHARE = 0.6;
 
   /** Radius of the vehicle's turns at a ground speed [m]; 0 for a vehicle that turns in place. */
@@ -34,8 +36,7 @@ public record TurnAnticipation(double accelerationMps2, double lagS, double corn
    *
    * @param speedMps ground speed [m/s]
    * @param turnRad change of direction at the waypoint [rad], either sign
-   * @param insideM how far the vehicle is off its leg towards the inside of the turn [m]; negative
-   *     outside
+   * @param insideM cross-track offset towards the inside of the turn [m]; negative outside
    * @param thresholdM the waypoint's horizontal threshold [m]
    */
   double distanceM(double speedMps, double turnRad, double insideM, double thresholdM) {

@@ -10,7 +10,7 @@ import org.u2sa.planning.seen.PlanningPlane;
 
 /**
  * A state estimate from the planner's view: position and motion of the vehicle, and relative
- * positions of other places.
+ * positions of points.
  */
 public final class Vehicle {
   /** Below this speed the course is meaningless [m/s]. */
@@ -84,9 +84,9 @@ public final class Vehicle {
   }
 
   /**
-   * Vector from the vehicle to a place: north, east, down [m]. A coordinate that the place or the
-   * vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of altitudes,
-   * without the earth's curvature.
+   * Vector from the vehicle to a position: north, east, down [m]. A coordinate that the place or
+   * the vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of
+   * altitudes, without the earth's curvature.
    *
    * @throws IllegalArgumentException if one is on the earth and the other on a local plane
    */

@@ -39,6 +39,6 @@ public interface WaypointGuidance {
   /** Saves the state of the current leg for the planner that takes over. */
   default void handOver(HandOver state) {}
 
-  /** Resumes the leg of the previous planner; values not handed over are reset. */
+  /** Resumes the leg of the previous planner; missing values are reset. */
   default void takeOver(HandOver state) {}
 }

@@ -27,8 +27,8 @@ import org.u2sa.planning.search.GridFrame;
  * ignoring obstacles; occasionally that curve itself is tried to the goal.
  *
  * <p>A search can be split into parts ({@link #begin}, {@link #search}), between which costs may
- * change; expanded nodes are not revisited. In one part or many, it expands the same nodes in the
- * same order.
+ * change; expanded nodes are not revisited. The order of expanded nodes does not depend on how the
+ * search is split.
  *
  * <p>Not thread-safe.
  */
@@ -47,7 +47,7 @@ public final class HybridAStar {
 
   private static final double ALIGNED_RAD = Math.toRadians(5.0);
 
-  /** Moves: curvature as a share of the maximum, and whether they reverse. */
+  /** Moves: curvature as a fraction of the maximum, and whether they reverse. */
   private static final double[] STEERING = {0.0, 1.0, -1.0, 0.5, -0.5};
 
   /**
@@ -125,10 +125,10 @@ public final class HybridAStar {
   }
 
   /**
-   * Starts a search and discards the previous one.
+   * Starts a search and discards the previous search.
    *
-   * @param within clearance of the vehicle's discs to obstacles [m]; if it is already nearer, its
-   *     current distance
+   * @param within clearance of the vehicle's discs to obstacles [m]; if already nearer, the current
+   *     distance
    */
   public void begin(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {

@@ -19,7 +19,7 @@ public final class ArcChooser {
   private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
   private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
-  private static final double SLOWEST = 0.4; // share of the speed, close to a route
+  private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -128,7 +128,7 @@ public final class ArcChooser {
         : stand(ArcChoice.Kind.EVADE);
   }
 
-  /** Moves to where there is room to turn; stops first if still rolling. */
+  /** Moves to a position with room to turn; stops first if still rolling. */
   private ArcChoice makeRoom(ArcChoice.Kind standing) {
     if (Math.abs(speedMps) > CREEPS_MPS && !makesRoom) {
       return stand(standing);
@@ -179,7 +179,7 @@ public final class ArcChooser {
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }
 
-  /** Turns in place toward a heading, or makes room for that. */
+  /** Turns in place toward a heading, or first moves to where there is room to turn. */
   public ArcChoice lookTo(double headingRad) {
     if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {
       return withoutRoute();

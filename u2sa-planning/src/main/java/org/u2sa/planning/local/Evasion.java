@@ -55,7 +55,10 @@ final class Evasion {
     consider(onRoute, outcome);
   }
 
-  /** Chooses the best motion toward a place, or waiting; else the one that stays farthest away. */
+  /**
+   * Chooses the best motion toward a position, or waiting; otherwise the motion that stays farthest
+   * from obstacles.
+   */
   ArcChoice choose(double northM, double eastM, ArcChoice stand) {
     goalNorthM = northM;
     goalEastM = eastM;
@@ -151,7 +154,7 @@ final class Evasion {
 
   /** No motion keeps the clearance: chooses the one that stays farthest away. */
   private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
-    // If a collision is unavoidable, it is better to be stopped. If traffic is that near
+    // If a collision is unavoidable, prefer to be stopped. If traffic is that near
     // already, only the clearance is violated, and the vehicle may leave.
     boolean touched = widestM <= Math.min(0.0, forecast.gapNowM() - limits.trafficM());
     boolean stands =

@@ -5,9 +5,9 @@ import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 
 /**
- * Simulates motions: how far they are free of static obstacles, and when they meet traffic. A
- * vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too. Not
- * thread-safe.
+ * Simulates motions to find how far they are free of static obstacles, and when they meet traffic.
+ * A vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too.
+ * Not thread-safe.
  */
 final class MotionForecast {
   private static final double NEVER = Double.POSITIVE_INFINITY;

@@ -12,8 +12,9 @@ import org.u2sa.planning.curve.Pose;
  * @param stops whether it can stop, unlike an aeroplane
  * @param reverses whether it can reverse
  * @param lookAheadM look-ahead on the route [m]
- * @param touchM distance to an obstacle below which it is a collision [m]
- * @param preferredM distance to keep from obstacles where the route does [m]; 0 if touchM suffices
+ * @param touchM collision distance to an obstacle [m]
+ * @param preferredM distance to keep from obstacles where the route keeps it [m]; 0 if touchM
+ *     suffices
  * @param trafficM distance to keep from traffic beyond both radii [m]
  * @param horizonS time horizon of traffic prediction [s]
  * @param reactionS delay until a command takes effect [s]

@@ -93,10 +93,10 @@ final class GridRoutes implements RoutePlanner {
     return Route.of(points, path.cost());
   }
 
-  /** Start cells of paths through a grid, and the planners' messages if there is none. */
+  /** Start cells of paths through a grid, and the planners' messages if no start is free. */
   static final class Entrances {
     static final String ENCLOSED = "the vehicle is enclosed by obstacles";
-    static final String GOAL_OCCUPIED = "an obstacle stands on the goal";
+    static final String GOAL_OCCUPIED = "the goal is occupied by an obstacle";
     static final String NO_WAY = "obstacles leave no way to the goal";
     static final String NONE_FOUND = "no way to the goal was found among the obstacles";
 

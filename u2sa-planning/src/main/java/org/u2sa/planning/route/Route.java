@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param points path from the vehicle to the goal, as far as known; empty if none
  * @param cost its length [m], weighted by the local cost; infinite if none
- * @param obstacle reason for the operator why there is none; empty if there is one
+ * @param obstacle reason for the operator why there is no path; empty if there is one
  * @param goesOn whether the search is unfinished and continues at the next request
  */
 public record Route(List<Point> points, double cost, String obstacle, boolean goesOn) {
@@ -28,7 +28,7 @@ public record Route(List<Point> points, double cost, String obstacle, boolean go
     return new Route(points, cost, "", false);
   }
 
-  /** Creates the result that there is no route. */
+  /** Creates a result without a route. */
   public static Route none(String why) {
     return new Route(List.of(), Double.POSITIVE_INFINITY, why, false);
   }

@@ -14,10 +14,12 @@ public final class CostGrid {
   /** Extra cost of unknown cells over cells seen free. */
   private static final float UNKNOWN_COST = 0.3f;
 
-  /** A point nearer to the corner of cells lies in none of them for certain [cells]. */
+  /**
+   * Points nearer than this to the corner of cells belong to none of them unambiguously [cells].
+   */
   private static final double CORNER = 1.0e-6;
 
-  /** Flag of a cell's state: occupied. 0 is a cell seen free. */
+  /** Flag of a cell's state: occupied; 0: seen free. */
   public static final byte OCCUPIED = DistanceField.OCCUPIED;
 
   /** Flag of a cell's state: never seen. May be combined with {@link #OCCUPIED}. */
@@ -245,7 +247,7 @@ public final class CostGrid {
     double length =
         Math.sqrt((toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
     int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
-    double little = length > 0.0 ? CORNER * frame.cellM() / length : 0.0; // share of the path
+    double little = length > 0.0 ? CORNER * frame.cellM() / length : 0.0; // fraction of the path
     double sum = 0.0;
     int before = -1;
     for (int k = 0; k < steps; k++) {

@@ -158,7 +158,7 @@ public final class DStarLite {
     revision = grid.revision();
   }
 
-  /** Compares costs blockwise, and one by one only in blocks that differ. */
+  /** Compares costs blockwise, then cell by cell in blocks that differ. */
   private void findChanges(int row) {
     int end = frame.index(row, frame.columns());
     for (int from = frame.index(row, 0); from < end; from += BLOCK) {
@@ -228,7 +228,7 @@ public final class DStarLite {
     }
   }
 
-  /** Propagates a higher cost of a cell: cells with paths through it find another one. */
+  /** Propagates a cost increase of a cell to the cells whose paths lead through it. */
   private void raise(int cell, int row, int column, double before) {
     for (int r = Math.max(0, row - 1); r <= Math.min(frame.rows() - 1, row + 1); r++) {
       for (int c = Math.max(0, column - 1); c <= Math.min(frame.columns() - 1, column + 1); c++) {

@@ -3,7 +3,7 @@ package org.u2sa.planning.search;
 import java.util.Arrays;
 
 /**
- * Distance of each cell from the nearest occupied one, exact up to a reach: Felzenszwalb and
+ * Distance of each cell from the nearest occupied cell, exact up to a maximum: Felzenszwalb and
  * Huttenlocher, Distance Transforms of Sampled Functions, Theory of Computing 8 (2012), algorithm 1
  * once along columns and once along rows. Local changes are recomputed only around them.
  *
@@ -116,7 +116,7 @@ final class DistanceField {
     for (int q = from; q <= to; q++) {
       int h = below[base + q];
       if (h >= reach) {
-        continue; // nothing within reach in this column
+        continue; // none within reach in this column
       }
       float meets = Float.NEGATIVE_INFINITY;
       while (count > 0) {

@@ -172,7 +172,7 @@ final class GridLayer {
     redraw(planned, from, to, left, fullest);
   }
 
-  /** Draws one cell, as far as it covers the plan's. */
+  /** Draws the part of a cell that covers the plan. */
   private void redraw(int planned, int from, int to, int row, int column) {
     if (placement.firstRow(column, row) <= planned && placement.lastRow(column, row) >= planned) {
       fill(
@@ -185,8 +185,8 @@ final class GridLayer {
   }
 
   /**
-   * Draws columns that cover the same columns of the plan in each row: of the cells that cover one
-   * of the plan, the fullest decides, as unknown ones have the least value.
+   * Draws columns that cover the same columns of the plan in each row: of several source cells the
+   * one with the highest occupancy counts; unknown cells have the lowest value.
    */
   private void redraw(int planned, int from, int to, int left, byte[] fullest) {
     Spans eastward = placement.eastward;

@@ -87,7 +87,7 @@ final class GridRaster {
     }
   }
 
-  /** East of a segment where it is as far north, or nearest to that. */
+  /** East coordinate of a segment at a given north coordinate, or nearest to it. */
   private static double eastAt(double north, double n1, double e1, double n2, double e2) {
     if (n1 == n2) {
       return north < n1 ? Math.min(e1, e2) : Math.max(e1, e2);

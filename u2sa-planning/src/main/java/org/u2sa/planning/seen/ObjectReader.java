@@ -37,8 +37,8 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
   }
 
   /**
-   * Object as traffic, even if stationary; empty if neither its velocity nor its way is known. On a
-   * way without velocity it goes on as in the last step.
+   * Object as traffic, even if stationary; empty if neither its velocity nor its way is known. A
+   * trajectory without velocity is extrapolated from its last step.
    */
   Optional<Mover> mover(ObjectDescription raw, long micros) {
     ObjectDescription object = placed(raw);

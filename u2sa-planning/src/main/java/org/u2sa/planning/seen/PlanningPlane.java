@@ -6,8 +6,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Plane on which paths are planned: north, east, down [m] from an origin on the earth, or from that
- * of the local frames. Immutable.
+ * Plane on which paths are planned: north, east, down [m] from an origin on the earth, or from the
+ * origin of the local frames. Immutable.
  *
  * <p>Down is the difference of altitudes, without the earth's curvature.
  */
@@ -18,7 +18,10 @@ public final class PlanningPlane {
     this.origin = origin;
   }
 
-  /** Plane of the local frames if the state is in one, else tangent to the earth at the vehicle. */
+  /**
+   * Plane of the local frames if the state is in one, otherwise tangent to the earth at the
+   * vehicle.
+   */
   public static PlanningPlane at(StateInformation state) {
     if (state.referenceFrame().isLocal()) {
       return new PlanningPlane(null);

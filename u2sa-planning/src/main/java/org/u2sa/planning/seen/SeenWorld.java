@@ -23,10 +23,10 @@ import org.u2sa.planning.search.Inflation;
  * known per cell.
  */
 public final class SeenWorld {
-  /** The window moves when the vehicle is nearer to its edge than this share of its span. */
+  /** The window moves when the vehicle is nearer to its edge than this fraction of its span. */
   private static final double EDGE_SHARE = 0.2;
 
-  private static final double SURE = 0.6; // minimum confidence of objects seen rather than guessed
+  private static final double SURE = 0.6; // minimum confidence of observed (not inferred) objects
 
   /**
    * Settings for reading the world.
@@ -34,7 +34,8 @@ public final class SeenWorld {
    * @param cellM edge of a cell [m]
    * @param spanM edge of the window [m]
    * @param inflation cost of proximity to obstacles
-   * @param occupiedAbove probability from which a cell of the World Modeler's counts as occupied
+   * @param occupiedAbove probability above which a cell of the World Modeler's grid counts as
+   *     occupied
    * @param corridorType objects of this type are areas to stay inside
    * @param ignoredTypes objects of these types are not obstacles
    * @param heightMarginM objects this far above or below are passed over or under [m]; 0: heights
@@ -73,16 +74,13 @@ public final class SeenWorld {
     this.reading = reading;
   }
 
-  /** Sets whether objects guessed rather than seen are ignored. */
+  /** Sets whether inferred objects are ignored. */
   public void overlook(boolean guesses) {
     changed |= guesses != overlooks;
     overlooks = guesses;
   }
 
-  /**
-   * Sets the shapes that the planner itself considers closed, until {@link #overlook} or the next
-   * call.
-   */
+  /** Sets the planner's virtual obstacles, until {@link #overlook} or the next call. */
   public void guess(List<PlanarShape> closed) {
     changed |= !closed.equals(guessed);
     guessed = List.copyOf(closed);
@@ -102,7 +100,7 @@ public final class SeenWorld {
     changed = true;
   }
 
-  /** Counts only what is given in the vehicle's own axes, since its position is unknown. */
+  /** Uses only objects in vehicle axes, because the vehicle's position is unknown. */
   public void onlyFromVehicle(boolean only) {
     changed |= only != bodyOnly;
     bodyOnly = only;

@@ -45,7 +45,7 @@ final class TrafficMemory {
         mover.name(), new Motion(seen, mover.northMps(), mover.eastMps(), seen), Motion::and);
   }
 
-  /** Possible motions of a stationary object: onward and back; empty if it is parked. */
+  /** Possible motions of a stationary object: forward and back; empty if it is parked. */
   List<Mover> mightMove(Mover standing) {
     Motion last = moved.get(standing.name());
     if (last == null || standing.seenMicros() - last.lastMicros() > PARKED_AFTER_MICROS) {

@@ -7,7 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 
-/** How old the planner's knowledge of its surroundings is, and what is missing in it. */
+/** Age of the planner's world data, and the sensors missing in it. */
 public final class WorldAge {
   private long newestMicros = Long.MIN_VALUE; // of the newest list or grid
   private List<String> awaited = List.of();
@@ -21,7 +21,7 @@ public final class WorldAge {
     seen(grid.timestamp().orElse(nowMicros), nowMicros);
   }
 
-  /** A retained message is as old as it says; none is younger than its arrival. */
+  /** A retained message's age follows from its timestamp; no message is newer than its arrival. */
   private void seen(long micros, long nowMicros) {
     newestMicros = Math.max(newestMicros, Math.min(micros, nowMicros));
   }
@@ -44,11 +44,11 @@ public final class WorldAge {
       return Optional.of(
           String.format(
               Locale.ROOT,
-              "nothing from the World Modeler for more than %.1f s",
+              "no data from the World Modeler for more than %.1f s",
               Clock.seconds(staleMicros)));
     }
     return awaited.isEmpty()
         ? Optional.empty()
-        : Optional.of("the World Modeler hears nothing from " + String.join(", ", awaited));
+        : Optional.of("the World Modeler receives no data from " + String.join(", ", awaited));
   }
 }

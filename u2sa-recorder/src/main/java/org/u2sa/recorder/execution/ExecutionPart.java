@@ -23,7 +23,7 @@ public record ExecutionPart(
   /** Topic prefix of these channels. */
   public static final String TOPIC = "execution/";
 
-  /** How many messages back in a file a part may refer to. */
+  /** Maximum distance of a referenced message, in messages back in the file. */
   public static final int REACH = 8192;
 
   /** Channel number of a message whose bytes are stored inline. */

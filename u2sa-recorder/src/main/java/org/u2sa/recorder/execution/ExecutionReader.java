@@ -19,8 +19,8 @@ import org.u2sa.recorder.mcap.record.McapMessage;
 
 /**
  * Reads one execution, entry by entry with its messages, from a recording of one or several
- * consecutive files. Holds some ten thousand messages at a time, limited to a quarter of the heap.
- * Not thread-safe.
+ * consecutive files. Buffers about ten thousand messages, limited to a quarter of the heap. Not
+ * thread-safe.
  */
 final class ExecutionReader implements AutoCloseable {
   /** Read-ahead, because with concurrent threads a part may precede messages it refers to. */
@@ -42,7 +42,7 @@ final class ExecutionReader implements AutoCloseable {
   private long nextPart;
   private Next next; // read ahead; null if not read yet
 
-  /** An entry with its message; null if it has none. */
+  /** An entry with its message, or null. */
   record Next(ExecutionEntry entry, RecordedMessage message) {}
 
   /** Reads the files of a recording, oldest first. */

@@ -59,7 +59,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   /**
-   * Captures what a service is about to be given.
+   * Captures a service's initial inputs.
    *
    * @throws IOException if a file cannot be read
    */
@@ -117,8 +117,8 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   /**
-   * Copy with what is known once the service is constructed: its name and the XML files its
-   * variables name. Other files are left out, because they may be passwords or keys.
+   * Copy completed after construction of the service: its name and the XML files its variables
+   * refer to. Other files are omitted, because they may contain passwords or keys.
    *
    * @throws IOException if a file cannot be read
    */

@@ -30,10 +30,10 @@ public final class KeptExecution implements Execution {
   private ServiceInstance service;
   private volatile String instance = "";
   private int threadId;
-  private volatile Thread owner; // null while nobody executes the service
+  private volatile Thread owner; // null while the service is not executed
   private boolean kept = true;
   private long elsewhereNoted;
-  private Inheritance inherited; // null if the service replaced nobody
+  private Inheritance inherited; // null if the service replaced none
 
   /**
    * Creates an execution that starts on the calling thread, which constructs the service.
@@ -66,7 +66,7 @@ public final class KeptExecution implements Execution {
     return instance;
   }
 
-  /** What the service inherited from the one it replaced, if any. */
+  /** State inherited from the replaced service, if any. */
   Optional<Inheritance> inherited() {
     return Optional.ofNullable(inherited);
   }
@@ -211,7 +211,7 @@ public final class KeptExecution implements Execution {
     }
     if (Clock.runningThread() == owner) {
       part.add(taken ? Kind.PUBLISHED : Kind.REFUSED, 0, channel, message);
-    } else if (!channel.equals(Channels.HEALTH)) { // the last may be the ender's
+    } else if (!channel.equals(Channels.HEALTH)) { // the last may come from the ending thread
       elsewhere.incrementAndGet();
     }
     return taken;

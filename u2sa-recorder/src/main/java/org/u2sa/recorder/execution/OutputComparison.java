@@ -10,8 +10,8 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Compares what a service publishes with what it published in the recording. Health reports are
- * ignored, since they contain callback durations on the machine.
+ * Compares a service's output with its recorded output. Health reports are ignored, since they
+ * contain callback durations on the machine.
  */
 final class OutputComparison implements RecordedCourse.Outputs {
   private final Map<String, ChannelComparison> channels = new TreeMap<>();

@@ -29,7 +29,7 @@ final class RepeatedExecution implements Execution {
    * @param outputs receives the service's messages
    * @param machine real-time clock, for waiting for the disk
    * @param recordedThreadId thread ID of the service in the recording
-   * @param inheritance what the service inherited from the one it replaced, if any
+   * @param inheritance state inherited from the replaced service, if any
    */
   RepeatedExecution(
       ExecutionReader recorded,
@@ -61,7 +61,8 @@ final class RepeatedExecution implements Execution {
       throw new BadInputException(
           "a service of role "
               + role
-              + " is not executed again: it may open devices, connections or files, and the recording would say which");
+              + " is not re-executed: it may open devices, connections or files chosen by the "
+              + "recording");
     }
   }
 
@@ -99,7 +100,7 @@ final class RepeatedExecution implements Execution {
 
   @Override
   public void succeeds(Inheritance inherited, String connection) {
-    throw new IllegalStateException("nobody runs in whose place the service could be");
+    throw new IllegalStateException("no running service to replace");
   }
 
   @Override

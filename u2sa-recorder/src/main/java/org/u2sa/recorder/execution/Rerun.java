@@ -110,7 +110,7 @@ public final class Rerun {
     }
     course.failure().ifPresent(e -> remarks.add("only in part: " + e.getMessage()));
     if (course.publishedElsewhere()) {
-      remarks.add("has threads of its own that publish: what they publish cannot be repeated");
+      remarks.add("publishes from its own threads, whose output cannot be re-executed");
     }
     if (course.hasStrayed()) {
       remarks.add("read the clock, waited or published in another order than in the recording");

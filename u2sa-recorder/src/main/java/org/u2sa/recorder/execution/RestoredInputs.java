@@ -62,7 +62,7 @@ final class RestoredInputs {
   }
 
   /**
-   * What the service inherited from the one it replaced; empty if it replaced none.
+   * State inherited from the replaced service; empty if it replaced none.
    *
    * @throws IOException if it cannot be read
    */

@@ -21,7 +21,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     return read(in, false);
   }
 
-  /** Reads as much of a chunk as there is. */
+  /** Reads the available part of a chunk. */
   static ChunkContent readBrokenOff(RecordFields in) throws McapException {
     return read(in, true);
   }
@@ -34,7 +34,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     ChunkCompression compression = ChunkCompression.of(in.string());
     long length = in.uint64();
     if (size < 0 || size > ReadLimits.MAX_LENGTH) {
-      throw new McapException("a chunk of " + size + " bytes: more than is read at once");
+      throw new McapException("a chunk of " + size + " bytes: above the read limit");
     }
     return new ChunkContent(
         size, crc, compression, in.bytes(brokenOff ? Math.min(length, in.remaining()) : length));
@@ -50,7 +50,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
     return records;
   }
 
-  /** Bytes of its records, whose size must be that in the summary. */
+  /** Bytes of its records, whose size must match the summary. */
   byte[] decompressed(long indexed) throws McapException {
     if (size != indexed) {
       throw new McapException("it says " + size + " bytes, and the summary " + indexed);

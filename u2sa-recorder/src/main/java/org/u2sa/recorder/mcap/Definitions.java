@@ -17,7 +17,7 @@ import org.u2sa.recorder.mcap.record.RecordFields;
  * reliable.
  */
 final class Definitions {
-  /** Where a definition was found. */
+  /** Source of a definition. */
   enum Source {
     /** In a summary with a correct checksum. */
     INTACT_SUMMARY,

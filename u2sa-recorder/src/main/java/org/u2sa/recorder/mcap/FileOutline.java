@@ -98,7 +98,7 @@ final class FileOutline {
   /** Verifies the checksum of the data section, which also covers the bytes between chunks. */
   void checkData(Consumer<String> trouble) throws IOException {
     if (dataCrc != 0 && dataCrc != file.crc(0, dataEnd)) {
-      trouble.accept("a byte between the chunks is wrong: so is the checksum of all data");
+      trouble.accept("a byte between the chunks is wrong: the checksum of all data does not match");
     }
   }
 }

@@ -37,7 +37,7 @@ public final class McapReader implements AutoCloseable {
   private final FileChannel file;
   private final Map<Integer, McapSchema> schemas = new TreeMap<>();
   private final Map<Integer, McapChannel> channels = new TreeMap<>();
-  // What callers see; asked for with each message, so nothing is copied.
+  // View for callers; requested with each message, so nothing is copied.
   private final Map<Integer, McapSchema> schemasSeen = Collections.unmodifiableMap(schemas);
   private final Map<Integer, McapChannel> channelsSeen = Collections.unmodifiableMap(channels);
   private final List<ChunkIndex> chunks = new ArrayList<>();
@@ -96,7 +96,7 @@ public final class McapReader implements AutoCloseable {
       throw new McapException("the file's summary has no statistics");
     }
     if (statistics.chunks() != chunks.size() || statistics.messages() > 0 && chunks.isEmpty()) {
-      throw new McapException("the file's summary does not say where its messages are");
+      throw new McapException("the file's summary lacks the positions of its messages");
     }
     IndexedPlaces places = new IndexedPlaces();
     chunks.forEach(chunk -> places.add(chunk.offset(), chunk.length()));

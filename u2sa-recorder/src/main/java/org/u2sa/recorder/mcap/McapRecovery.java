@@ -60,7 +60,7 @@ public final class McapRecovery {
     return recover(broken, whole, library, ReadLimits.heldBytes());
   }
 
-  /** As above, with a limit for records and decompressed chunks; larger ones are dropped. */
+  /** Same, with a size limit for records and decompressed chunks; larger ones are dropped. */
   static Result recover(Path broken, Path whole, String library, long maxBytes) throws IOException {
     try (FileChannel from = FileChannel.open(broken, StandardOpenOption.READ);
         FileChannel to =

@@ -83,7 +83,7 @@ final class RecordSearch {
       trouble.accept(
           found == null && breaksOffWithin(position)
               ? breaksOffWithinRecord()
-              : "at byte " + position + " is no record, or a damaged one");
+              : "at byte " + position + " is not a record, or is damaged");
     }
     position = found == null ? end : found.end();
     hasChunks |= found != null && found.opcode == Opcode.CHUNK;

@@ -48,7 +48,7 @@ public final class Playback {
 
   /** Destination of the messages. */
   public interface Sink {
-    /** Receives a message that is due. */
+    /** Receives a due message. */
     void play(McapMessage message) throws IOException;
 
     /** Receives the position, 20 times a second and after each command. */

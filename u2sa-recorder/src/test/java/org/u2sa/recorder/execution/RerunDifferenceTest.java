@@ -132,7 +132,7 @@ class RerunDifferenceTest {
     run.recordInLockstep(Threaded::new);
     Rerun.Outcome outcome = run.rerun(Threaded::new);
     assertThat(outcome.isIdentical()).isFalse();
-    assertThat(outcome.remarks()).anyMatch(remark -> remark.contains("threads of its own"));
+    assertThat(outcome.remarks()).anyMatch(remark -> remark.contains("its own threads"));
   }
 
   @Test

@@ -205,7 +205,7 @@ class HostileFileTest {
   @Test
   void open_summaryWithoutChunkIndexes_isRefused() throws IOException {
     writeWithIndexes(all -> List.of(), asTheyAre(), asTheyAre());
-    requireRefused("does not say where its messages are");
+    requireRefused("lacks the positions of its messages");
   }
 
   @ParameterizedTest
@@ -386,7 +386,7 @@ class HostileFileTest {
   void next_longerRecord_isNone(long length) throws IOException {
     assertThat(nextOf(length))
         .isInstanceOf(McapException.class)
-        .hasMessageContaining("no record: opcode 12, length " + length);
+        .hasMessageContaining("not a record: opcode 12, length " + length);
   }
 
   private RecordBuffer twoRecords() {
@@ -476,7 +476,7 @@ class HostileFileTest {
   void read_chunkOfImpossibleSize_isRefused(long size) {
     assertThatThrownBy(() -> ChunkContent.read(chunkOfSize(size)))
         .isInstanceOf(McapException.class)
-        .hasMessage("a chunk of " + size + " bytes: more than is read at once");
+        .hasMessage("a chunk of " + size + " bytes: above the read limit");
   }
 
   @Test

@@ -88,7 +88,8 @@ public final class GeoRun {
     if (run.tracks.isEmpty()) {
       throw new BadInputException(
           String.format(
-              "no message on %s says where the vehicle is on the earth (frame GLOBAL, x and y); --channel chooses others",
+              "no message on %s has a position on the earth (frame GLOBAL, x and y); choose "
+                  + "other channels with --channel",
               String.join(", ", ofStates)));
     }
     return run;

@@ -40,7 +40,7 @@ public final class JsonReader {
       }
       Map<String, Object> object = map(parser, origin, 1);
       if (parser.nextToken() != null) {
-        throw new BadInputException(origin + ": expected nothing after the object");
+        throw new BadInputException(origin + ": unexpected text after the object");
       }
       return object;
     } catch (JsonProcessingException e) {

@@ -40,9 +40,9 @@ import org.u2sa.report.score.WaypointResult;
  */
 final class ProfileChart {
   private static final double MS_PER_S = 1000.0;
-  private static final double HEADROOM = 0.22; // share of the span, for the waypoints' numbers
+  private static final double HEADROOM = 0.22; // fraction of the span, for the waypoints' numbers
   private static final double FOOTROOM = 0.08;
-  private static final double CLOSE = 0.015; // share of the time; closer numbers alternate rows
+  private static final double CLOSE = 0.015; // fraction of the time; closer numbers alternate rows
 
   private ProfileChart() {}
 

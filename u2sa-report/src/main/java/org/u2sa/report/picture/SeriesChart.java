@@ -40,8 +40,8 @@ public final class SeriesChart {
    * Writes the picture.
    *
    * @param byUnit the quantities of each unit
-   * @param fromS where the axis of time begins [s]
-   * @param toS where it ends [s], after the beginning
+   * @param fromS start of the time axis [s]
+   * @param toS end of the time axis [s], after its start
    * @throws org.u2sa.interfaces.RunFailedException if it cannot be written
    */
   public static void write(Path file, Map<String, List<Trace>> byUnit, double fromS, double toS) {

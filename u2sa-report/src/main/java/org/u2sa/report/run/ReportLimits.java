@@ -1,8 +1,8 @@
 package org.u2sa.report.run;
 
 /**
- * What a report keeps of a recording at most, so that a hostile one cannot fill the memory. Far
- * above what a run contains.
+ * Limits of a report's data, so that a malicious recording cannot exhaust memory. Far above the
+ * content of a real run.
  */
 final class ReportLimits {
   static final int MAX_GOALS = 20_000;

@@ -73,7 +73,7 @@ public final class RunContent {
   /**
    * Reads a recording.
    *
-   * @param truthFile a demo's track.csv; empty: the one beside the recording, if any
+   * @param truthFile a demo's track.csv; empty: the one in the recording's folder, if any
    * @throws BadInputException if it contains no published messages
    */
   public static RunContent read(Path file, Optional<Path> truthFile) throws IOException {

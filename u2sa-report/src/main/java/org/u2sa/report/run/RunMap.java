@@ -33,7 +33,7 @@ final class RunMap {
   private static final FieldPath PSI = FieldPath.parse("psi");
   private static final FieldPath POINTS = FieldPath.parse("points");
   private static final double POINT_M = 0.3;
-  private static final double GRID_EAST_M = 1e6; // of UTM: beyond is no place
+  private static final double GRID_EAST_M = 1e6; // upper bound of UTM eastings
   private static final double GRID_NORTH_M = 1e7;
 
   private final Trace east = new Trace("east");

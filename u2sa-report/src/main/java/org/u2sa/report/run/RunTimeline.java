@@ -113,7 +113,7 @@ final class RunTimeline {
     }
   }
 
-  /** Whether a subject's text has changed; of too many subjects nothing is remembered. */
+  /** Whether a subject's text has changed; the number of remembered subjects is limited. */
   private boolean isNews(String subject, String text) {
     if (lastOf.size() >= ReportLimits.MAX_SUBJECTS && !lastOf.containsKey(subject)) {
       leftOut++;

@@ -1,5 +1,5 @@
 /**
- * Content of a page about recorded runs: map, charts, timeline, latency. How a page is written is
- * in {@code report.page}.
+ * Content of a page about recorded runs: map, charts, timeline, latency. Pages are written by
+ * {@code report.page}.
  */
 package org.u2sa.report.run;

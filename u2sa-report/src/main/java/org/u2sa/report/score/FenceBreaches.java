@@ -2,7 +2,7 @@ package org.u2sa.report.score;
 
 import java.util.List;
 
-/** How often a vehicle truly left its fence. */
+/** Number of times a vehicle left its fence, by ground truth. */
 final class FenceBreaches {
   private FenceBreaches() {}
 

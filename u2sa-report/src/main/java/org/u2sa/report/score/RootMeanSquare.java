@@ -19,14 +19,14 @@ final class RootMeanSquare {
     largest = Math.max(largest, Math.max(Math.abs(from), Math.abs(to)));
   }
 
-  /** RMS; empty if nothing was added. */
+  /** RMS; empty without values. */
   OptionalDouble value() {
     return seconds > 0.0
         ? OptionalDouble.of(Math.sqrt(squareSeconds / seconds))
         : OptionalDouble.empty();
   }
 
-  /** Largest absolute value; empty if nothing was added. */
+  /** Maximum absolute value; empty without values. */
   OptionalDouble largest() {
     return seconds > 0.0 ? OptionalDouble.of(largest) : OptionalDouble.empty();
   }

@@ -3,7 +3,7 @@ package org.u2sa.report.score;
 import java.util.OptionalInt;
 
 /**
- * What a summary tells of a run besides its score.
+ * Details of a run in a summary, besides its score.
  *
  * @param demo name of the demo or system, e.g. {@code cessna}; heads the picture
  * @param seed seed of everything random in the run

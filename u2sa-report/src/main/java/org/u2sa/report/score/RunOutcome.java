@@ -22,7 +22,7 @@ public record RunOutcome(
     Map<String, Integer> counts,
     Map<String, Double> figures) {
 
-  /** Count of goals without a place, which are judged by their completion. */
+  /** Number of goals without a position, which are scored by completion. */
   public static final String GOALS_WITHOUT_PLACE = "goalsWithoutPlace";
 
   public RunOutcome {
@@ -53,7 +53,7 @@ public record RunOutcome(
     return new RunOutcome(contacts, stalled, all, counts, figures);
   }
 
-  /** Whether nothing was hit, no wing stalled and no rule was broken. */
+  /** Whether there was no contact, no stall and no rule violation. */
   public boolean isClean() {
     return contacts == 0 && !stalled && violations.isEmpty();
   }

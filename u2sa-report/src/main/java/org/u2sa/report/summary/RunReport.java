@@ -70,8 +70,8 @@ public record RunReport(RunDetails facts, RunPlan plan, List<TrackSample> track,
    *
    * @return empty, or the reason why {@code track.svg} and {@code track.png} are missing: a Java
    *     without fonts cannot draw, which must not lose the run
-   * @throws RunFailedException naming the file and the system's reason if one cannot be written;
-   *     there is no {@code summary.json} then
+   * @throws RunFailedException naming the file and the cause if a file cannot be written; {@code
+   *     summary.json} is then missing
    */
   public Optional<String> write(Path directory) {
     try {

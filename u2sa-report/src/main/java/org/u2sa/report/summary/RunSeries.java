@@ -71,7 +71,7 @@ public record RunSeries(List<RunReport> reports) {
               "worstAltitudeErrorM",
               worst(r -> flight(r).altitudeMaxErrorM()),
               "no level leg was flown")
-          .number("worstBankDeg", worst(r -> flight(r).maxBankDeg()), "nothing took off");
+          .number("worstBankDeg", worst(r -> flight(r).maxBankDeg()), "no aircraft took off");
     }
     totals().forEach(json::put);
     json.put("perRun", reports.stream().map(report -> run(absent, report)).toList());

@@ -85,7 +85,7 @@ final class SummaryJson {
   }
 
   private void flight(FlightFigures score) {
-    String noLevel = "no leg between waypoints of one altitude was flown";
+    String noLevel = "no leg between waypoints of equal altitude was flown";
     String noFlight = "the vehicle did not take off";
     json.number("altitudeRmsM", score.altitudeRmsM(), noLevel)
         .number("altitudeMaxErrorM", score.altitudeMaxErrorM(), noLevel)

@@ -10,7 +10,7 @@ import org.u2sa.interfaces.JsonText;
  * A JSON object with numbers rounded to thousandths. A missing number is {@code null} with a reason
  * in {@code absent}, since JSON has no NaN.
  *
- * @param absent reasons by key, of all parts of a summary
+ * @param absent reasons for missing numbers by key, for all parts of a summary
  * @param part name of this part in the reasons; empty for the summary itself
  */
 record SummaryNumbers(JsonText json, Map<String, String> absent, String part) {

@@ -1,5 +1,5 @@
 /**
- * The files of a finished run, or of several: summary, track, picture. What they hold is made by
- * the packages beside this one.
+ * The files of a finished run, or of several: summary, track, picture. Their content comes from
+ * sibling packages.
  */
 package org.u2sa.report.summary;

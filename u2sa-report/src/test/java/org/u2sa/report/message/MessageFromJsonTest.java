@@ -120,7 +120,7 @@ class MessageFromJsonTest {
         "{\"actuatorName\": \"a\" | line 1, column",
         "[1] | expected an object of JSON",
         "{\"percentage\": 1, \"percentage\": 2} | Duplicate field 'percentage'",
-        "{\"percentage\": 1} {} | expected nothing after the object"
+        "{\"percentage\": 1} {} | unexpected text after the object"
       })
   void message_wrong_saysWhichFieldAndWhatWasExpected(String json, String expected) {
     assertThatThrownBy(() -> read(PercentageCommand.TYPE, json))

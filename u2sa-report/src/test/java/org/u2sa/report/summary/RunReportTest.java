@@ -224,7 +224,7 @@ class RunReportTest {
     Path file = Files.createFile(directory.resolve("out"));
     assertThatThrownBy(() -> RunReport.prepare(file))
         .isInstanceOf(BadInputException.class)
-        .hasMessage("cannot write to " + file + ": a file of that name is in the way");
+        .hasMessage("cannot write to " + file + ": a file of that name already exists");
   }
 
   @Test

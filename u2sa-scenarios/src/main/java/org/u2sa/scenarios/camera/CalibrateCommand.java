@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Measure a camera's geometry with pictures of a printed chessboard.",
       "",
-      "Show the board tilted another way in each picture, near the corners too; 10 to 20 pictures. "
+      "Take 10 to 20 pictures with the board tilted differently in each, also near the corners. "
           + "Exit code 1: the pictures do not determine the camera."
     })
 final class CalibrateCommand implements Callable<Integer> {
@@ -44,20 +44,21 @@ final class CalibrateCommand implements Callable<Integer> {
   @Option(
       names = "--live",
       paramLabel = "FILE",
-      description = "Take the pictures from the camera that this configuration file names.")
+      description = "Take the pictures with the camera of this configuration file.")
   private Path live;
 
   @Option(
       names = "--pictures",
       defaultValue = "15",
-      description = "With --live: pictures that show the board (default: ${DEFAULT-VALUE}).")
+      description =
+          "With --live: number of pictures that show the board (default: " + "${DEFAULT-VALUE}).")
   private int wanted;
 
   @Option(
       names = "--board",
       defaultValue = "9x6",
       description =
-          "Corners within the board, where four squares meet (default: ${DEFAULT-VALUE}).")
+          "Inner corners of the board, where four squares meet (default: ${DEFAULT-VALUE}).")
   private String corners;
 
   @Option(

@@ -11,8 +11,7 @@ import picocli.CommandLine.Spec;
 public final class CameraCommands implements CommandProvider {
   @Command(
       name = "camera",
-      description =
-          "Calibrate a camera with a chessboard; show what is recognised in its pictures.",
+      description = "Calibrate a camera with a chessboard; show what is detected in its pictures.",
       subcommands = {CalibrateCommand.class, LookCommand.class})
   private static final class CameraCommand implements Runnable {
     @Spec private CommandSpec command;

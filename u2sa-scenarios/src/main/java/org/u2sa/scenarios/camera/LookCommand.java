@@ -31,8 +31,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "look",
     description = {
-      "Show what is recognised in pictures: a table, and a picture of each with what was found,",
-      "beside the ground as seen from above."
+      "Show what is detected in pictures: a table, and each picture with its detections",
+      "beside a bird's-eye view of the ground."
     })
 final class LookCommand implements Callable<Integer> {
   private static final double PATIENCE_S = 10.0;
@@ -49,7 +49,7 @@ final class LookCommand implements Callable<Integer> {
           "Configuration file of a CourseCamera: its mounting, calibration and what it looks for.")
   private Path configuration;
 
-  @Option(names = "--live", description = "Take a picture from the camera that it names.")
+  @Option(names = "--live", description = "Take a picture with its camera.")
   private boolean live;
 
   @Option(
@@ -57,9 +57,7 @@ final class LookCommand implements Callable<Integer> {
       description = "Height of the camera above the ground in metres, instead of MOUNTED Z.")
   private Double heightM;
 
-  @Option(
-      names = "--down",
-      description = "Angle in degrees by which it looks down, instead of MOUNTED PITCH.")
+  @Option(names = "--down", description = "Downward tilt in degrees, instead of MOUNTED PITCH.")
   private Double downDeg;
 
   @Option(

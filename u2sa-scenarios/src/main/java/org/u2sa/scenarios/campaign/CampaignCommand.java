@@ -28,7 +28,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Run a demo with many seeds and parameters, on all cores, and report the distribution of its figures.",
       "",
-      "Each run is independent: the same seed gives the same result, whatever else runs. The same command with the same --out continues an interrupted campaign.",
+      "Each run is independent: the same seed always gives the same result. The same command "
+          + "with the same --out continues an interrupted campaign.",
       "",
       "Examples:",
       "  u2sa campaign ugv --runs 200",

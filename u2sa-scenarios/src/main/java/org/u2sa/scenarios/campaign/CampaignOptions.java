@@ -31,7 +31,8 @@ final class CampaignOptions {
       index = "0",
       paramLabel = "DEMO",
       description =
-          "What to run, such as ugv, cessna or igvc; or simulate, with its system file and options after --.")
+          "Demo to run, such as ugv, cessna or igvc; or simulate, with its system file and "
+              + "options after --.")
   private String demo;
 
   @Parameters(
@@ -68,7 +69,8 @@ final class CampaignOptions {
   @Option(
       names = "--keep",
       description =
-          "Keep the files of all runs, pictures included; without it, those of failed runs, without pictures.")
+          "Keep the files of all runs, including pictures; otherwise only those of failed runs, "
+              + "without pictures.")
   private boolean keep;
 
   @Option(names = "--json", description = "Print the summary to standard output, and nothing else.")
@@ -85,7 +87,7 @@ final class CampaignOptions {
   @Option(
       names = "--jobs",
       paramLabel = "N",
-      description = "Number of processes that work side by side. Default: one for each core.")
+      description = "Number of parallel processes. Default: one per core.")
   private void jobs(int value) {
     jobs = OptionalInt.of(atLeastOne("--jobs", value));
   }
@@ -94,7 +96,8 @@ final class CampaignOptions {
       names = "--master",
       paramLabel = "ADDRESS",
       description =
-          "Make the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. Default: local processes (--jobs).")
+          "Distribute the runs with Apache Spark: local[N], local[*] or spark://HOST:PORT. "
+              + "Default: local processes (--jobs).")
   private String master;
 
   @Option(
@@ -175,7 +178,7 @@ final class CampaignOptions {
       throw refused(
           "--jobs goes without --master; Spark's cores are local["
               + jobs.getAsInt()
-              + "], or those of the cluster");
+              + "], or all cores of the cluster");
     }
     return ServiceLoader.load(RunBackendProvider.class)
         .findFirst()

@@ -81,7 +81,7 @@ final class CampaignPage {
   private void worst(int most) {
     page.append("<h2>Worst runs</h2>\n<p>Those that failed, then by <code>")
         .append(EscapedXml.of(results.ranking()))
-        .append("</code>. The command makes the run again, with pictures.</p>\n<table>")
+        .append("</code>. The command repeats the run, with pictures.</p>\n<table>")
         .append("<tr><th>run</th><th>")
         .append(EscapedXml.of(results.ranking()))
         .append("</th><th class=\"text\">came to</th><th class=\"text\">command</th></tr>\n");

@@ -77,7 +77,7 @@ final class Journal implements AutoCloseable {
               + said
               + "\", not \""
               + campaign
-              + "\"; expected the same one, or another --out");
+              + "\"; expected the same command, or another --out");
     }
     for (int i = 1; i < lines.size(); i++) {
       String where = file + ", line " + (i + 1);

@@ -24,7 +24,7 @@ final class WorkerMain {
   private WorkerMain() {}
 
   public static void main(String[] none) throws IOException {
-    // Exit with the parent; nobody else needs the result.
+    // Exit with the parent, because the result is no longer needed.
     ProcessHandle.current()
         .parent()
         .ifPresent(parent -> parent.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));

@@ -40,8 +40,8 @@ import picocli.CommandLine.Spec;
       "Fly a Cessna 172 over ten waypoints, take-off included.",
       "",
       "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows what "
-          + "happens. Wind and gusts follow from the seed. Control flies on the simulator's truth: no sensor is noisy, unless with "
-          + "--estimator fusing: then on noisy GPS, barometer, airspeed, IMU and compass.",
+          + "happens. Wind and gusts follow from the seed. Control uses the simulator's true "
+          + "state or, with --estimator fusing, noisy GPS, barometer, airspeed, IMU and compass.",
       "",
       "Other MQTT clients can listen meanwhile, for example:",
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
@@ -64,7 +64,8 @@ final class CessnaDemo implements Callable<Integer>, Demo {
       names = "--wind",
       paramLabel = "WIND",
       description =
-          "calm, or SPEED@DIRECTION in m/s and degrees true, such as 5@270 for a west wind. Default: by the seed, up to 8 m/s.")
+          "calm, or SPEED@DIRECTION in m/s and degrees true, such as 5@270 for a west wind. "
+              + "Default: drawn from the seed, up to 8 m/s.")
   private String wind;
 
   @Option(
@@ -82,8 +83,9 @@ final class CessnaDemo implements Callable<Integer>, Demo {
       names = "--world",
       paramLabel = "FILE",
       description = {
-        "World XML file with what is around, such as missions/cessna/obstructed.xml: what stands is known as from a chart, what "
-            + "moves is heard by a traffic receiver. Adds that, a World Modeler and a planner that flies around both, on noisy sensors "
+        "World XML file with the surroundings, such as missions/cessna/obstructed.xml: static "
+            + "objects are known from a chart, moving ones are reported by a traffic receiver. Adds "
+            + "the receiver, a World Modeler and a planner that avoids both, with noisy sensors "
             + "(config/cessna/system-world.xml)."
       })
   private Path worldFile; // null for an empty sky
@@ -191,7 +193,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
         seed);
   }
 
-  /** What moves around the aircraft and reports its position by transponder. */
+  /** Moving objects around the aircraft that report their position by transponder. */
   private List<SimulatedTraffic.Other> traffic(VehicleTrial placed) {
     double timeS = placed.run().at(0L).timeS();
     LocalPlane plane = placed.world().plane();

@@ -36,7 +36,7 @@ final class FlightGearSimulation implements Simulation {
   /**
    * @param directory output directory of the run, for FlightGear's protocol files and the scripts'
    *     output
-   * @param told receives instructions for starting FlightGear; empty if it is started here
+   * @param told receives instructions for starting FlightGear; empty if started by this process
    */
   FlightGearSimulation(
       FlightGearPorts ports, Path directory, Mission mission, Optional<Terminal> told) {
@@ -126,7 +126,7 @@ final class FlightGearSimulation implements Simulation {
 
   private static String lastLine(Path log) throws IOException {
     List<String> lines = Files.readAllLines(log);
-    return lines.isEmpty() ? "it said nothing" : lines.get(lines.size() - 1);
+    return lines.isEmpty() ? "it printed nothing" : lines.get(lines.size() - 1);
   }
 
   @Override

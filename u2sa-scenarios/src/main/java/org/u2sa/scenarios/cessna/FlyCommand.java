@@ -27,9 +27,10 @@ import picocli.CommandLine.Spec;
     description = {
       "Fly the mission in FlightGear.",
       "",
-      "Without a host, FlightGear is started here without a window and stopped after the flight (scripts/flightgear/install "
-          + "gets it). With a host, start FlightGear there yourself, after this command says that it listens; --protocol "
-          + "writes the two files that it needs."
+      "Without a host, FlightGear is started here without a window and stopped after the flight "
+          + "(scripts/flightgear/install installs it). With a host, start FlightGear there yourself, "
+          + "after this command reports that it is listening; --protocol writes the two files that "
+          + "FlightGear needs."
     })
 final class FlyCommand implements Callable<Integer>, Demo {
   private static final String HERE = "127.0.0.1";
@@ -63,7 +64,8 @@ final class FlyCommand implements Callable<Integer>, Demo {
       names = "--wait",
       paramLabel = "SECONDS",
       description =
-          "Give up after this long without readings from FlightGear. Default: 300 before the flight, 60 in flight.")
+          "Time without readings from FlightGear after which to give up [s]. Default: 300 before "
+              + "the flight, 60 in flight.")
   private Double waitS;
 
   @Override

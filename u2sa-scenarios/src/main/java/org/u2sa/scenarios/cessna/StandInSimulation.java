@@ -31,7 +31,7 @@ final class StandInSimulation implements Simulation {
               aircraft, StandInSetup.likeFlightGear(), HOST, 0, 0, new SystemClock());
       outPort = free.getLocalPort();
     } catch (IOException e) {
-      throw new UncheckedIOException("no free TCP port for the stand-in of FlightGear", e);
+      throw new UncheckedIOException("no free TCP port for the FlightGear stand-in", e);
     }
   }
 

@@ -16,7 +16,7 @@ import org.u2sa.sim.world.LocalPlane;
  */
 final class CourseMission {
   /**
-   * Makes the vehicle aim for the centre of a waypoint, regardless of the size of the judge's
+   * Lets the vehicle aim for the centre of a waypoint, regardless of the size of the judge's
    * circle.
    */
   private static final double THRESHOLD_M = 0.9;
@@ -60,7 +60,7 @@ final class CourseMission {
   }
 
   /**
-   * Writes a world with prior knowledge that keeps the vehicle from driving backwards out of the
+   * Writes a world with prior knowledge that prevents the vehicle from driving backwards out of the
    * start, through the lines beside it, which the camera cannot see yet, or off the field.
    */
   static Path writeKnown(Course course, Geodetic origin, Path file) {

@@ -8,7 +8,7 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Checks on which side flags are passed: red ones must be to the right of the path, blue ones to
+ * Checks on which side flags are passed: red flags must be to the right of the path, blue flags to
  * its left. The side is taken at the closest approach, once the vehicle moves away again.
  */
 final class FlagSides {

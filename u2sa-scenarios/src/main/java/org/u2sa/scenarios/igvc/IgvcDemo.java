@@ -36,11 +36,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "igvc",
     description = {
-      "Drive a course of the Intelligent Ground Vehicle Competition by lidar, camera and GPS.",
+      "Drive an Intelligent Ground Vehicle Competition course with lidar, camera and GPS.",
       "",
-      "The course, its light and all noise follow from the seed, unless --course names one. A judge"
-          + " who knows the truth counts line crossings, touches, speed and rest by the"
-          + " competition's rules; his log is judge.log."
+      "The course, its light and all noise follow from the seed, unless --course names one. A "
+          + "simulated judge with ground truth counts line crossings, contacts, speed and stops by "
+          + "the competition's rules; its log is judge.log."
     })
 final class IgvcDemo implements Callable<Integer>, Demo {
   private static final String SIMULATOR = "differential vehicle behind an IOIO, lidar, camera, GPS";
@@ -56,14 +56,15 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--course",
       paramLabel = "FILE",
-      description = "World XML file of a course, as each run writes one (course.xml).")
+      description = "World XML file of a course, such as the course.xml of an earlier run.")
   private Path courseFile; // null: generated from the seed
 
   @Option(
       names = "--ramps",
       paramLabel = "WHICH",
       description =
-          "Which seeds' courses have a ramp, if there is room: ${COMPLETION-CANDIDATES} (default:"
+          "For which seeds the course has a ramp, if there is room: ${COMPLETION-CANDIDATES} "
+              + "(default:"
               + " ${DEFAULT-VALUE}).",
       defaultValue = "SOME")
   private Ramps ramps;
@@ -71,21 +72,21 @@ final class IgvcDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--camera-dies",
       paramLabel = "S",
-      description = "Disconnect the camera that many seconds after the start.")
+      description = "Disconnect the camera this many seconds after the start.")
   private double cameraDiesS = Double.POSITIVE_INFINITY;
 
   @Option(
       names = "--lidar-dies",
       paramLabel = "S",
-      description = "Disconnect the laser that many seconds after the start.")
+      description = "Disconnect the lidar this many seconds after the start.")
   private double lidarDiesS = Double.POSITIVE_INFINITY;
 
   @Option(
       names = "--width",
       paramLabel = "M",
       description =
-          "Width of the vehicle, for courses that are made for others; planner and control are told"
-              + " (default: 0.92).")
+          "Width of the vehicle [m], for courses built for other vehicles; also set in planner "
+              + "and control (default: 0.92).")
   private void width(double metres) {
     outline =
         VehicleOutline.USUAL.wide(
@@ -96,8 +97,8 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       names = "--minutes",
       paramLabel = "N",
       description =
-          "Minutes after which the judge ends the run, for courses longer than the rules' (default:"
-              + " 6).")
+          "Minutes after which the judge ends the run, for courses longer than in the rules "
+              + "(default: 6).")
   private void minutes(double minutes) {
     runS = 60.0 * within("--minutes", minutes, 1.0, MAX_MINUTES, "min");
   }
@@ -111,15 +112,16 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       paramLabel = "WHAT",
       split = ",",
       description =
-          "Adverse conditions, at places and times that follow from the seed: ${COMPLETION-CANDIDATES};"
-              + " several with commas between.")
+          "Adverse conditions, at places and times drawn from the seed: ${COMPLETION-CANDIDATES};"
+              + " several separated by commas.")
   private Set<Hardness> hardness = EnumSet.noneOf(Hardness.class);
 
   @Option(
       names = "--snapshot-every",
       paramLabel = "S",
       description =
-          "Seconds from one picture of what the vehicle sees and knows to the next, in snapshots;"
+          "Interval between pictures of the vehicle's perception and map, in the folder "
+              + "snapshots [s];"
               + " 0: none (default: ${DEFAULT-VALUE}).",
       defaultValue = "30")
   private double snapshotEveryS;

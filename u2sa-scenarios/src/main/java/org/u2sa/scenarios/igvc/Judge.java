@@ -76,7 +76,7 @@ final class Judge {
     body = Footprint.rectangle(frontM, rearM, widthM, -1.0, 0.5);
   }
 
-  /** Judges a moment, later than the last one. */
+  /** Judges a sample, later than the previous one. */
   void see(VehicleTruth truth) {
     if (over) {
       return;

@@ -2,7 +2,7 @@ package org.u2sa.scenarios.igvc;
 
 import java.util.Random;
 
-/** Share of courses with a ramp, if there is room for one. */
+/** Fraction of courses with a ramp, if there is room. */
 enum Ramps {
   /** None. */
   NONE,

@@ -29,7 +29,7 @@ record VehicleOutline(double frontM, double rearM, double widthM) {
     return widthM - TYRES_M;
   }
 
-  /** Overrides the planner's and control's configuration if different from their files. */
+  /** Overrides the configuration of planner and control if it differs from their files. */
   void tell(LaunchOptions launch) {
     if (!equals(USUAL)) {
       launch

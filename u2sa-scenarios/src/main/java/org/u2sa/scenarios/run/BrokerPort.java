@@ -36,7 +36,8 @@ final class BrokerPort {
       names = "--port",
       paramLabel = "PORT",
       description =
-          "TCP port for other MQTT clients; 0: none. Default: the configured port, or a free one if that is taken.")
+          "TCP port for other MQTT clients; 0: none. Default: the configured port, or any free "
+              + "port if it is in use.")
   private void port(int value) {
     if (value < 0 || value > HIGHEST_PORT) {
       throw new ParameterException(

@@ -56,7 +56,7 @@ public final class DemoOptions {
       names = "--seed",
       paramLabel = "N",
       description =
-          "Random seed: the same seed gives the same run, to the byte. Default: "
+          "Random seed: the same seed reproduces the run byte for byte. Default: "
               + DEFAULT_SEED
               + ".")
   private void seed(long value) {

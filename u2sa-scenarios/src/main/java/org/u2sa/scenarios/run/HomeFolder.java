@@ -18,7 +18,8 @@ public final class HomeFolder {
   }
 
   /**
-   * The folder containing {@code config} and {@code missions}: the launcher's, or the current one.
+   * The folder containing {@code config} and {@code missions}: set by the launcher, or the current
+   * folder.
    *
    * @param folder required subfolder, e.g. {@code config/ugv}
    * @throws BadInputException if that is missing

@@ -17,7 +17,7 @@ final class RunLoop {
   /** One run. */
   @FunctionalInterface
   public interface Once {
-    /** Executes the run until it is over or interrupted; logs go to the directory. */
+    /** Executes the run until it ends or is interrupted; logs go to the directory. */
     RunReport run(Path directory, long seed, Interruption interruption) throws InterruptedException;
   }
 

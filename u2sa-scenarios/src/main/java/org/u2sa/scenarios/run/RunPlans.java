@@ -48,7 +48,7 @@ public final class RunPlans {
   /**
    * The plan of any mission: waypoints on the earth or in a local frame. Other goals have no place.
    *
-   * @param local plane whose origin is that of local frames
+   * @param local plane at the origin of the local frames
    */
   public static RunPlan placed(
       Domain domain, Mission mission, RunPlan.Start home, LocalPlane local) {
@@ -100,7 +100,7 @@ public final class RunPlans {
             () ->
                 new BadInputException(
                     mission.origin()
-                        + ": has no home in Global; expected one, where the vehicle stands at first"));
+                        + ": has no home in Global, which is the vehicle's starting position"));
   }
 
   /** The same for reports. */
@@ -121,7 +121,8 @@ public final class RunPlans {
           index,
           "goal \""
               + waypoint.uid()
-              + "\" is no place on the earth; expected <x> and <y> in longitude and latitude, or UTM");
+              + "\" is not a position on the earth; expected <x> and <y> in longitude and "
+              + "latitude, or UTM");
     }
     return new StateInformation()
         .referenceFrame(waypoint.referenceFrame())

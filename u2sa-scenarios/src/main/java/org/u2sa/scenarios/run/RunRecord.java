@@ -61,8 +61,8 @@ public final class RunRecord {
   }
 
   /**
-   * Whether the target has no {@link #moment} yet. It needs one before it is replaced, or the score
-   * would miss it.
+   * Whether the target has no {@link #moment} yet. The scorer must be set before a replacement, or
+   * the score would miss it.
    */
   boolean isTargetUnseen() {
     return !seen && leg >= 0 && leg < names.size();

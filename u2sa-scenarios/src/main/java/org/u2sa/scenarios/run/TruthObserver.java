@@ -68,7 +68,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   /**
    * Creates an observer of a vehicle.
    *
-   * @param scorer makes one by the run's clock
+   * @param scorer creates the scorer on the run's clock
    */
   static RunObserver.Maker of(
       RunningVehicle vehicle, LocalPlane plane, Function<Clock, Scorer> scorer) {

@@ -15,7 +15,7 @@ import picocli.CommandLine.Spec;
 /** {@code u2sa vehicle}: commands for vehicle files. */
 @Command(
     name = "vehicle",
-    description = "Check a vehicle file, and what the vehicle can do.",
+    description = "Check a vehicle file and measure the vehicle's performance.",
     subcommands = VehicleCommand.Check.class)
 final class VehicleCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -30,9 +30,10 @@ final class VehicleCommand implements Callable<Integer> {
   @Command(
       name = "check",
       description = {
-        "Check a vehicle file and print what the vehicle can do.",
+        "Check a vehicle file and print the vehicle's performance.",
         "",
-        "Every figure but the mass is measured in a simulation of the vehicle on level ground or in still water."
+        "Every figure except the mass is measured by simulating the vehicle on level ground, in "
+            + "still water or in calm air."
       })
   static final class Check implements Callable<Integer> {
     @Parameters(paramLabel = "FILE", description = "Vehicle file (XML).")

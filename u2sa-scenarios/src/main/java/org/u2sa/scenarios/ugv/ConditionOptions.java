@@ -45,7 +45,8 @@ final class ConditionOptions {
       names = "--mismatch",
       paramLabel = "PERCENT",
       description =
-          "Mismatch of the motors: the right one is this much stronger and the left one weaker than commanded, -50 to 50. Default: by the seed, up to 5 either way.")
+          "Mismatch of the motors: the right one is this much stronger and the left one weaker "
+              + "than commanded, -50 to 50. Default: drawn from the seed, within ±5.")
   private Double mismatch;
 
   @Option(
@@ -62,14 +63,14 @@ final class ConditionOptions {
   @Option(
       names = "--slope",
       paramLabel = "DEGREES",
-      description = "The ground rises evenly to the north, up to 20 degrees. Default: level.")
+      description = "Uniform slope that rises to the north, up to 20 degrees. Default: level.")
   private double slopeDeg;
 
   @Option(
       names = "--hill",
       paramLabel = "DEGREES",
       description =
-          "A round hill amid the waypoints; its steepest slope, up to 20 degrees. Default: none.")
+          "Steepest slope of a round hill amid the waypoints, up to 20 degrees. Default: no hill.")
   private double hillDeg;
 
   /**
@@ -92,7 +93,7 @@ final class ConditionOptions {
     }
   }
 
-  /** Other values than the vehicle file's, by their places. */
+  /** Overrides of values of the vehicle file, by path. */
   Map<String, String> changes(UgvDemo.VehicleKind vehicle) {
     Map<String, String> changes = new LinkedHashMap<>();
     if (mismatch != null) {

@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "ugv",
     description = {
-      "Drive a ground vehicle round a loop of waypoints, through its IOIO board.",
+      "Drive a ground vehicle around a loop of waypoints, through its IOIO board.",
       "",
       "Starts the Communication Manager, the services of config/ugv/system.xml, a simulated IOIO board with GPS, compass and "
           + "motors at its pins, an IMU and wheel encoders, and shows what happens. All noise follows from the seed.",
@@ -124,14 +124,15 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--sensors",
       description =
-          "What measures where the vehicle is: one of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
+          "Localisation sensors: one of ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
   private SensorSet sensors = SensorSet.ALL;
 
   @Option(
       names = "--world",
       paramLabel = "FILE",
       description = {
-        "World XML file with what stands around, such as missions/ugv/yard.xml. Adds a laser that sees it, and a World Modeler "
+        "World XML file with the surroundings, such as missions/ugv/yard.xml. Adds a laser that "
+            + "sees it, and a World Modeler "
             + "(config/ugv/system-world.xml)."
       })
   private Path worldFile; // null for an empty lawn
@@ -139,7 +140,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--known-start",
       description = {
-        "Tell the State Estimator that the vehicle starts at the mission's home, to 0.1 m. Without that, only the receiver tells where it is."
+        "Tell the State Estimator that the vehicle starts at the mission's home, to 0.1 m. "
+            + "Otherwise only the GPS receiver gives its position."
       })
   private boolean isStartKnown;
 
@@ -148,7 +150,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--loops",
       paramLabel = "N",
-      description = "Number of laps round the waypoints. Default: 4; 1 with --mission.")
+      description = "Number of laps around the waypoints. Default: 4; 1 with --mission.")
   private void loops(int value) {
     if (value < 1) {
       throw new ParameterException(

@@ -23,12 +23,12 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa world check}: what a simulation takes from a world file, and what it leaves out. */
+/** {@code u2sa world check}: lists what a simulation uses of a world file, and what it ignores. */
 @Command(
     name = "check",
     description = {
-      "Read a world file as a simulation does, and say what it holds: objects, terrain, water and wind.",
-      "Worlds of Gazebo (.sdf, .world) are read as well; what is no object there is listed."
+      "Read a world file as a simulation does, and list its objects, terrain, water and wind.",
+      "Also reads Gazebo worlds (.sdf, .world) and lists the elements that are not objects."
     })
 final class CheckCommand implements Callable<Integer> {
   @Spec private CommandSpec command;
@@ -58,7 +58,7 @@ final class CheckCommand implements Callable<Integer> {
     return ExitCode.DONE;
   }
 
-  /** A place from which the objects of the earth are near. */
+  /** Reference position close to the objects in GLOBAL. */
   private static Geodetic origin(List<ObjectDescription> objects) {
     return objects.stream()
         .filter(each -> each.referenceFrame().isEarth())

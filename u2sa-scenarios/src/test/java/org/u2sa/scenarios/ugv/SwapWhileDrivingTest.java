@@ -30,7 +30,7 @@ import org.u2sa.world.xml.WorldFile;
 
 /**
  * State Estimator, World Modeler and planner replaced while the ground vehicle drives (user story
- * 8): the mission goes on within its tolerances, and the state does not leap.
+ * 8): the mission continues within its tolerances, and the state does not leap.
  */
 class SwapWhileDrivingTest {
   private static final int LOOP = 6;

@@ -311,9 +311,7 @@ public final class Cessna172 implements SimulatedVehicle {
         crashed ? Point.ORIGIN : Point.of(rate[VE], rate[VN], -rate[VD]));
   }
 
-  /**
-   * {@inheritDoc} With gusts, by which its motion through the air differs from that over ground.
-   */
+  /** {@inheritDoc} Includes gusts. */
   @Override
   public Point air() {
     AircraftMotion motion = state();

@@ -31,11 +31,12 @@ final class FlightDynamics implements RungeKutta.Motion {
   static final double WGS84_E2 = 6.69437999014e-3;
 
   private static final double SLIPSTREAM_SHARE =
-      0.25; // share of the tail in the slipstream, times its contraction
+      0.25; // fraction of the tail in the slipstream, times its contraction
   private static final double SWIRL_ARM =
       0.3; // yawing moment of the slipstream swirl on the fin, per shaft torque
   private static final double P_FACTOR =
-      0.25; // P-factor: lateral thrust offset as a share of the radius, per sine of angle of attack
+      0.25; // P-factor: lateral thrust offset as a fraction of the radius, per sine of angle of
+  // attack
   private static final double SLOWEST2 =
       100.0; // angle-of-attack rate is ignored below 10 m/s [m²/s²]
 

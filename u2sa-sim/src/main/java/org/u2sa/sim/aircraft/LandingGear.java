@@ -68,8 +68,8 @@ final class LandingGear {
   private final boolean[] touching = new boolean[WHEELS];
 
   /**
-   * Creates a wheel positioned so that the parked aircraft has its height and pitch with this share
-   * of the weight on the wheel.
+   * Creates a wheel positioned so that the parked aircraft has its height and pitch with this
+   * fraction of the weight on the wheel.
    */
   private static Wheel wheel(
       double x, double y, double share, double stiffness, double damping, double steerRad) {

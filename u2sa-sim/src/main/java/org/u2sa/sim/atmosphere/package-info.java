@@ -1,5 +1,5 @@
 /**
- * The air that simulated aircraft fly in: standard atmosphere, steady wind and gusts. What an
- * aircraft does in that air does not belong here.
+ * The air that simulated aircraft fly in: standard atmosphere, steady wind and gusts. Aircraft
+ * dynamics do not belong here.
  */
 package org.u2sa.sim.atmosphere;

@@ -202,8 +202,8 @@ final class LawnPainter {
   }
 
   /**
-   * Soft shadows of clouds and trees over a share of the ground, computed at every fourth cell and
-   * row and interpolated linearly.
+   * Soft shadows of clouds and trees over a fraction of the ground, computed at every fourth cell
+   * and row and interpolated linearly.
    */
   void clouds(double share) {
     double threshold = 0.55 - share;

@@ -10,7 +10,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param sunElevationRad above the horizon [rad], 0.05…1.5
  * @param sun direct-sun contribution to ground brightness; 0 when overcast
  * @param sky brightness of shaded ground
- * @param cloudShadows share of the ground in the shade of clouds and trees, 0…1
+ * @param cloudShadows fraction of the ground in the shade of clouds and trees, 0…1
  * @param glare lens glare towards the sun, 0 none … 1 blinding
  * @param warmth tint: −1 blue to 1 red
  */

@@ -9,7 +9,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param latencyS from a measurement to its arrival [s]
  * @param sigma standard deviation of each reading's white noise
  * @param biasSigma standard deviation of the constant bias, drawn once
- * @param lost share of readings lost, 0…1
+ * @param lost fraction of lost readings, 0…1
  */
 public record SensorErrors(
     double rateHz, double latencyS, double sigma, double biasSigma, double lost) {

@@ -29,13 +29,13 @@ public final class SerialInstrument {
     this.input = input;
   }
 
-  /** Advances the device, and drops what it sent before without a listener. */
+  /** Advances the device, and drops unread bytes that it sent before. */
   public void advance(long micros, long beforeMicros) {
     line.forget(beforeMicros);
     clock.accept(micros);
   }
 
-  /** The line's current rate [bit/s]. */
+  /** Current baud rate [bit/s]. */
   public int baud() {
     return line.baud();
   }
@@ -43,7 +43,7 @@ public final class SerialInstrument {
   /**
    * Reads what has arrived at the host.
    *
-   * @param baud the host's rate; bytes at a different rate are lost
+   * @param baud the host's baud rate; on a mismatch bytes are lost
    * @return number of bytes
    */
   public int take(long micros, int baud, byte[] buffer) {
@@ -53,7 +53,7 @@ public final class SerialInstrument {
   /**
    * Sends bytes to the device.
    *
-   * @param baud the host's rate; bytes at a different rate than the device's are ignored
+   * @param baud the host's baud rate; on a mismatch with the device's, bytes are ignored
    */
   public void accept(long micros, int baud, byte[] bytes, int length) {
     input.accept(micros, baud, bytes, length);

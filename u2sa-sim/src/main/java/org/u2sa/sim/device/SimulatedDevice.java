@@ -52,7 +52,7 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
    * Adds delay and loss to a device whose model has none; before the first reading.
    *
    * @param latencyS from a measurement to its arrival [s]
-   * @param share share of measurements lost, 0…1
+   * @param share fraction of lost measurements, 0…1
    * @param random decides which are lost
    */
   public final void degrade(double latencyS, double share, Random random) {

@@ -18,7 +18,7 @@ public final class SimulatedEncoder extends SimulatedDevice<WheelEncoder.Ticks>
    *
    * @param rateHz readings per second
    * @param countsPerTurn counts per wheel revolution
-   * @param missed share of counts lost, 0…1
+   * @param missed fraction of lost counts, 0…1
    * @param leftRad current forward rotation of the left wheel since the start [rad]
    * @param rightRad current forward rotation of the right wheel since the start [rad]
    */

@@ -50,7 +50,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
     }
   }
 
-  /** The surroundings as seen from the sensor at one moment. */
+  /** Range measurements of the surroundings at one instant. */
   @FunctionalInterface
   public interface Sight {
     /**
@@ -66,10 +66,10 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * Faults of single beams.
    *
-   * @param dropOut share of lost echoes, 0…1, as from dark or smooth surfaces
-   * @param mixed share of beams at an edge that hit both foreground and background, 0…1, and
-   *     measure a range in between (Tuley, Vandapel, Hebert: Analysis and Removal of Artifacts in
-   *     3-D LADAR Data, ICRA 2005)
+   * @param dropOut fraction of lost echoes, 0…1, e.g. from dark or smooth surfaces
+   * @param mixed fraction of beams at an edge that hit both foreground and background, 0…1, and
+   *     measure a range in between (mixed pixels) (Tuley, Vandapel, Hebert: Analysis and Removal of
+   *     Artifacts in 3-D LADAR Data, ICRA 2005)
    */
   public record Faults(double dropOut, double mixed) {
     /** None. */
@@ -87,7 +87,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * A lidar without faults; uses the random stream {@code laser}.
    *
-   * @param view what it sees from where it is now
+   * @param view range measurements from the current pose
    */
   public SimulatedLaser(Optics optics, NoiseStreams streams, Supplier<Sight> view) {
     this(optics, Faults.NONE, streams, view);
@@ -96,7 +96,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   /**
    * Uses the random streams {@code laser} and {@code laser faults}.
    *
-   * @param view what it sees from where it is now
+   * @param view range measurements from the current pose
    */
   public SimulatedLaser(Optics optics, Faults faults, NoiseStreams streams, Supplier<Sight> view) {
     super(optics.rateHz(), 0.0);

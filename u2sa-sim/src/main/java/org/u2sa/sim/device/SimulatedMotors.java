@@ -47,7 +47,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   }
 
   /**
-   * As the other constructor, with motors that are told each command.
+   * Like the other constructor, with motors that receive each command.
    *
    * @param outputs called at each reading
    */

@@ -25,9 +25,9 @@ public final class SimulatedPointScanner extends SimulatedDevice<PointScanner.Cl
    *
    * @param rateHz scans per second
    * @param widthRad horizontal angle covered, symmetric about straight ahead [rad]
-   * @param columns directions over that angle
+   * @param columns number of directions over that angle
    * @param heightRad vertical angle covered, symmetric about the level [rad]
-   * @param rows directions over that angle
+   * @param rows number of directions over that angle
    * @param nearestM minimum range [m]
    * @param farthestM maximum range [m]
    * @param sigmaM standard deviation of a range [m]
@@ -45,8 +45,8 @@ public final class SimulatedPointScanner extends SimulatedDevice<PointScanner.Cl
   /**
    * Uses the random stream {@code point scanner}.
    *
-   * @param view what it sees from where it is now: range along a unit vector ahead, left and down
-   *     [m]; infinite if there is nothing
+   * @param view range from the current pose along a unit vector ahead, left and down [m]; infinite
+   *     without an echo
    */
   public SimulatedPointScanner(
       Optics optics, NoiseStreams streams, Supplier<ToDoubleFunction<Point>> view) {
@@ -69,7 +69,7 @@ public final class SimulatedPointScanner extends SimulatedDevice<PointScanner.Cl
     }
   }
 
-  /** The middle of one of the equal parts of an angle. */
+  /** Centre angle of one of several equal sectors. */
   private static double angle(double wholeRad, int part, int parts) {
     return wholeRad * ((part + 0.5) / parts - 0.5);
   }

@@ -97,7 +97,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
   /**
    * Degrades the thruster, as weeds or a broken blade do. Thread-safe.
    *
-   * @param share remaining share of thrust, 0…1; at 0 it stops turning
+   * @param share remaining fraction of thrust, 0…1; at 0 it stops turning
    */
   public synchronized void weaken(double share) {
     strength = Arguments.requireInside("share of the thrust", share, 0.0, 1.0);

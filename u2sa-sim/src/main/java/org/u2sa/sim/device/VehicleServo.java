@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import org.u2sa.device.port.Servo;
 import org.u2sa.sim.vehicle.VehicleRun;
 
-/** A servo of a simulated vehicle, whose model knows its lag. It measures nothing of itself. */
+/** A servo of a simulated vehicle, whose model includes its lag. It does not measure its angle. */
 public final class VehicleServo extends SimulatedDevice<Servo.Position> implements Servo {
   private static final double RATE_HZ = 20.0;
 
@@ -16,8 +16,8 @@ public final class VehicleServo extends SimulatedDevice<Servo.Position> implemen
 
   /**
    * @param actuator name of the vehicle's actuator
-   * @param travelRad its angle at full command [rad]
-   * @param lowest its lowest command: −1, or 0 if it turns one way only
+   * @param travelRad angle at full command [rad]
+   * @param lowest minimum command: −1, or 0 if it turns one way only
    */
   public VehicleServo(VehicleRun run, String actuator, double travelRad, double lowest) {
     super(RATE_HZ, 0.0);

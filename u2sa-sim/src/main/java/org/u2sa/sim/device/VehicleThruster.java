@@ -5,8 +5,8 @@ import org.u2sa.device.port.Thruster;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
- * A thruster of a simulated vehicle, whose model knows its thrust, lag and dead band. It measures
- * nothing of itself.
+ * A thruster of a simulated vehicle, whose model includes thrust, lag and dead band. It has no
+ * measurements.
  */
 public final class VehicleThruster extends SimulatedDevice<Thruster.Turning> implements Thruster {
   private static final double RATE_HZ = 20.0;

@@ -16,7 +16,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
 /**
- * What a device of a simulated vehicle works with.
+ * Environment of a device of a simulated vehicle.
  *
  * @param world around the vehicle
  * @param truth current state of the vehicle
@@ -36,7 +36,7 @@ record Aboard(
     NoiseStreams streams) {
 
   /**
-   * What the devices of a running vehicle work with.
+   * Environment of the devices of a running vehicle.
    *
    * @param nowMicros time of the run [µs]
    */
@@ -60,7 +60,7 @@ record Aboard(
     return () -> mount.of(truth.get());
   }
 
-  /** Altitude of a place on the vehicle above mean sea level [m]. */
+  /** Altitude of a point on the vehicle above mean sea level [m]. */
   double altitudeM(Mount mount) {
     Point place = mount.of(truth.get()).position();
     return world.plane().at(place.x(), place.y(), place.z()).altitudeM();

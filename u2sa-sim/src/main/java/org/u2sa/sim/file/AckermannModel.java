@@ -32,7 +32,7 @@ record AckermannModel(AckermannParameters parameters, Footprint footprint) imple
             GroundParts.battery(file.part("battery")),
             GroundParts.payload(file, body));
     AckermannModel model = new AckermannModel(parameters, body.footprint());
-    model.make(Point.ORIGIN, 0.0); // refuses what cannot stand
+    model.make(Point.ORIGIN, 0.0); // rejects a vehicle that would tip over
     return model;
   }
 

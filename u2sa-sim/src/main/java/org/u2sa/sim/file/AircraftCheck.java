@@ -9,7 +9,7 @@ import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.flight.WingCoefficients;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 
-/** What an aircraft can do, in still air near sea level. */
+/** Performance of an aircraft in still air near sea level. */
 final class AircraftCheck {
   private static final double HIGH_M = 500.0;
   private static final double SPUN_UP_S = 0.5;
@@ -52,7 +52,7 @@ final class AircraftCheck {
         text("full thrust: %.2f times its weight, climbs with %.3g m/s^2 at first", ratio, most));
   }
 
-  /** Acceleration along the vehicle's own up axis: unequal rotors tilt it meanwhile. */
+  /** Acceleration along the vehicle's up axis, because unequal rotors tilt the vehicle. */
   private static double climbMps2(VehicleFile file, MultirotorModel model, double command) {
     SimulatedVehicle vehicle = file.make(file.emptyWorld(), Point.of(0.0, 0.0, HIGH_M), 0.0, 1);
     model.actuators().forEach(rotor -> vehicle.command(rotor, command));

@@ -6,14 +6,16 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.flight.LandingLeg;
 import org.u2sa.sim.flight.MassProperties;
 
-/** What all small aircraft have in vehicle files: a body about its centre of gravity, and legs. */
+/**
+ * Common elements of small aircraft in vehicle files: a body about its centre of gravity, and legs.
+ */
 final class AircraftParts {
   private static final double FAR_M = 100.0;
   private static final int MAX_LEGS = 32;
 
   private AircraftParts() {}
 
-  /** The body, whose reference point has to be its centre of gravity. */
+  /** The body, whose reference point must be its centre of gravity. */
   static MassProperties mass(FileElement file, Body body) {
     requireAtGravityCentre(file, body);
     double product = file.number("productOfInertia", "kg m^2", -1e6, 1e6, 0.0);
@@ -45,7 +47,7 @@ final class AircraftParts {
     return List.copyOf(legs);
   }
 
-  /** Height of the centre of gravity above what it stands on [m]; 0 without legs. */
+  /** Height of the centre of gravity above the landing gear's contact [m]; 0 without legs. */
   static double standsM(List<LandingLeg> legs) {
     return legs.stream().mapToDouble(leg -> leg.place().z()).max().orElse(0.0);
   }

@@ -11,7 +11,7 @@ import org.u2sa.sim.sensor.UbloxSettings;
 import org.u2sa.sim.world.World;
 
 /**
- * An IOIO board of a vehicle file: what is at its pins.
+ * An IOIO board of a vehicle file, with the devices at its pins.
  *
  * @param compass by the declination [rad]
  */

@@ -27,7 +27,7 @@ record Cessna172Model(Body body, boolean engineRunning) implements VehicleModel 
           .error(
               String.format(
                   Locale.ROOT,
-                  "the body has %s kg; expected %.0f…%.0f kg",
+                  "the body's mass is %s kg; expected %.0f…%.0f kg",
                   body.massKg(),
                   LIGHTEST_KG,
                   HEAVIEST_KG));

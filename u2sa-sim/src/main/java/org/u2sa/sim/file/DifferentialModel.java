@@ -34,7 +34,7 @@ record DifferentialModel(
             GroundParts.battery(file.part("battery")),
             GroundParts.payload(file, body));
     DifferentialModel model = new DifferentialModel(parameters, body.footprint(), mismatch);
-    model.make(Point.ORIGIN, 0.0, 0.0); // refuses what cannot stand
+    model.make(Point.ORIGIN, 0.0, 0.0); // rejects a vehicle that would tip over
     return model;
   }
 

@@ -13,9 +13,8 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.Point;
 
 /**
- * An element of a vehicle file whose children are read as values in SI units. What the element
- * leaves out comes from its preset, if it names one. {@link #end} refuses children that nobody has
- * asked for.
+ * An element of a vehicle file whose children are read as values in SI units. Missing values come
+ * from the element's preset, if it names one. {@link #end} rejects children that were not read.
  */
 final class FileElement {
   private static final String UNIT = "unit";
@@ -173,12 +172,12 @@ final class FileElement {
     return element.child(name).isPresent() || preset.isPresent() && preset.get().has(name);
   }
 
-  /** A required child with children of its own. */
+  /** A required child that has children. */
   FileElement part(String name) {
     return optionalPart(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
   }
 
-  /** An optional child with children of its own. */
+  /** An optional child that has children. */
   Optional<FileElement> optionalPart(String name, String... attributes) {
     asked.add(name);
     return element.child(name).map(child -> new FileElement(child, attributes));
@@ -192,7 +191,7 @@ final class FileElement {
         .toList();
   }
 
-  /** Makes something of values read before, whose constructor may refuse them together. */
+  /** Constructs an object from values read before; its constructor may reject their combination. */
   <T> T made(Supplier<T> maker) {
     try {
       return maker.get();
@@ -203,7 +202,7 @@ final class FileElement {
     }
   }
 
-  /** Makes something of all children, and refuses the first child that was not read for it. */
+  /** Constructs an object from all children, and rejects the first child that was not read. */
   <T> T complete(Supplier<T> maker) {
     T made = made(maker);
     end();
@@ -213,7 +212,7 @@ final class FileElement {
   /**
    * Call when everything is read.
    *
-   * @throws BadInputException at the first child that nobody has asked for
+   * @throws BadInputException at the first child that was not read
    */
   void end() {
     element.refuseUnknownChildren(asked.toArray(new String[0]));

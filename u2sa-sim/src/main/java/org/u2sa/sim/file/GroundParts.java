@@ -44,14 +44,14 @@ final class GroundParts {
                 battery.number("idleCurrent", "A", 0.0, 100.0)));
   }
 
-  /** A mass above the centre of gravity, in addition to the body's. */
+  /** A mass above the centre of gravity, in addition to the body mass. */
   static Payload payload(FileElement file, Body body) {
     double mass = file.number("payload", "kg", 0.0, 1_000.0, 0.0);
     return new Payload(mass, body.gravityCentre().x(), 0.0);
   }
 
   /**
-   * How much stronger the right motor is than the left one.
+   * Mismatch: how much stronger the right motor is than the left.
    *
    * @param exact its value; NaN: by the seed of the run
    * @param largest its maximum by the seed, 0…0.5

@@ -26,7 +26,7 @@ record Mount(Point place, Point turn) {
   }
 
   /**
-   * The state of the sensor itself. Its acceleration lacks the share of the vehicle's angular
+   * State at the sensor's position. Its acceleration lacks the term of the vehicle's angular
    * acceleration.
    */
   VehicleTruth of(VehicleTruth vehicle) {

@@ -41,7 +41,7 @@ public final class Presets {
    * A preset.
    *
    * @param user element that names it
-   * @throws org.u2sa.interfaces.BadInputException if it is unknown; lists the known ones
+   * @throws org.u2sa.interfaces.BadInputException if it is unknown; lists the known presets
    */
   static FileElement find(XmlElement user, String name) {
     List<XmlElement> candidates = ROOT.children(user.name());

@@ -11,12 +11,12 @@ import org.u2sa.sim.device.SimulatedDevice;
  * @param kind its element
  * @param port kind of device that services see
  * @param service name of the only service that gets it; empty: every service of the port without a
- *     sensor of its own, each with its own noise
+ *     dedicated sensor, each with separate noise
  * @param delayS extra delay [s]
- * @param lost share of readings lost, 0…1
+ * @param lost fraction of lost readings, 0…1
  * @param failsAtS time of the vehicle at which it fails for good [s]; infinite for never
  * @param variables values of the services' variables that follow from the sensor
- * @param maker makes the device
+ * @param maker creates the device
  */
 record SensorEntry(
     String kind,
@@ -27,13 +27,13 @@ record SensorEntry(
     double failsAtS,
     Map<String, Double> variables,
     Maker maker) {
-  /** Makes a device for a vehicle. */
+  /** Creates a device for a vehicle. */
   @FunctionalInterface
   interface Maker {
     SimulatedDevice<?> make(Aboard vehicle);
   }
 
-  /** Makes the device of one service. */
+  /** Creates the device of one service. */
   SimulatedDevice<?> make(Aboard vehicle) {
     SimulatedDevice<?> device = maker.make(vehicle);
     device.degrade(delayS, lost, vehicle.streams().of("losses"));

@@ -51,7 +51,7 @@ record SkidSteerModel(
                     body.footprint()),
             new Wheels(track, radius),
             mismatch);
-    model.make(Point.ORIGIN, 0.0, 0.0); // refuses what cannot stand
+    model.make(Point.ORIGIN, 0.0, 0.0); // rejects a vehicle that would tip over
     return model;
   }
 

@@ -15,8 +15,8 @@ final class VehicleChanges {
    * A copy with other values.
    *
    * @param changes values by paths such as {@code body/mass}; an attribute is {@code gps/@preset}
-   * @throws org.u2sa.interfaces.BadInputException if an element on the way is not there; the last
-   *     one may be new
+   * @throws org.u2sa.interfaces.BadInputException if an element of the path does not exist; the
+   *     last one may be new
    */
   static XmlElement apply(XmlElement root, Map<String, String> changes) {
     XmlElement changed = root;

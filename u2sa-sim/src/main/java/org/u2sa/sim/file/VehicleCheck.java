@@ -13,8 +13,8 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Measures what a vehicle can do, in simulations of it on level ground or in still water: each
- * actuator alone first, then together those that push the same way.
+ * Measures a vehicle's performance by simulating it on level ground, in still water or in calm air:
+ * each actuator alone first, then together those that act in the same direction.
  */
 public final class VehicleCheck {
   private static final double TICK_S = 0.05;
@@ -81,7 +81,7 @@ public final class VehicleCheck {
     }
   }
 
-  /** What the vehicle has and can do, as lines of text. */
+  /** Equipment and performance of the vehicle, as lines of text. */
   public static List<String> lines(VehicleFile file) {
     return file.model().medium() == VehicleModel.Medium.AIR
         ? AircraftCheck.lines(file)
@@ -148,7 +148,7 @@ public final class VehicleCheck {
             motion.radiusM(), motion.speedMps()));
   }
 
-  /** Full commands of those actuators that turn a moving vehicle to the right, but push nothing. */
+  /** Full commands of the actuators that turn a moving vehicle to the right without thrust. */
   private double[] steering(double[] ahead) {
     double[] commands = new double[ahead.length];
     double straight = speeds(ahead)[Axis.YAW.ordinal()];

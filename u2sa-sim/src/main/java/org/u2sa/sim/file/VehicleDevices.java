@@ -54,13 +54,13 @@ public final class VehicleDevices implements DeviceSource {
     this.seed = seed;
   }
 
-  /** Tells traffic receivers what moves around the vehicle. */
+  /** Supplies traffic receivers with the moving objects around the vehicle. */
   public VehicleDevices traffic(Supplier<List<SimulatedTraffic.Other>> around) {
     traffic = around;
     return this;
   }
 
-  /** Gives a service's sensor these random numbers instead of those of its own. */
+  /** Makes a service's sensor use these random numbers instead of its own stream. */
   public VehicleDevices noise(String service, NoiseStreams streams) {
     noise.put(service, streams);
     return this;

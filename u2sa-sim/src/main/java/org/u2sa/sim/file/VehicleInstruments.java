@@ -13,11 +13,12 @@ public final class VehicleInstruments {
   private VehicleInstruments() {}
 
   /**
-   * Makes them.
+   * Creates them.
    *
    * @param nowMicros time of the run [µs]
-   * @param seed of the noise
-   * @return by element, followed by a hyphen and the service if it is one's own: gps, compass
+   * @param seed seed of the noise
+   * @return by element: gps, compass; followed by a hyphen and the service if it is for that
+   *     service only
    */
   public static Map<String, SerialInstrument> of(
       VehicleFile file, RunningVehicle run, LongSupplier nowMicros, long seed) {

@@ -12,7 +12,7 @@ import org.u2sa.sim.world.World;
  * one entry in {@link VehicleModels}.
  */
 public interface VehicleModel {
-  /** Where vehicles of this kind move. */
+  /** Domain of vehicles of this kind. */
   enum Medium {
     /** On the ground. */
     GROUND,
@@ -30,7 +30,7 @@ public interface VehicleModel {
    */
   record Wheels(double trackM, double radiusM) {}
 
-  /** Where it moves. */
+  /** Domain in which it moves. */
   Medium medium();
 
   /** Whether it moves under water. */
@@ -51,12 +51,12 @@ public interface VehicleModel {
     return -1.0;
   }
 
-  /** Angle of a servo at full command [rad]; empty if the actuator is none. */
+  /** Angle of a servo at full command [rad]; empty for other actuators. */
   default OptionalDouble travelRad(String actuator) {
     return OptionalDouble.empty();
   }
 
-  /** Its wheels; empty if it has none to count. */
+  /** Wheels with encoders; empty if none. */
   default Optional<Wheels> wheels() {
     return Optional.empty();
   }
@@ -66,7 +66,7 @@ public interface VehicleModel {
    *
    * @param start east, north, up [m]
    * @param headingRad clockwise from north [rad]
-   * @param seed decides how it differs from its nominal parameters
+   * @param seed seed of the deviations from nominal parameters
    */
   SimulatedVehicle make(World world, Point start, double headingRad, long seed);
 }

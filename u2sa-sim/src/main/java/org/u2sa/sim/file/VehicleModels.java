@@ -27,7 +27,7 @@ final class VehicleModels {
   /**
    * Reads the only dynamics of a vehicle.
    *
-   * @throws org.u2sa.interfaces.BadInputException if there is none, or more than one
+   * @throws org.u2sa.interfaces.BadInputException if there is not exactly one
    */
   static VehicleModel read(FileElement vehicle, Body body) {
     List<FileElement> found =

@@ -13,9 +13,9 @@ import org.u2sa.sim.ioio.ServoInput;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
- * A vehicle without an {@code <ioio>} element at the usual pins of a board: actuators by servo
- * pulses, in their order, a GPS receiver and a compass at UARTs, a radio switch on automatic, and
- * 12 V behind a divider by 5. Actuators without pulses get no signal.
+ * Default pins for a vehicle without an {@code <ioio>} element: actuators by servo pulses, in their
+ * order, a GPS receiver and a compass at UARTs, a radio switch set to automatic, and 12 V behind a
+ * 5:1 divider. Actuators without pulses get no signal.
  */
 public final class VehiclePins implements Pins {
   private static final int[] ACTUATOR_PINS = {10, 11, 12, 3, 4, 5, 27, 28, 29}; // PWM modules: 9
@@ -39,7 +39,7 @@ public final class VehiclePins implements Pins {
   private long nowMicros;
 
   /**
-   * @param seed of the noise
+   * @param seed seed of the noise
    * @throws BadInputException if the vehicle has more actuators than a board can drive
    */
   public VehiclePins(VehicleFile file, VehicleRun run, long seed) {
@@ -69,7 +69,7 @@ public final class VehiclePins implements Pins {
     return actuators;
   }
 
-  /** The latest commands by actuator, in their order; NaN without a signal. Thread-safe. */
+  /** The latest commands, in the order of the actuators; NaN without a signal. Thread-safe. */
   public Map<String, Double> commands() {
     Map<String, Double> inOrder = new LinkedHashMap<>();
     actuators.values().forEach(name -> inOrder.put(name, commands.getOrDefault(name, Double.NaN)));

@@ -16,13 +16,13 @@ interface AirLoads {
    */
   void command(int actuator, double value);
 
-  /** Weakens what an actuator drives: remaining share of its effect, 0…1. */
+  /** Weakens an actuator: remaining fraction of its effect, 0…1. */
   void weaken(int actuator, double share);
 
   /** Whether what drives it forward is commanded to run, as a catapult waits for. */
   boolean isDriven();
 
-  /** Span of what the gusts act on [m]. */
+  /** Span on which the gusts act [m]. */
   double spanM();
 
   /**

@@ -7,8 +7,8 @@ import org.u2sa.sim.motion.Arguments;
  *
  * @param speedMps speed over ground of the aircraft when it leaves [m/s]
  * @param angleRad above the horizon, which is also its pitch [rad]
- * @param heightM height of its centre of gravity above ground where it waits [m]
- * @param strokeM way over which it is accelerated [m]
+ * @param heightM height of the centre of gravity above ground before launch [m]
+ * @param strokeM acceleration distance [m]
  */
 public record Catapult(double speedMps, double angleRad, double heightM, double strokeM) {
   /** Throttle above which it throws. */

@@ -9,9 +9,9 @@ import org.u2sa.sim.motion.Arguments;
  * @param name name used in commands
  * @param travelRad deflection at full command [rad]
  * @param timeConstantS time constant of the servo [s]
- * @param elevator share of the deflection that acts as elevator, trailing edge down positive
- * @param aileron the same as aileron, rolling right positive
- * @param rudder the same as rudder, trailing edge left positive
+ * @param elevator fraction of the deflection that acts as elevator, trailing edge down positive
+ * @param aileron fraction that acts as aileron, rolling right positive
+ * @param rudder fraction that acts as rudder, trailing edge left positive
  */
 public record ControlSurface(
     String name,

@@ -9,8 +9,8 @@ import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.BodyState;
 
 /**
- * Equations of motion of a rigid body under its weight, the loads of the air and those of the
- * ground: Beard and McLain, Small Unmanned Aircraft, eq. 3.14 to 3.17.
+ * Equations of motion of a rigid body under weight, aerodynamic loads and ground loads: Beard and
+ * McLain, Small Unmanned Aircraft, eq. 3.14 to 3.17.
  *
  * <p>State: {@link BodyState} with the velocity over ground; one state of each actuator; the
  * longitudinal and lateral deflection of each wheel's tyre [m].
@@ -138,7 +138,7 @@ final class FreeBody implements RungeKutta.Motion {
     }
   }
 
-  /** Whether a wheel or skid stands on the ground. */
+  /** Whether a wheel or skid touches the ground. */
   boolean stands() {
     return wheels.stream().anyMatch(wheel -> wheel.compressionM() > 0.0);
   }

@@ -7,7 +7,7 @@ import org.u2sa.sim.gear.Tyre;
 import org.u2sa.sim.gear.Wheel;
 
 /**
- * What an aircraft stands on: a skid, or an unbraked wheel that rolls straight ahead.
+ * Landing-gear leg of an aircraft: a skid, or an unbraked wheel that rolls straight ahead.
  *
  * @param place lowest point, unloaded, relative to the centre of gravity: forward, right, down [m]
  * @param rolls whether it is a wheel
@@ -25,7 +25,7 @@ public record LandingLeg(Point place, boolean rolls) {
   /**
    * Springs that carry an aircraft of this mass together.
    *
-   * @throws IllegalArgumentException if there are legs, but not at least three
+   * @throws IllegalArgumentException if there are one or two legs
    */
   static List<Wheel> wheels(List<LandingLeg> legs, double massKg) {
     if (!legs.isEmpty() && legs.size() < 3) {

@@ -13,7 +13,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param name name used in commands
  * @param place hub relative to the centre of gravity [m]
  * @param axis unit vector of the thrust; (0, 0, −1) lifts
- * @param spin 1 if it turns anticlockwise seen from where the thrust points, −1 if clockwise
+ * @param spin 1 if it turns anticlockwise when viewed against the thrust direction, −1 if clockwise
  * @param thrust k_η [N s²]
  * @param torque k_m [N m s²]
  * @param drag k_d [N s²/m]

@@ -19,8 +19,8 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * A simulated multirotor or small fixed-wing aircraft. Integrates internally at 400 Hz. A leg that
- * breaks, or a centre of gravity at the ground, ends the flight: it lies where it is. Not
+ * A simulated multirotor or small fixed-wing aircraft. Integrates internally at 400 Hz. A broken
+ * leg, or a centre of gravity at the ground, ends the flight: the aircraft stays where it is. Not
  * thread-safe.
  */
 public final class UnmannedAircraft implements SimulatedVehicle {
@@ -66,11 +66,11 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   /**
-   * Creates a multirotor at rest, rotors stopped. The command 0…1 of a rotor is the share of its
+   * Creates a multirotor at rest, rotors stopped. The command 0…1 of a rotor is the fraction of its
    * full speed.
    *
    * @param frameDrag drag of the frame along each axis [N s²/m²]
-   * @param legs what it stands on
+   * @param legs landing gear
    * @param start centre of gravity: east, north, up [m]
    * @param headingRad clockwise from north [rad]
    */
@@ -90,7 +90,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   /**
    * Creates a fixed-wing aircraft at rest.
    *
-   * @param legs what it stands on
+   * @param legs landing gear
    * @param start centre of gravity: east, north, up [m]
    * @param headingRad clockwise from north [rad]
    */
@@ -119,7 +119,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     Arrays.fill(rate, 0.0);
   }
 
-  /** Throws the aircraft at once, without a stroke. */
+  /** Launches the aircraft immediately, without a stroke. */
   public void launch(Catapult how) {
     waitOn(how);
     state[BodyState.VELOCITY] = how.speedMps();
@@ -140,7 +140,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   /**
    * Breaks a rotor, a surface or a motor.
    *
-   * @param share remaining share of its effect, 0…1
+   * @param share remaining fraction of its effect, 0…1
    * @throws IllegalArgumentException if the actuator is unknown or the share out of range
    */
   public void weaken(String actuator, double share) {
@@ -237,12 +237,12 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     body.air.gustR = wind.gusts().yawRadPerS();
   }
 
-  /** Whether it has hit the ground too hard to fly on. */
+  /** Whether it has crashed. */
   public boolean crashed() {
     return crashed;
   }
 
-  /** Whether it stands on a leg. */
+  /** Whether a leg touches the ground. */
   public boolean stands() {
     return body.stands();
   }

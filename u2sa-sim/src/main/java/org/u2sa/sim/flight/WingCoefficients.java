@@ -100,7 +100,7 @@ public record WingCoefficients(
     return parasiticDrag + (1.0 - stalled) * induced + stalled * 2.0 * sin * sin;
   }
 
-  /** Stalled share of the wing, 0…1. */
+  /** Stalled fraction of the wing, 0…1. */
   private double stalled(double alphaRad) {
     double below = StrictMath.exp(-stallSharpness * (alphaRad - stallRad));
     double above = StrictMath.exp(stallSharpness * (alphaRad + stallRad));

@@ -16,7 +16,7 @@ public final class Wheel {
   public static final double DEEPEST_M = 0.30;
 
   private static final double DAMPED_BELOW_MPS = 1.0;
-  private static final double MIN_SIDE = 0.2; // share of lateral grip kept by a locked wheel
+  private static final double MIN_SIDE = 0.2; // fraction of lateral grip kept by a locked wheel
 
   private final double x;
   private final double y;
@@ -78,8 +78,8 @@ public final class Wheel {
    *
    * @param heightM height of the unloaded contact point above ground, negative when compressed
    * @param velN velocity of that point, north [m/s]
-   * @param velE the same, east [m/s]
-   * @param velD the same, down [m/s]
+   * @param velE velocity east [m/s]
+   * @param velD velocity down [m/s]
    * @param deflectionAlong longitudinal tyre deflection [m]
    * @param deflectionAcross lateral tyre deflection [m]
    */

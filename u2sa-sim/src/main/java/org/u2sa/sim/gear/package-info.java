@@ -1,2 +1,2 @@
-/** What aircraft stand and roll on. */
+/** Landing gear of aircraft. */
 package org.u2sa.sim.gear;

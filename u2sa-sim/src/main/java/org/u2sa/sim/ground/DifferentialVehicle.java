@@ -39,7 +39,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
   }
 
   /**
-   * As the other constructor, with another collision outline than that of the wheels.
+   * Like the other constructor, with a collision outline other than that of the wheels.
    *
    * @throws IllegalArgumentException if the payload lifts a wheel
    */

@@ -1,8 +1,8 @@
 package org.u2sa.sim.ground;
 
 /**
- * Commands of a vehicle's two inputs, each −1…1, or NaN without pulses: the motor is off and
- * coasts, or the steering servo is unpowered and stays where it is.
+ * Commands of a vehicle's two inputs, each −1…1, or NaN without pulses: the motor coasts, or the
+ * unpowered steering servo keeps its angle.
  *
  * @param first left wheel of a differential vehicle, or throttle with Ackermann steering; forward
  *     positive

@@ -3,7 +3,7 @@ package org.u2sa.sim.ground;
 import java.util.Objects;
 import org.u2sa.sim.motion.Arguments;
 
-/** A fault or disturbance, for a time window or at a place. */
+/** A fault or disturbance, in a time window or at a position. */
 public sealed interface DrivingHazard {
   /** A hazard active from one time until just before another [s]. */
   sealed interface Window extends DrivingHazard {
@@ -106,7 +106,7 @@ public sealed interface DrivingHazard {
       Arguments.requireInside("magnetic field north", northUt, -1_000.0, 1_000.0);
     }
 
-    /** Share of the field at a place, 0…1. */
+    /** Fraction of the field at a position, 0…1. */
     double share(double east, double north) {
       double toEast = east - eastM;
       double toNorth = north - northM;

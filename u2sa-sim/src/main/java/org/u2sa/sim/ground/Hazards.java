@@ -9,7 +9,7 @@ import org.u2sa.sim.world.Surface;
 
 /**
  * Scripted faults and disturbances of a run, by time and place. Immutable; times are simulated
- * seconds since the start, places are on the local plane.
+ * seconds since the start, positions are on the local plane.
  */
 public final class Hazards {
   private static final Hazards NONE = new Hazards(List.of());
@@ -36,7 +36,7 @@ public final class Hazards {
    * Random hazards, reproducible per seed: GPS outages, magnetic anomalies, slippery patches and
    * pushes, about one of each per minute or per 200 m².
    *
-   * @param radiusM radius around the origin in which places are drawn [m]
+   * @param radiusM radius around the origin within which positions are drawn at random [m]
    * @param durationS duration of the run [s]
    */
   public static Hazards random(long seed, double radiusM, double durationS) {

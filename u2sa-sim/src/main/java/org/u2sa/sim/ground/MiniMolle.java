@@ -166,7 +166,7 @@ public final class MiniMolle implements Pins, RunningVehicle {
     return truth;
   }
 
-  /** {@inheritDoc} The board alone takes it on. */
+  /** {@inheritDoc} Only the board steps it. */
   @Override
   public VehicleTruth at(long nowMicros) {
     return truth;
@@ -199,7 +199,7 @@ public final class MiniMolle implements Pins, RunningVehicle {
    * @param second pulses to the right motor's controller, or to the steering servo
    * @param radioSwitch pulses of the radio receiver's switch channel
    * @param battery analog input
-   * @param dividerRatio voltage at that input relative to the battery's
+   * @param dividerRatio voltage at that input relative to the battery voltage
    */
   public record Wiring(
       int gpsReceive,

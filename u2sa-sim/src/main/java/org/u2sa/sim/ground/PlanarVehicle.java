@@ -93,9 +93,9 @@ abstract class PlanarVehicle implements GroundVehicle {
   /**
    * Sets wheel loads for the slope.
    *
-   * @param pressing share of the weight normal to the ground, 1 on level ground
-   * @param forward share of the weight along the vehicle: negative uphill
-   * @param right share of the weight to the right
+   * @param pressing fraction of the weight normal to the ground, 1 on level ground
+   * @param forward fraction of the weight along the vehicle, negative uphill
+   * @param right fraction of the weight to the right
    */
   abstract void lean(double pressing, double forward, double right);
 

@@ -12,7 +12,7 @@ import org.u2sa.sim.world.Footprint;
  */
 public final class SkidSteerVehicle extends PlanarVehicle {
   private final SkidSteerParameters p;
-  private final DrivenWheel[] wheels; // left and right of each axle in turn
+  private final DrivenWheel[] wheels; // left and right of each axle, axle by axle
   private final double meanX; // of the axles, relative to the centre of gravity [m]
   private final double squareX; // sum over the wheels of squared distances from it [m²]
   private final double squareY;

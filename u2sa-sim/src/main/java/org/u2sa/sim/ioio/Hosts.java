@@ -5,15 +5,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 
-/** Where the hosts of a served board come from, one after the other. */
+/** Source of the hosts of a served board, one at a time. */
 public interface Hosts extends Closeable {
   /**
    * An admitted host.
    *
    * @param name for the log
-   * @param input bytes to the board; its read may end with a {@link
-   *     java.net.SocketTimeoutException} for a host that is silent too long
-   * @param end ends both streams, at once and from any thread
+   * @param input bytes to the board; its read may throw {@link java.net.SocketTimeoutException} if
+   *     the host is silent too long
+   * @param end closes both streams immediately; callable from any thread
    */
   record Host(String name, InputStream input, OutputStream output, Closeable end) {}
 
@@ -24,9 +24,9 @@ public interface Hosts extends Closeable {
    */
   Host next() throws IOException;
 
-  /** A host's session has ended. */
+  /** Called when a host's session has ended. */
   default void ended(Host host, String why) {}
 
-  /** The board cannot go on: the simulation behind its pins failed. */
+  /** Called when the board stops because the simulation behind its pins failed. */
   default void failed(RuntimeException why) {}
 }

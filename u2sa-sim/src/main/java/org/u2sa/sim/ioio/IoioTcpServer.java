@@ -14,7 +14,7 @@ import org.u2sa.interfaces.time.Clock;
  * channel. Three daemon threads: acceptor/reader, clock and sender.
  *
  * <p>A host is read no faster than 2 MB/s, so that a flood leaves time to the vehicle. If the
- * process was stopped or the machine slept, the board's time stood still.
+ * process was suspended or the machine slept, the board's clock was frozen.
  */
 public final class IoioTcpServer implements AutoCloseable {
   private static final long PAUSE_MS = 2;
@@ -101,7 +101,7 @@ public final class IoioTcpServer implements AutoCloseable {
         try {
           serve(source.next());
         } catch (IOException e) {
-          pause(); // nobody came
+          pause(); // no host connected
         }
       }
     } catch (InterruptedException e) {
@@ -229,7 +229,7 @@ public final class IoioTcpServer implements AutoCloseable {
     }
   }
 
-  /** Blocks on a slow host; the board's queue may overflow meanwhile. */
+  /** Blocks on a slow host; the board's queue may overflow during that time. */
   private void sendTo(Hosts.Host receiver, byte[] buffer, int count) {
     try {
       receiver.output().write(buffer, 0, count);
@@ -252,7 +252,7 @@ public final class IoioTcpServer implements AutoCloseable {
   /**
    * Call with the lock held.
    *
-   * @param leaving null if there is none
+   * @param leaving may be null
    */
   private void hangUp(Hosts.Host leaving) {
     if (host != null) {

@@ -22,13 +22,13 @@ public final class ServoInput {
   private double command = Double.NaN;
 
   /**
-   * @param isOneWay whether commands are 0…1, with the lowest at 1000 µs; else −1…1
+   * @param isOneWay whether commands are 0…1, with 0 at 1000 µs; otherwise −1…1
    */
   public ServoInput(boolean isOneWay) {
     this.isOneWay = isOneWay;
   }
 
-  /** Sets the pulses from a time on [µs]. */
+  /** Sets the pulses from the given time on [µs]. */
   public void take(PulseTrain train, long nowUs) {
     if (!pulses.present() && train.present()) {
       nextUs = nowUs + Math.round(train.widthS() * US_PER_S);

@@ -105,6 +105,13 @@ final class FossenModel implements RungeKutta.Motion {
     targets[actuator] = actuators.get(actuator).level(value);
   }
 
+  /** Thrust of an actuator [N]; empty if it is no thruster. */
+  OptionalDouble thrustN(int actuator, double[] s) {
+    return actuators.get(actuator) instanceof VesselThruster
+        ? OptionalDouble.of(s[LEVELS + actuator])
+        : OptionalDouble.empty();
+  }
+
   /** Electrical power of all actuators [W]; empty if one's is unknown. */
   OptionalDouble powerW(double[] s) {
     double sum = 0.0;

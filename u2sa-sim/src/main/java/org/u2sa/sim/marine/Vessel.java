@@ -166,9 +166,7 @@ public final class Vessel implements SimulatedVehicle {
   @Override
   public OptionalDouble thrustN(String actuator) {
     int index = names.indexOf(actuator);
-    return index < 0
-        ? OptionalDouble.empty()
-        : OptionalDouble.of(state[FossenModel.THRUST + index]);
+    return index < 0 ? OptionalDouble.empty() : model.thrustN(index, state);
   }
 
   /** Velocity relative to the water: forward, right, down [m/s]. */

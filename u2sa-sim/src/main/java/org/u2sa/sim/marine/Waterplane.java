@@ -12,7 +12,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param pitchNmPerRad stiffness in pitch about the centre of flotation, ρ g ∇ GM_L [N m/rad]
  * @param centreAheadM centre of flotation ahead of the reference point [m]
  * @param ballastKg mass whose weight trims the hull, part of the hull's mass [kg]; 0: none
- * @param ballast its place [m]
+ * @param ballast position of that mass [m]
  */
 public record Waterplane(
     double heaveNPerM,

@@ -15,7 +15,7 @@ public final class EncoderModel {
 
   /**
    * @param countsPerTurn counts per wheel revolution, above 0
-   * @param missed share of counts lost, 0…1
+   * @param missed fraction of lost counts, 0…1
    * @param name name of its random stream
    */
   public EncoderModel(double countsPerTurn, double missed, NoiseStreams streams, String name) {

@@ -16,7 +16,7 @@ public final class NoiseStreams {
   }
 
   /**
-   * Creates the generator of a name; the same name gives the same sequence. The generator is not
+   * Creates the generator for a name; the same name gives the same sequence. The generator is not
    * thread-safe.
    */
   public Random of(String sensor) {

@@ -71,7 +71,7 @@ final class UbxGpsMessages {
         .bytes();
   }
 
-  /** Position, velocity and time in one. */
+  /** Position, velocity and time in one message. */
   byte[] pvt(GpsSample s) {
     LocalDateTime time = utc.at(s.timeS());
     return new UbxMessage(NAV, PVT, 92)
@@ -122,7 +122,7 @@ final class UbxGpsMessages {
     long timeMs = utc.timeOfWeekMs(s.timeS());
     return new UbxMessage(NAV, SOL, 52)
         .i4(timeMs)
-        .i4(0) // what the milliseconds round off [ns]
+        .i4(0) // remainder below a millisecond [ns]
         .u2(utc.week(s.timeS()))
         .u1(fix(s))
         .u1(flags(s))

@@ -14,7 +14,7 @@ public final class VoltmeterModel {
   /**
    * Uses the random stream {@code voltmeter}.
    *
-   * @param ratio input voltage relative to the battery's, 0…1
+   * @param ratio input voltage relative to the battery voltage, 0…1
    * @param noiseV noise at the input [V]
    */
   public VoltmeterModel(double ratio, double noiseV, NoiseStreams streams) {

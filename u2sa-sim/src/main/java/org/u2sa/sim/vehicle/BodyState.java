@@ -8,7 +8,7 @@ import org.u2sa.sim.motion.BodyAttitude;
 /**
  * State vector of a rigid body over a flat earth, and its kinematics: north, east, down [m];
  * quaternion of the attitude (w, x, y, z); velocity u, v, w in body axes [m/s]; p, q, r [rad/s].
- * Models append states of their own.
+ * Models append their own states.
  */
 public final class BodyState {
   /** Index of the position: north, east, down [m]. */
@@ -46,7 +46,7 @@ public final class BodyState {
    *
    * @param driftNorth velocity of the medium in which the body's velocity is measured, north [m/s];
    *     0 for a velocity over ground
-   * @param driftEast the same, east [m/s]
+   * @param driftEast velocity of the medium, east [m/s]
    */
   public static void kinematics(double[] s, double[] rate, double driftNorth, double driftEast) {
     double w = s[QUATERNION];

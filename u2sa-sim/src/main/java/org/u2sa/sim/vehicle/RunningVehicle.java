@@ -13,7 +13,7 @@ public interface RunningVehicle {
   VehicleTruth at(long nowMicros);
 
   /**
-   * A property of the vehicle at a time, read while nobody steps it.
+   * A property of the vehicle at a time, read between steps.
    *
    * @param nowMicros of the run's clock [µs]
    */

@@ -97,7 +97,7 @@ public final class VehicleRun implements RunningVehicle {
   }
 
   /**
-   * Sets an actuator command that ends by itself, as of a controller with a time-out: afterwards
+   * Sets an actuator command that expires, like that of a controller with a time-out: afterwards
    * the actuator has no signal.
    *
    * @param nowMicros of the run's clock [µs]

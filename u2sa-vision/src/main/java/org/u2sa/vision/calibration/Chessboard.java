@@ -14,7 +14,7 @@ public record Chessboard(int columns, int rows, double squareM) {
   private static final int LEAST = 3;
 
   /**
-   * @throws BadInputException if it has too few corners or no size
+   * @throws BadInputException if it has too few corners or no square size
    */
   public Chessboard {
     if (columns < LEAST || rows < LEAST) {

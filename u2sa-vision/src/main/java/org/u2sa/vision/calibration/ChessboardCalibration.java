@@ -21,8 +21,8 @@ import org.u2sa.vision.lens.LensCalibration.Spot;
 
 /**
  * Calibrates a camera from images of a chessboard at several positions and tilts (Zhang, A Flexible
- * New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds: for commands, not for
- * control loops.
+ * New Technique for Camera Calibration, IEEE PAMI 22, 2000). Takes seconds, so it is for commands,
+ * not for control loops.
  */
 public final class ChessboardCalibration {
   /** Minimum number of board images for a well-determined geometry. */
@@ -68,7 +68,8 @@ public final class ChessboardCalibration {
     } else if (picture.width() != width || picture.height() != height) {
       throw new BadInputException(
           String.format(
-              "%s has %d x %d pixels, %s %d x %d: pictures of one camera are all of one size",
+              "%s has %d x %d pixels, %s %d x %d: all pictures of one camera must have the same "
+                  + "size",
               name, picture.width(), picture.height(), names.get(0), width, height));
     }
     boolean isThere = detector.process(grey(picture));

@@ -18,13 +18,14 @@ import org.u2sa.vision.ground.AttitudeHistory;
  * state, for roll and pitch. Out: sensed-objects in BODY, with the time of the image: lines as
  * PolyLine, potholes as Circle, the rest as Cylinder; standard deviations grow with distance. An
  * image without detections yields one ObjectDescription of type {@link SeenMessages#NOTHING}. Out:
- * images, the camera image itself, every IMAGE EVERY seconds if set.
+ * images (the camera image, every IMAGE EVERY seconds if set).
  */
 public final class CourseCamera extends CameraSensor {
   private record Showing(
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
           @Description(
-              "Time from one picture published on images as JPEG to the next, for recordings and screens; 0: none are published.")
+              "Interval of JPEG pictures published on images, for recordings and displays; 0: "
+                  + "none are published.")
           double imageEvery) {}
 
   private final AttitudeHistory attitudes = new AttitudeHistory();
@@ -39,7 +40,7 @@ public final class CourseCamera extends CameraSensor {
     images = images();
   }
 
-  /** Uses the given camera, e.g. the phone's or a simulated one. */
+  /** Uses the given camera, e.g. of a phone or a simulated one. */
   public CourseCamera(ServiceContext context, Camera camera) {
     super(context, "CourseCamera", camera);
     reading = reading(context);

@@ -7,14 +7,16 @@ import org.u2sa.interfaces.configuration.Variable;
 public record CourseVariables(
     @Variable(ifAbsentText = "")
         @Description(
-            "Calibration file of the camera, relative to the configuration file (u2sa camera calibrate); empty: the geometry that the camera states, or ANGLE OF VIEW.")
+            "Calibration file of the camera, relative to the configuration file (u2sa camera "
+                + "calibrate); empty: the geometry reported by the camera, or ANGLE OF VIEW.")
         String calibration,
     @Variable(unit = "rad", min = 0.17, max = 2.8, ifAbsent = 1.05)
         @Description(
-            "Angle from the left edge of the picture to the right one, for a camera that neither is calibrated nor states its geometry.")
+            "Horizontal angle of view, for a camera that neither is calibrated nor reports its "
+                + "geometry.")
         double angleOfView,
     @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0)
-        @Description("How far below the vehicle's reference point the ground is.")
+        @Description("Height of the vehicle's reference point above the ground.")
         double groundBelow,
     @Variable(ifAbsentText = "true")
         @Description(
@@ -22,16 +24,18 @@ public record CourseVariables(
         boolean levelGround,
     @Variable(unit = "rad", min = 0.001, max = 1.6, ifAbsent = 1.6)
         @Description(
-            "Tilt above which the vehicle stands on a slope, fully from twice that on: the ground ahead may slope as well or be level, and standard deviations of places on it grow.")
+            "Tilt above which the vehicle is assumed to be on a slope, fully at twice this tilt: "
+                + "the ground ahead may slope or be level, so standard deviations of positions on it "
+                + "grow.")
         double slopeAbove,
     @Variable(unit = "m", min = 0, max = 50, ifAbsent = 0.5)
-        @Description("Nearest ground searched, ahead of the reference point.")
+        @Description("Minimum distance of searched ground ahead of the reference point.")
         double nearest,
     @Variable(unit = "m", min = 1, max = 50, ifAbsent = 7)
-        @Description("Farthest ground searched for paint.")
+        @Description("Maximum distance of ground searched for paint.")
         double farthest,
     @Variable(unit = "m", min = 0.5, max = 50, ifAbsent = 4)
-        @Description("Ground searched for paint, to each side.")
+        @Description("Lateral range searched for paint, to each side.")
         double toEachSide,
     @Variable(unit = "m", min = 0.02, max = 0.5, ifAbsent = 0.0762)
         @Description("Width of painted lines.")
@@ -61,7 +65,7 @@ public record CourseVariables(
     @Variable(unit = "m", min = 0.2, max = 3, ifAbsent = 1) @Description("Height of a barrel.")
         double barrelHeight,
     @Variable(unit = "m", min = 0, max = 1, ifAbsent = 0.08)
-        @Description("Height of a barrel's lowest orange above the ground.")
+        @Description("Height of a barrel's lowest orange stripe above the ground.")
         double barrelBase,
     @Variable(unit = "m", min = 0.3, max = 5, ifAbsent = 1.2)
         @Description("Length of a sawhorse's plank.")
@@ -82,16 +86,16 @@ public record CourseVariables(
         @Description("Distance beyond which no object is reported.")
         double maxObjectDistance,
     @Variable(min = 0.1, max = 20, ifAbsent = 1)
-        @Description("Standard deviation of a place in the picture, in pixels.")
+        @Description("Standard deviation of image positions, in pixels.")
         double pixelSigma,
     @Variable(unit = "rad", min = 0, max = 0.2, ifAbsent = 0.008)
-        @Description("Standard deviation of the camera's pitch and roll against the ground.")
+        @Description("Standard deviation of the camera's pitch and roll relative to the ground.")
         double tiltSigma,
     @Variable(unit = "rad", min = 0, max = 0.2, ifAbsent = 0.008)
         @Description("Standard deviation of the camera's direction.")
         double yawSigma,
     @Variable(unit = "m", min = 0, max = 1, ifAbsent = 0.02)
-        @Description("Error of every place that does not depend on the distance, 1 sigma.")
+        @Description("Distance-independent position error, 1 sigma.")
         double ownSigma) {
   private static final double CELLS_A_LINE = 3.0;
 

@@ -67,7 +67,10 @@ public final class GroundView {
     return atHeight(column, row, 0.0);
   }
 
-  /** A pixel's ray at a height above the ground [m], LEVEL; empty if it does not get there. */
+  /**
+   * Intersection of a pixel's ray with a height above the ground [m], LEVEL; empty if there is
+   * none.
+   */
   public Optional<Point> atHeight(double column, double row, double heightM) {
     Optional<Spot> seen = lens.place(column, row);
     if (!seen.isPresent()) {
@@ -127,7 +130,7 @@ public final class GroundView {
     return levelFromBody.times(Point.of(body.x(), -body.y(), body.z()));
   }
 
-  /** Coefficients with which {@link TopView} steps through cells without allocating. */
+  /** Coefficients for {@link TopView} to step through cells without allocating. */
   double[] cameraFrom(double forward, double toRight) {
     double x = forward - place[0];
     double y = toRight - place[1];

@@ -9,9 +9,9 @@ import org.u2sa.messages.frame.Point;
 /**
  * Boundaries of the lane the vehicle has driven in, including stretches where no line was seen. At
  * each driven position, lines are searched to the left and right, perpendicular to the path. Where
- * one is missing, the lane keeps its width: between two positions where both lines are known, and
- * as far as the other line extends within a lane's width of the path. Coordinates in metres from
- * the map's anchor.
+ * a line is missing, the lane width is kept: between two positions with both lines known, and as
+ * far as the other line extends within a lane's width of the path. Coordinates in metres from the
+ * map's anchor.
  */
 final class DrivenLane {
   private static final double STEP_M = 0.3; // spacing of positions
@@ -36,8 +36,7 @@ final class DrivenLane {
   /**
    * An inferred side, where no line is certain.
    *
-   * @param atVehicle whether it leads to the vehicle's current position and may be extended from
-   *     there
+   * @param atVehicle whether it reaches the vehicle's current position and may be extended beyond
    */
   record Inferred(List<Point> points, boolean atVehicle) {}
 
@@ -198,7 +197,8 @@ final class DrivenLane {
 
   /**
    * Distance of a side, at most that of the nearest certain line: in open ground such as no-man's
-   * land the width of a lane is a coincidence, and what follows from it would block the next lane.
+   * land an apparent lane width is a coincidence, and lines inferred from it would block the next
+   * lane.
    */
   private double beforeBarrierM(int i, double sign, double awayM, List<Known> barriers) {
     double[] along = direction(i);

@@ -6,8 +6,8 @@ import java.util.Iterator;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The vehicle's recent path. Two lines it has driven between are the sides of its lane; others may
- * belong to adjacent lanes. Coordinates in metres from the map's anchor.
+ * The vehicle's recent path. Two lines between which it has driven are the sides of its lane;
+ * others may belong to adjacent lanes. Coordinates in metres from the map's anchor.
  */
 final class DrivenWay {
   private static final double STEP_M = 0.3;

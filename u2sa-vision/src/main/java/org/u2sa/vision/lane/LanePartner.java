@@ -26,8 +26,8 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
   record Beside(List<Point> points, boolean driven) {}
 
   /**
-   * Finds the continuation beside the other line of the lane, at the same distance as at the end.
-   * Of two candidates, left and right, prefers the one of the driven lane, then the longer one.
+   * Extends a line parallel to the lane's other line, at the distance of its end. Of two
+   * candidates, left and right, prefers the one of the driven lane, then the longer one.
    */
   Beside beside(LineEnd end) {
     Beside best = new Beside(List.of(), false);
@@ -115,7 +115,10 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
     return points;
   }
 
-  /** Where the same side of the lane resumes: the nearest line end on that side of the other. */
+  /**
+   * Point at which the same side of the lane resumes: the nearest line end on that side of the
+   * other line.
+   */
   private Optional<Point> meeting(Point from, List<Point> own, List<Point> other, double left) {
     return lines.stream()
         .filter(line -> line != own && line != other)

@@ -95,8 +95,8 @@ final class LineGaps {
   }
 
   /**
-   * Whether points run parallel to another line at a lane's width, so that they are a lane side
-   * rather than lie across it.
+   * Whether points run parallel to another line at a lane's width, and are therefore a lane side
+   * rather than a line across it.
    *
    * @param line line they belong to
    */

@@ -23,7 +23,7 @@ final class LineGeometry {
     return length;
   }
 
-  /** Index of the line point nearest to a place. */
+  /** Index of the line point nearest to a position. */
   static int nearest(Point place, List<Point> line) {
     int nearest = 0;
     for (int i = 1; i < line.size(); i++) {
@@ -41,7 +41,9 @@ final class LineGeometry {
     return new double[] {(to.x() - from.x()) / length, (to.y() - from.y()) / length};
   }
 
-  /** Distance of a place from a line at one of its points, positive to the direction's left. */
+  /**
+   * Distance of a position from a line at one of its points, positive to the left of the direction.
+   */
   static double leftM(Point place, List<Point> line, int at) {
     double[] way = direction(line, at);
     return way[0] * (place.y() - line.get(at).y()) - way[1] * (place.x() - line.get(at).x());

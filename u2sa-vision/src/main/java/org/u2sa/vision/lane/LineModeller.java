@@ -21,7 +21,7 @@ import org.u2sa.world.modeller.Sighting;
 /**
  * Maps painted lines (thesis 4.1.1.2): assembles them from partial camera detections and closes the
  * gaps of dashed and worn paint, so that the planner sees complete lanes. Publishes PolyLines whose
- * confidence tells how they are known ({@link LinePieces}).
+ * confidence shows how they are known ({@link LinePieces}).
  */
 final class LineModeller implements Modeller {
   private static final double FORGET = 3.0; // in LINE REACH: farther lines are dropped
@@ -99,7 +99,9 @@ final class LineModeller implements Modeller {
     sightings++;
   }
 
-  /** Counts against lines that should have been seen just now but were not. */
+  /**
+   * Decreases the confidence of lines that should have been seen in the last image but were not.
+   */
   private void doubt(Sighting sighting, LineModelVariables tuning) {
     MapFrame map = sighting.frame();
     Point at = map.vehicle(sighting.vehicle());

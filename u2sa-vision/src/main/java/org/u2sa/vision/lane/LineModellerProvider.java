@@ -4,7 +4,7 @@ import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.ModellerProvider;
 
-/** Brings the World Modeler's {@code LINES} modeller: painted lane lines on the ground. */
+/** Provides the World Modeler's {@code LINES} modeller: painted lane lines on the ground. */
 public final class LineModellerProvider implements ModellerProvider {
   @Override
   public String name() {

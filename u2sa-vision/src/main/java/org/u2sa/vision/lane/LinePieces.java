@@ -21,7 +21,7 @@ final class LinePieces {
   /** Confidence of a less certain piece that is near and runs along a lane. */
   static final double SIDE = 0.7;
 
-  /** Confidence of any other guess: it may lie across a lane in error. */
+  /** Confidence of any other inferred piece, which may wrongly cross a lane. */
   static final double GUESS = 0.5;
 
   private static final int POINTS_A_PIECE = 14;
@@ -63,7 +63,7 @@ final class LinePieces {
     pieces(line).forEach(piece -> add(piece, confidence(piece, isSide)));
   }
 
-  /** Adds a line that was not seen but follows from others. */
+  /** Adds a line inferred from others. */
   void inferred(List<Point> line, double confidence) {
     clear(line).forEach(part -> pieces(part).forEach(piece -> add(piece, confidence)));
   }
@@ -74,7 +74,7 @@ final class LinePieces {
         .forEach(part -> pieces(part).forEach(piece -> add(piece, confidence(piece, isSide))));
   }
 
-  /** Confidence of an uncertain piece: far ones stay guesses until seen from closer. */
+  /** Confidence of an uncertain piece: distant pieces stay tentative until seen from closer. */
   private double confidence(List<Point> piece, Predicate<List<Point>> isSide) {
     boolean near = piece.stream().anyMatch(at -> LineGeometry.metres(at, vehicle) < NEAR_M);
     return near && isSide.test(piece) ? SIDE : GUESS;

@@ -28,7 +28,8 @@ final class LineSamples {
   private static final double TOO_NEAR_M = 1.3; // closer ground is below the camera's view
   private static final double TWICE_M = 1.0; // closer lines are one line, seen twice
   private static final double VIEW_M = 0.25; // spacing of viewpoints
-  private static final double REFUTED = 0.5; // of a sighting, if the line was seen elsewhere
+  private static final double REFUTED =
+      0.5; // of a sighting, if the line was seen at another position
   private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
 
   static final class Sample {
@@ -199,8 +200,8 @@ final class LineSamples {
   }
 
   /**
-   * Counts against samples in a sector that were not seen in the last image although unoccluded,
-   * and against samples whose line was seen beside them: it is the same line unless the image shows
+   * Decreases the confidence of unoccluded samples in a sector that the last image does not show,
+   * and of samples whose line was seen beside them: it is the same line unless the image shows
    * both.
    */
   void doubt(

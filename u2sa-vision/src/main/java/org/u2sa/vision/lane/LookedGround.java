@@ -11,11 +11,12 @@ final class LookedGround {
   private static final double CELL_M = 0.3;
   private static final double NEAREST_M = 1.3; // closer ground is below the camera's view
   private static final int LOOKS = 3; // images required for certainty
-  private static final int MOST = 40_000; // cells; beyond, far ones are dropped
+  private static final int MOST =
+      40_000; // maximum number of cells; beyond it, distant ones are dropped
 
   private final Map<Long, Integer> looks = new HashMap<>();
 
-  /** Tells whether a place is unoccluded. */
+  /** Tests whether a position is unoccluded. */
   interface View {
     boolean isOpen(double x, double y);
   }
@@ -66,7 +67,7 @@ final class LookedGround {
     return column << 32 | row & 0xFFFFFFFFL;
   }
 
-  /** Whether a place was observed often enough. */
+  /** Whether a position was observed often enough. */
   boolean isKnown(double x, double y) {
     return looks.getOrDefault(key(cell(x), cell(y)), 0) >= LOOKS;
   }

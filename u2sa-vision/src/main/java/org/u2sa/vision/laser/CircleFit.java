@@ -22,7 +22,7 @@ record CircleFit(double x, double y, double radius, double sigmaX, double sigmaY
 
   /**
    * @param noiseM lower bound of the range noise, 1 σ [m]
-   * @return empty if there are too few points or they are collinear
+   * @return empty with too few or collinear points
    */
   static Optional<CircleFit> of(List<Point> points, double noiseM) {
     if (points.size() < LEAST) {

@@ -9,11 +9,11 @@ record ClusterVariables(
         @Description("Maximum distance between neighbouring echoes of one object.")
         double gap,
     @Variable(min = 1, max = 1000, ifAbsent = 3)
-        @Description("Minimum number of echoes of an object; fewer are noise.")
+        @Description("Minimum number of echoes of an object; fewer count as noise.")
         int minEchoes,
     @Variable(unit = "m", min = 0.05, max = 100, ifAbsent = 1.5)
         @Description(
-            "Maximum extent of an object; anything larger is a wall, which is left to the grid.")
+            "Maximum extent of an object; larger ones are walls, which are left to the grid.")
         double largest,
     @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.05)
         @Description("Minimum radius of a fitted circle.")
@@ -25,7 +25,7 @@ record ClusterVariables(
         @Description("Standard deviation of an echo's range.")
         double rangeSigma,
     @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0)
-        @Description("How far below the vehicle's reference point the ground is.")
+        @Description("Height of the vehicle's reference point above the ground.")
         double groundBelow,
     @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0.1)
         @Description("Height above level ground below which an echo is the ground itself.")

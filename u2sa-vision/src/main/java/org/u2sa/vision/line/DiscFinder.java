@@ -17,7 +17,8 @@ final class DiscFinder {
   private static final double MIN_CONTRAST = 0.35; // minimum brightness ratio, in octaves
   private static final double GREYISH = 25.0;
   private static final double PALER = 0.65;
-  private static final double FILLED = 0.72; // min. share of its bounding circle; 1 for a disc
+  private static final double FILLED =
+      0.72; // minimum fraction of its bounding circle; 1 for a disc
   private static final double OFF_SIZE = 0.40; // relative radius tolerance
 
   private final TopView.Area area;
@@ -62,7 +63,7 @@ final class DiscFinder {
     return tint <= GREYISH || tint <= PALER * ground(map.tints(), row, column);
   }
 
-  /** Mean of the surrounding patches; a maximum that nothing exceeds if too few are visible. */
+  /** Mean of the surrounding patches; infinite if too few are visible. */
   private double ground(SummedArea sums, int row, int column) {
     int off = (int) Math.round(1.7 * radiusM / area.cellM());
     int half = Math.max(1, (int) Math.round(0.3 * radiusM / area.cellM()));

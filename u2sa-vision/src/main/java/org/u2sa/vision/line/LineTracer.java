@@ -230,7 +230,7 @@ final class LineTracer {
     return cells;
   }
 
-  /** Finds the direction of the paint around a position; false if it has none. */
+  /** Finds the direction of the paint around a position; false if not found. */
   private boolean direction(double x, double y) {
     double reach = DIRECTION_M / area.cellM();
     double sum = 0.0;

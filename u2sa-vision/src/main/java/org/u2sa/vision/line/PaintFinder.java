@@ -45,7 +45,7 @@ public final class PaintFinder {
    * A visible piece of a painted line.
    *
    * @param points centre line, LEVEL, in order; at least two
-   * @param support share of its length with visible paint, 0…1
+   * @param support fraction of its length with visible paint, 0…1
    */
   public record PaintedLine(List<Point> points, double support) {
     /** Length along the points [m]. */

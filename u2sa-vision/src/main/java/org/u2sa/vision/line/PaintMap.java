@@ -142,7 +142,7 @@ final class PaintMap {
     return of.mean(top, left, bottom, right, least);
   }
 
-  /** Contrast to the ground, in shades, where it looks like paint, else 0; unsigned. */
+  /** Contrast to the ground, in shades, where it looks like paint, otherwise 0; unsigned. */
   byte[] strength() {
     return strength;
   }

@@ -154,7 +154,7 @@ final class ColourPatches {
       return bottom - top + 1;
     }
 
-    /** Overlap in columns, as a share of the narrower patch. */
+    /** Overlap in columns, as a fraction of the narrower patch. */
     double overlap(ColourPatch other) {
       int common = Math.min(right, other.right) - Math.max(left, other.left) + 1;
       return Math.max(0.0, (double) common / Math.min(width(), other.width()));

@@ -13,7 +13,8 @@ final class CosineTransform {
       double scale = frequency == 0 ? Math.sqrt(0.5) / 2.0 : 0.5;
       for (int place = 0; place < SIDE; place++) {
         double angle = (2 * place + 1) * frequency * Math.PI / (2 * SIDE);
-        cosines[frequency * SIDE + place] = scale * StrictMath.cos(angle); // the same everywhere
+        cosines[frequency * SIDE + place] =
+            scale * StrictMath.cos(angle); // identical on every platform
       }
     }
   }

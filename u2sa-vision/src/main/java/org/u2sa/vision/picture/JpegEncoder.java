@@ -104,7 +104,7 @@ public final class JpegEncoder {
     out.write(code.symbols(), 0, code.symbols().length);
   }
 
-  /** Writes luminance blocks; those of colours by twos in both directions, then the chroma's. */
+  /** Writes luminance blocks, 2 × 2 per unit for colour pictures, followed by the chroma blocks. */
   private void blocks(ByteArrayOutputStream out, CameraFrame frame, boolean coloured) {
     PicturePlanes planes = new PicturePlanes(frame);
     EntropyWriter writer = new EntropyWriter(out);

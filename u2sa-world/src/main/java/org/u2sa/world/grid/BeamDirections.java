@@ -57,12 +57,12 @@ public final class BeamDirections {
     return gapCos[beam];
   }
 
-  /** Absolute sine of the same angle. */
+  /** Absolute sine of that angle. */
   double gapSin(int beam) {
     return gapSin[beam];
   }
 
-  /** Spacing of a beam from the previous one, per metre of range. */
+  /** Spacing of a beam from the previous beam, per metre of range. */
   double apart(int beam) {
     return apart[beam];
   }

@@ -34,7 +34,7 @@ final class BeamTrace {
     freeBlocks.begin();
   }
 
-  /** Takes note that a beam has ended in a cell. */
+  /** Records that a beam has ended in a cell. */
   void raised(int cell) {
     freeBlocks.forget(cell);
   }

@@ -131,8 +131,8 @@ final class FreeRanges {
   }
 
   /**
-   * Range up to which the space between a beam and the previous one is free [m]; ends where they
-   * are a cell apart, because small objects fit between them beyond.
+   * Range up to which the space between a beam and the previous one is free [m]; ends where the
+   * beams are a cell apart, because small objects fit between them beyond that range.
    */
   double between(int beam, double cell) {
     double both = Math.min(free[beam], free[beam - 1]);

@@ -21,28 +21,33 @@ import org.u2sa.world.modeller.Sighting;
 public final class GridModeller implements Modeller {
   public record Variables(
       @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 0.1)
-          @Description("Side of a grid cell. A change clears the grid.")
+          @Description("Edge length of a grid cell. A change clears the grid.")
           double cellSize,
       @Variable(unit = "m", min = 1, max = 40_000, ifAbsent = 60)
-          @Description("Side of the grid around the vehicle; at most 4096 cells.")
+          @Description("Edge length of the grid around the vehicle; at most 4096 cells.")
           double gridSize,
       @Variable(min = 0, minExcluded = true, max = 6, ifAbsent = 0.85)
-          @Description("Log odds that a beam's end adds to its cell; 0.85 is a probability of 0.7.")
+          @Description("Log odds that an echo adds to its cell; 0.85 is a probability of 0.7.")
           double hitLogOdds,
       @Variable(min = 0, minExcluded = true, max = 6, ifAbsent = 0.4)
-          @Description("Log odds that a beam takes from the cells that it passes; 0.4 is 0.4.")
+          @Description(
+              "Log odds that a beam subtracts from the cells it crosses; 0.4 is a "
+                  + "probability of 0.4.")
           double missLogOdds,
       @Variable(unit = "m", ifAbsent = -0.1)
           @Description(
-              "Height relative to the vehicle's reference point below which an echo is the ground.")
+              "Height relative to the vehicle's reference point below which an echo counts as "
+                  + "ground.")
           double lowest,
       @Variable(unit = "m", ifAbsent = 2)
           @Description(
-              "Height above the reference point over which the vehicle passes under an echo.")
+              "Height above the reference point above which the vehicle passes under an echo.")
           double highest,
       @Variable(unit = "m", min = 0, ifAbsent = 1000)
           @Description(
-              "Distance up to which a beam without an echo counts as free space, at most that of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
+              "Distance up to which a beam without an echo counts as free space, at most the "
+                  + "range of the scanner's farthest echo so far; lower it where dark or smooth "
+                  + "walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 

@@ -3,12 +3,12 @@ package org.u2sa.world.landmark;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A landmark of the map: known beforehand, or learnt where it was first seen. A learnt one has the
- * error that the vehicle's pose had then, which no number of sightings averages out.
+ * A landmark of the map: known beforehand, or learnt at its first sighting. A learnt landmark keeps
+ * the error of the vehicle's pose at that time; averaging more sightings does not reduce it.
  */
 final class Landmark {
-  private static final int HITS = 6; // sightings whose mean is its place
-  private static final double CORRELATION_S = 5.0; // while which the vehicle drifts by as much
+  private static final int HITS = 6; // number of sightings averaged into the position
+  private static final double CORRELATION_S = 5.0; // time in which the vehicle drifts by as much
   private static final double SHORTEST_S = 0.05;
   private static final double TOO_FAR_SIGMAS = 4.0;
 
@@ -16,7 +16,7 @@ final class Landmark {
   final String type;
   private final boolean isKnown;
   private Point place; // [m] from the map's anchor
-  private double variance; // of its place in each axis
+  private double variance; // of the position, per axis
   private double sightingVariance;
   private int hits;
   private long learntMicros;
@@ -35,8 +35,8 @@ final class Landmark {
   }
 
   /**
-   * @param vehicleVariance of the place that follows from the vehicle's pose, by that pose alone
-   * @param ownVariance of the sighting
+   * @param vehicleVariance variance of the position due to the vehicle's pose alone [m²]
+   * @param ownVariance variance of the sighting [m²]
    */
   static Landmark seen(
       String uid, String type, Point at, double vehicleVariance, double ownVariance) {
@@ -54,7 +54,7 @@ final class Landmark {
     return isKnown || hits >= HITS;
   }
 
-  /** Adds a further first sighting; a contradicting one starts again. */
+  /** Averages another sighting while learning; a contradicting one restarts learning. */
   void learn(Point at, double vehicleVariance, double ownVariance, long micros) {
     double away = at.distanceTo(place);
     if (away * away > TOO_FAR_SIGMAS * TOO_FAR_SIGMAS * (variance + 2.0 * ownVariance)) {
@@ -75,22 +75,22 @@ final class Landmark {
     return place;
   }
 
-  /** Variance of the place in each axis [m²]. */
+  /** Variance of the position per axis [m²]. */
   double variance() {
     return variance + (isKnown || hits == 0 ? 0.0 : sightingVariance / hits);
   }
 
-  /** Time of the last sighting that taught its place [µs]. */
+  /** Time of the last sighting averaged into the position [µs]. */
   long learntMicros() {
     return learntMicros;
   }
 
   /**
-   * Records a use and returns the variance [m²] that the place contributes to the measurement. The
-   * place's error stays the same, so all uses within two correlation times together tell no more
-   * about the vehicle than one (Brown and Hwang, 3rd ed., section 5.3).
+   * Records a use and returns the variance [m²] that the landmark's position contributes to the
+   * measurement. The position error is constant, so all uses within two correlation times together
+   * carry no more information than one (Brown and Hwang, 3rd ed., section 5.3).
    *
-   * @param shared landmarks learnt, which have the vehicle's error in common
+   * @param shared number of learnt landmarks, which share the vehicle's error
    */
   double use(long micros, int shared) {
     if (isKnown) {

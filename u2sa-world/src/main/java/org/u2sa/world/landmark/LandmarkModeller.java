@@ -20,14 +20,15 @@ import org.u2sa.world.modeller.Sighting;
 
 /**
  * Recognises sighted objects as landmarks, objects of WORLD or objects seen before, and publishes
- * range and bearing of each as a measurement for the State Estimator (thesis 4.3.1.2). A UID
- * decides which landmark it is; without one, type and place, if only one fits.
+ * range and bearing of each as a measurement for the State Estimator (thesis 4.3.1.2). Sightings
+ * are associated by UID or, without one, by type and position if only one landmark fits.
  */
 public final class LandmarkModeller implements Modeller {
-  /** First word of the measurements' sources; the sensor's name follows. */
+  /** Prefix of the measurements' sources, followed by the sensor's name. */
   public static final String SOURCE = "Landmarks";
 
-  private static final double AMBIGUOUS = 2.0; // the second nearest must be this much farther
+  private static final double AMBIGUOUS =
+      2.0; // ratio test: the second nearest must be this much farther
   private static final double NEAREST_M = 0.1;
   private static final long RETURN_MICROS = 15_000_000L; // after learning it, before using it
   private static final int MAX_LANDMARKS = 2000;
@@ -42,7 +43,7 @@ public final class LandmarkModeller implements Modeller {
   private int learnt;
 
   /**
-   * @param configuration the World Modeler's
+   * @param configuration configuration of the World Modeler
    */
   public LandmarkModeller(Configurator configuration) {
     settings = configuration.settings(LandmarkVariables.class);
@@ -76,10 +77,7 @@ public final class LandmarkModeller implements Modeller {
     }
   }
 
-  /**
-   * A vehicle that has lost its place still knows what a landmark with a UID is; it counts as
-   * level.
-   */
+  /** Associates by UID alone when the vehicle's position is lost; assumes a level vehicle. */
   private void named(ObjectDescription object, long micros) {
     ObjectDescription frd = object.in(ReferenceFrame.BODY_FRD, null);
     double range = Math.hypot(frd.x(), frd.y());
@@ -146,7 +144,9 @@ public final class LandmarkModeller implements Modeller {
     StateInformation vehicle = sighting.vehicle().orElseThrow();
     ObjectDescription frd = object.in(ReferenceFrame.BODY_FRD, null);
     Point level =
-        frame.mapFromFrd(sighting.vehicle()).times(frd.center()); // from the vehicle, map's axes
+        frame
+            .mapFromFrd(sighting.vehicle())
+            .times(frd.center()); // relative to the vehicle, in the map's axes
     double range = Math.hypot(level.x(), level.y());
     if (range < NEAREST_M) {
       return;
@@ -158,7 +158,7 @@ public final class LandmarkModeller implements Modeller {
     double turned = range * vehicle.number(StateField.PSI_SIGMA).orElse(0.0);
     double x = vehicle.number(StateField.X_SIGMA).orElse(0.0);
     double y = vehicle.number(StateField.Y_SIGMA).orElse(0.0);
-    double placed = Math.max(x * x, y * y) + turned * turned; // by the vehicle's pose
+    double placed = Math.max(x * x, y * y) + turned * turned; // due to the vehicle's pose
     Optional<Landmark> landmark = landmark(object, at, placed + largest);
     if (landmark.isEmpty()) {
       unknown++;
@@ -172,7 +172,7 @@ public final class LandmarkModeller implements Modeller {
       return;
     }
     if (!known.isKnown() && sighting.micros() - known.learntMicros() < RETURN_MICROS) {
-      return; // it would only repeat what the vehicle's pose was
+      return; // it would only repeat the vehicle's pose
     }
     Point nose = frame.mapFromFrd(sighting.vehicle()).times(Point.of(1.0, 0.0, 0.0));
     double bearing = StrictMath.atan2(level.y(), level.x()) - StrictMath.atan2(nose.y(), nose.x());
@@ -191,7 +191,7 @@ public final class LandmarkModeller implements Modeller {
     if (named != null && !object.uid().isEmpty()) {
       return Optional.of(named);
     }
-    boolean hasName = // else the sensor numbers what it sees
+    boolean hasName = // otherwise the UID is only a number assigned by the sensor
         !object.uid().isEmpty()
             && (settings.get().types().isEmpty() || settings.get().learnLandmarks());
     Landmark best = null;
@@ -231,7 +231,7 @@ public final class LandmarkModeller implements Modeller {
                     object.uid().isEmpty()
                         && at.distanceTo(each.place())
                             < 6.0 * Math.sqrt(placed + own + each.variance()));
-    if (!isNear) { // else it may be that one
+    if (!isNear) { // otherwise ambiguous
       String name = object.uid().isEmpty() ? "seen " + landmarks.size() : object.uid();
       landmarks.put(name, Landmark.seen(name, object.objectType(), at, placed, own));
     }

@@ -10,21 +10,24 @@ import org.u2sa.interfaces.configuration.Variable;
 record LandmarkVariables(
     @Variable(ifAbsentText = "")
         @Description(
-            "Types of objects that stand still and serve as landmarks, separated by commas, such as \"buoy, gate\". Empty: all objects of WORLD that have a UID.")
+            "Types of stationary objects that serve as landmarks, separated by commas, such as "
+                + "\"buoy, gate\". Empty: all objects of WORLD that have a UID.")
         String landmarkTypes,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.1)
-        @Description("Standard deviation of the places in WORLD, in each axis.")
+        @Description("Standard deviation of the positions in WORLD, per axis.")
         double landmarkSigma,
     @Variable(ifAbsentText = "false")
         @Description(
-            "Whether objects of LANDMARK TYPES that are not in WORLD become landmarks where they were first seen.")
+            "Whether objects of LANDMARK TYPES that are not in WORLD are learnt as landmarks at "
+                + "their first sighting.")
         boolean learnLandmarks,
     @Variable(min = 1, max = 20, ifAbsent = 3)
         @Description(
-            "Distance in standard deviations up to which a sighting without a known UID may be of a landmark, if no other is nearly as near.")
+            "Association gate, in standard deviations, of a sighting without a known UID; "
+                + "ambiguous sightings are ignored.")
         double landmarkGate,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.3)
-        @Description("Standard deviation of a sighting that states none, in each axis.")
+        @Description("Default standard deviation of a sighting, per axis.")
         double sightingSigma) {
   Set<String> types() {
     return Arrays.stream(landmarkTypes.split(","))

@@ -1,2 +1,2 @@
-/** Landmarks: objects of known place that correct the vehicle's state. */
+/** Landmarks: objects at known positions that correct the vehicle's state. */
 package org.u2sa.world.landmark;

@@ -14,7 +14,8 @@ public interface ModellerProvider {
   /**
    * Creates a modeller for one World Modeler.
    *
-   * @param configuration the World Modeler's, from which the modeller declares and reads variables
+   * @param configuration configuration of the World Modeler, in which the modeller declares and
+   *     reads variables
    */
   Modeller modeller(Configurator configuration);
 }

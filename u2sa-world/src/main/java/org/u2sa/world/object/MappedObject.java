@@ -145,10 +145,7 @@ final class MappedObject {
     seenMicros = Math.max(seenMicros, micros);
   }
 
-  /**
-   * Completes a sighting with the known type: a scanner measures where something is, a camera what
-   * it is.
-   */
+  /** Completes a sighting with the known type: a scanner measures a position, a camera the type. */
   private ObjectDescription knownAs(ObjectDescription newest) {
     if (!newest.objectType().isEmpty() || template.objectType().isEmpty()) {
       return newest;

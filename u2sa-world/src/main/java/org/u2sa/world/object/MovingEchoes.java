@@ -149,7 +149,7 @@ final class MovingEchoes {
     return spot;
   }
 
-  /** Nearest known object to a place that was not yet seen in this scan. */
+  /** Nearest known object to a position that was not yet seen in this scan. */
   private Optional<Spot> spot(double x, double y, long micros) {
     Spot nearest = null;
     double least = STEP_M;

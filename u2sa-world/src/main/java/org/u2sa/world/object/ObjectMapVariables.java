@@ -17,22 +17,24 @@ record ObjectMapVariables(
             "OBJECTS: types of objects flat on the ground, such as potholes, separated by commas. A camera cannot see them behind an object that a scanner sees; a sighting there is part of that object.")
         String flatTypes,
     @Variable(unit = "m", min = 0.001, max = 10_000, ifAbsent = 0.3)
-        @Description("OBJECTS: standard deviation of a sighting that states none.")
+        @Description("OBJECTS: default standard deviation of a sighting.")
         double defaultSigma,
     @Variable(min = 1, max = 100, ifAbsent = 4)
         @Description(
-            "OBJECTS: distance, in standard deviations of sighting and object together, beyond which a sighting is of something else.")
+            "OBJECTS: association gate, in combined standard deviations of sighting and object.")
         double gate,
     @Variable(ifAbsentText = "false")
         @Description(
-            "OBJECTS: whether UIDs of sensors identify objects: the same UID always means the same object, another UID another object.")
+            "OBJECTS: whether UIDs of sensors identify objects: one UID always means the same "
+                + "object, different UIDs different objects.")
         boolean trustUids,
     @Variable(min = 1, max = 31, ifAbsent = 3)
-        @Description("OBJECTS: sightings out of CONFIRM WINDOW that make an object certain.")
+        @Description("OBJECTS: sightings within CONFIRM WINDOW that confirm an object.")
         int confirmHits,
     @Variable(min = 1, max = 31, ifAbsent = 5)
         @Description(
-            "OBJECTS: occasions to see an object, of which CONFIRM HITS must have been used, or it is dropped.")
+            "OBJECTS: opportunities to see an object, within which it must be seen CONFIRM HITS "
+                + "times or is dropped.")
         int confirmWindow,
     @Variable(min = 0.1, max = 0.999, ifAbsent = 0.9)
         @Description(
@@ -40,29 +42,35 @@ record ObjectMapVariables(
         double detectionProbability,
     @Variable(ifAbsentText = "")
         @Description(
-            "OBJECTS: what sensors of objects see, such as Camera: 60 deg, 8 m; Radar: 120 deg, 150 m, 90 deg (width, reach, direction to the left). Without an entry a sensor that does not see an object says nothing against it.")
+            "OBJECTS: fields of view of object sensors, such as Camera: 60 deg, 8 m; Radar: 120 "
+                + "deg, 150 m, 90 deg (width, reach, direction to the left). A sensor without an "
+                + "entry gives no negative evidence.")
         String fieldsOfView,
     @Variable(ifAbsentText = "")
         @Description(
-            "OBJECTS: types of objects that scanners see, separated by commas, * for all: a scan through the place of such an object speaks against it.")
+            "OBJECTS: types of objects that scanners see, separated by commas, * for all: a beam "
+                + "through such an object is negative evidence.")
         String scannersSee,
     @Variable(ifAbsentText = "true")
         @Description(
-            "OBJECTS: whether echoes of scanners where earlier scans saw that nothing is are followed, and published once they are known to move.")
+            "OBJECTS: whether scanner echoes in formerly free space are tracked, and published "
+                + "once known to move.")
         boolean moversInScans,
     @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 5)
-        @Description("OBJECTS: usual speed of moving objects, 1 sigma; 0: nothing moves.")
+        @Description("OBJECTS: typical speed of moving objects, 1 sigma; 0: nothing moves.")
         double usualSpeed,
     @Variable(ifAbsentText = "*")
         @Description(
-            "OBJECTS: types of objects that can move, separated by commas; * for all. What is of no known type always can.")
+            "OBJECTS: types of objects that can move, separated by commas; * for all. Objects of "
+                + "unknown type always can.")
         String movers,
     @Variable(unit = "m/s^2", min = 0, max = 100, ifAbsent = 1)
         @Description("OBJECTS: acceleration of moving objects, in speed or direction, 1 sigma.")
         double manoeuvres,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.05)
         @Description(
-            "OBJECTS: error that all sightings of a sensor have in common, as from how it is mounted, 1 sigma: no number of sightings makes a place more certain.")
+            "OBJECTS: error common to all sightings of a sensor, such as its mounting error, 1 "
+                + "sigma: averaging does not reduce it.")
         double systematicSigma,
     @Variable(unit = "s", min = 0, ifAbsent = 5)
         @Description("OBJECTS: time after which an unseen moving object is dropped; 0: never.")
@@ -71,18 +79,19 @@ record ObjectMapVariables(
         @Description("OBJECTS: time after which an unseen stationary object is dropped; 0: never.")
         double forgetStanding,
     @Variable(unit = "m", min = 0, max = 10_000, ifAbsent = 0.5)
-        @Description("OBJECTS: distance within which two alike objects are merged.")
+        @Description("OBJECTS: distance within which two similar objects are merged.")
         double mergeWithin,
     @Variable(unit = "m", min = 0, max = 100_000, ifAbsent = 1)
         @Description(
             "OBJECTS: distance to keep from a moving object, added to its own radius in the moving sphere.")
         double buffer,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
-        @Description("OBJECTS: time ahead for which the motion of an object is predicted.")
+        @Description("OBJECTS: prediction horizon of an object's motion.")
         double horizon,
     @Variable(ifAbsentText = "false")
         @Description(
-            "OBJECTS: whether objects of the world file are dropped too when they are not seen where they should be.")
+            "OBJECTS: whether objects of the world file are dropped, too, if they are not seen "
+                + "where they should be.")
         boolean doubtFile,
     @Variable(min = 1, max = 100_000, ifAbsent = 1000)
         @Description(

@@ -32,7 +32,7 @@ final class TrackFilter {
 
   private static final double STILL_SHARE = 0.7; // of the speed threshold, for hysteresis
 
-  /** Acceleration of the constant-velocity model as a fraction of the assumed one. */
+  /** Acceleration of the constant-velocity model as a fraction of the assumed acceleration. */
   private static final double STEADY_SHARE = 0.1;
 
   /** Transition rate between constant velocity and manoeuvring [1/s]. */
@@ -136,7 +136,7 @@ final class TrackFilter {
     if (turning.chance() > SURE * chance()) { // a steady course may start from here
       steady.adopt(turning);
     }
-    if (chance() > SURE) { // a later stop is at its position then
+    if (chance() > SURE) { // a later stop is at the position of that time
       standing.restartAt(moving(), 0.0);
     }
     moves = isSurelyMoving();

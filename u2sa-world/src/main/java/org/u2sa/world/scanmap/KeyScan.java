@@ -2,7 +2,7 @@ package org.u2sa.world.scanmap;
 
 import org.u2sa.messages.RangeScan;
 
-/** A scan kept in the map, at a pose that loop closures move. */
+/** A scan kept in the map; loop closures adjust its pose. */
 final class KeyScan {
   private final ScanPoints points;
   private final RangeScan scan;
@@ -12,7 +12,7 @@ final class KeyScan {
   /**
    * @param points echoes in the vehicle's axes
    * @param scan the scan itself, to rebuild the grid from
-   * @param way distance driven until then [m]
+   * @param way distance driven so far [m]
    */
   KeyScan(Pose2 pose, ScanPoints points, RangeScan scan, double way) {
     this.pose = pose;

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Surfaces seen by some key scans, in a square raster: in each cell the mean of the echoes and of
- * their surface's direction, and the likelihood of an echo for a correlative search.
+ * Local raster of surfaces from several key scans: each cell holds the mean echo position and
+ * surface normal, and the likelihood of an echo for the correlative search.
  */
 final class LocalMap {
   static final double CELL = 0.1; // [m]
@@ -15,13 +15,13 @@ final class LocalMap {
   private static final int STAMP = 3; // radius of the likelihood around a surface [cells]
   private static final double STAMP_SIGMA = 1.3; // [cells]
   private static final int FULL = 100;
-  private static final int SIZES = 5; // numbers of a cell's sum: x, y, nx, ny, count
+  private static final int SIZES = 5; // values summed per cell: x, y, nx, ny, count
 
   private final int side;
   private final int[] index;
   private final byte[] likelihood;
   private final int blocks;
-  private final byte[] bounds; // per block of cells, see bound
+  private final byte[] bounds; // per block of cells, see {@code bound}
   private final byte[] stamp = new byte[(2 * STAMP + 1) * (2 * STAMP + 1)];
   private double left;
   private double bottom;
@@ -29,7 +29,7 @@ final class LocalMap {
   private int used;
 
   /**
-   * @param reach distance from the centre that the raster covers [m]
+   * @param reach distance from the centre to the raster's edge [m]
    */
   LocalMap(double reach) {
     side = (int) Math.ceil(2.0 * reach / CELL);
@@ -45,7 +45,7 @@ final class LocalMap {
     }
   }
 
-  /** Replaces the contents by the echoes of some scans around a centre. */
+  /** Replaces the contents with the echoes of several scans around a centre. */
   void build(List<KeyScan> scans, Pose2 centre) {
     Arrays.fill(index, -1);
     Arrays.fill(likelihood, (byte) 0);
@@ -149,10 +149,10 @@ final class LocalMap {
   }
 
   /**
-   * The surface element nearest to a point, whose direction agrees with the point's.
+   * The nearest surface element whose normal agrees with that of a point.
    *
-   * @param reach how many cells around are searched
-   * @return its number, or -1
+   * @param reach search radius [cells]
+   * @return index of the element, or -1
    */
   int nearest(double x, double y, double nx, double ny, int reach) {
     int column = (int) Math.floor((x - left) / CELL);
@@ -194,7 +194,7 @@ final class LocalMap {
     return bottom + sums[at * SIZES + 1] / sums[at * SIZES + 4];
   }
 
-  /** Mean of the unit normals: its length says how well they agree, 0…1. */
+  /** Mean of the unit normals; its length, 0…1, measures how well they agree. */
   double normalX(int at) {
     return sums[at * SIZES + 2] / sums[at * SIZES + 4];
   }

@@ -6,12 +6,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Looks for places where the vehicle was before. A candidate has to fit well, not only along one
- * direction, clearly better than elsewhere in the searched area, and a second one from a later scan
- * has to agree with it.
+ * Detects loop closures. A candidate must fit well in both directions and clearly better than
+ * elsewhere in the search window, and a second candidate from a later scan must agree with it.
  */
 final class LoopSearch {
-  /** A place found: the newest key scan relative to an earlier one. */
+  /** A candidate: the newest key scan relative to an earlier one. */
   record Closure(int from, int to, Pose2 step, double[] information) {}
 
   private static final double MIN_WAY_M = 12.0; // between two visits
@@ -19,17 +18,19 @@ final class LoopSearch {
   private static final double BASE_RADIUS_M = 1.5;
   private static final double SIGMAS = 3.0;
   private static final double MAX_TURN = 0.5; // [rad]
-  private static final double NEIGHBOURS_M = 6.0; // way before and after the candidate
-  private static final double JOINED_M = 4.0; // way of the newest scans, matched together
+  private static final double NEIGHBOURS_M =
+      6.0; // distance driven before and after the candidate [m]
+  private static final double JOINED_M =
+      4.0; // distance covered by the newest scans, matched together [m]
   private static final double MIN_SHARE = 0.7;
   private static final double MIN_SCORE = 0.55;
   private static final double MAX_SIGMA_M = 0.15;
   private static final double AGREE_M = 0.35;
   private static final double AGREE_RAD = 0.06;
   private static final double PENDING_WAY_M = 5.0;
-  private static final double STEP_M = 0.7; // way between searches
+  private static final double STEP_M = 0.7; // distance between searches [m]
   private static final double PAUSE_M =
-      3.0; // way after a closure without another to the same visit
+      3.0; // minimum distance after a closure before another one to the same visit [m]
   private static final int MIN_POINTS = 60;
   private static final int CANDIDATES = 2;
 
@@ -74,7 +75,7 @@ final class LoopSearch {
       }
     }
     visits.removeIf(each -> isClosed(keys, each));
-    visits.sort(null); // the oldest first: its place has drifted least
+    visits.sort(null); // oldest first: its position has drifted least
     List<Closure> found = new ArrayList<>();
     for (int candidate : visits.subList(0, Math.min(CANDIDATES, visits.size()))) {
       closure(keys, candidate, radius, turn).ifPresent(each -> confirm(keys, each, found));
@@ -108,7 +109,7 @@ final class LoopSearch {
     pending.add(closure);
   }
 
-  /** Whether two closures say the same of the way between, by the chains at both ends. */
+  /** Whether two closures are consistent, given the chains of poses at both ends. */
   private static boolean agree(List<KeyScan> keys, Closure a, Closure b) {
     Pose2 early = keys.get(b.from()).pose().from(keys.get(a.from()).pose());
     Pose2 late = keys.get(b.to()).pose().from(keys.get(a.to()).pose());
@@ -162,7 +163,7 @@ final class LoopSearch {
         new Closure(candidate, newest, match.pose().from(early), Matrix3.times(information, 0.25)));
   }
 
-  /** Number of places compared so far. */
+  /** Number of candidates compared so far. */
   long tried() {
     return tried;
   }

@@ -22,8 +22,8 @@ import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.modeller.MapFrame;
 
 /**
- * A saved map: gzip of a header, the map's frame and anchor, and of each key scan its pose and the
- * scan as the wire has it.
+ * A saved map: gzip of a header, the map's frame and anchor, and the pose and wire-format scan of
+ * each key scan.
  */
 final class MapFile {
   /** A key scan of a file, not yet placed in a map. */
@@ -38,7 +38,7 @@ final class MapFile {
 
   private MapFile() {}
 
-  /** Writes a map; an existing file is replaced as a whole. */
+  /** Writes a map; an existing file is replaced atomically. */
   static void write(Path file, MapFrame frame, List<KeyScan> keys) throws IOException {
     MessageCodec codec = new MessageCodec(StandardTypes.registry());
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -70,7 +70,7 @@ final class MapFile {
   /**
    * Reads a map.
    *
-   * @throws BadInputException naming the file and what is wrong with it
+   * @throws BadInputException if the file is invalid, naming file and cause
    */
   static Contents read(Path file) {
     try (DataInputStream in =
@@ -92,7 +92,7 @@ final class MapFile {
       }
       return new Contents(frame, scans);
     } catch (IOException | IllegalArgumentException | MalformedMessageException e) {
-      throw new BadInputException(file + ": no map that can be read: " + e.getMessage());
+      throw new BadInputException(file + ": not a readable map: " + e.getMessage());
     }
   }
 
@@ -107,7 +107,7 @@ final class MapFile {
     in.readFully(bytes);
     U2SAData scan = codec.decode(RangeScan.TYPE.chain(), bytes);
     if (!(scan instanceof RangeScan range) || !range.referenceFrame().isBody()) {
-      throw new IOException("a scan that is none, or not in a frame of the vehicle");
+      throw new IOException("an invalid scan, or one not in the vehicle's frame");
     }
     return new Saved(pose, range);
   }

@@ -1,12 +1,12 @@
 package org.u2sa.world.scanmap;
 
-/** Symmetric 3 × 3 matrices of x, y and angle, row by row in arrays of nine. */
+/** Symmetric 3 × 3 matrices over x, y and angle, stored row by row in arrays of nine. */
 final class Matrix3 {
   static final int SIZE = 3;
 
   private Matrix3() {}
 
-  /** Diagonal matrix of squares. */
+  /** Diagonal matrix of the squares of the arguments. */
   static double[] ofSigmas(double x, double y, double angle) {
     return new double[] {x * x, 0.0, 0.0, 0.0, y * y, 0.0, 0.0, 0.0, angle * angle};
   }

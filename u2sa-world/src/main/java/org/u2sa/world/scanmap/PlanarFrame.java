@@ -20,7 +20,7 @@ final class PlanarFrame {
     eastFirst = map.up() > 0.0;
   }
 
-  /** Pose of a state of this map. */
+  /** Pose of a state in this map. */
   Pose2 pose(StateInformation vehicle) {
     Point place = map.vehicle(Optional.of(vehicle));
     Point nose = map.mapFromFrd(Optional.of(vehicle)).times(Point.of(1.0, 0.0, 0.0));
@@ -42,7 +42,7 @@ final class PlanarFrame {
         : new Pose2(north, east, Pose2.wrapped(psi));
   }
 
-  /** Covariance of a state's own standard deviations. */
+  /** Covariance from a state's standard deviations. */
   static double[] covariance(StateInformation vehicle) {
     return Matrix3.ofSigmas(
         vehicle.number(StateField.X_SIGMA).orElse(0.0),
@@ -50,7 +50,7 @@ final class PlanarFrame {
         vehicle.number(StateField.PSI_SIGMA).orElse(0.0));
   }
 
-  /** The same state at another pose. */
+  /** Copy of a state at another pose. */
   StateInformation moved(StateInformation vehicle, Pose2 pose) {
     StateInformation state = vehicle.in(map.frame()).copy();
     Point metres = Point.of(pose.x(), pose.y(), map.vehicle(Optional.of(vehicle)).z());
@@ -59,9 +59,9 @@ final class PlanarFrame {
   }
 
   /**
-   * Measurement of a pose. A state has no correlation of x and y, so their variances are raised
-   * until the ellipse lies within: along an oblique corridor both axes are as uncertain as the way
-   * along it.
+   * Measurement of a pose. A state cannot carry the correlation of x and y, so the variances are
+   * inflated to enclose the ellipse: in an oblique corridor both axes are as uncertain as the
+   * direction along it.
    */
   StateInformation measurement(Pose2 pose, double[] covariance, double z) {
     Point place = map.point(Point.of(pose.x(), pose.y(), z));

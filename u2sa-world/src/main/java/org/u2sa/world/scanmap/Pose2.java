@@ -34,7 +34,7 @@ record Pose2(double x, double y, double theta) {
     return Math.hypot(x - other.x, y - other.y);
   }
 
-  /** The same angle within ±π. */
+  /** Normalises an angle to ±π. */
   static double wrapped(double angle) {
     return Math.IEEEremainder(angle, 2.0 * Math.PI);
   }

@@ -5,18 +5,18 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Poses joined by relative poses, and their most likely values by sparse Gauss-Newton (Grisetti,
- * Kümmerle, Stachniss and Burgard, "A tutorial on graph-based SLAM", IEEE ITS Magazine 2, 2010).
- * The first pose stays. Errors count linearly beyond three standard deviations (Huber's loss), so
- * that one wrong match or closure takes the contradiction upon itself instead of bending the rest.
+ * Pose graph, optimised by sparse Gauss-Newton (Grisetti, Kümmerle, Stachniss and Burgard, "A
+ * tutorial on graph-based SLAM", IEEE ITS Magazine 2, 2010). The first pose is fixed. A Huber loss
+ * beyond three standard deviations limits the influence of a wrong match or closure on the rest of
+ * the graph.
  */
 final class PoseGraph {
   /**
    * A measured relative pose.
    *
-   * @param from number of the pose it starts at
-   * @param to number of the later pose
-   * @param step pose of the later one relative to the earlier
+   * @param from index of the first pose
+   * @param to index of the later pose
+   * @param step pose of the later relative to the earlier pose
    * @param information in the axes of the earlier pose
    * @param isClosure whether it closes a loop and may be wrong
    */
@@ -24,7 +24,7 @@ final class PoseGraph {
 
   private static final int STEPS = 30;
   private static final double DONE = 1e-3;
-  private static final double TRUSTED_SIGMAS = 3.0; // beyond, an error counts linearly
+  private static final double TRUSTED_SIGMAS = 3.0; // Huber threshold, in standard deviations
   private static final int N = 3;
 
   private final List<Pose2> poses = new ArrayList<>();
@@ -52,7 +52,7 @@ final class PoseGraph {
   }
 
   /**
-   * Moves all poses but the first to their most likely values.
+   * Optimises all poses except the first.
    *
    * @return covariance of the last pose relative to the first
    */
@@ -100,13 +100,13 @@ final class PoseGraph {
     return covariance;
   }
 
-  /** Squared error of an edge in standard deviations. */
+  /** Squared Mahalanobis error of an edge. */
   double square(Edge edge) {
     Pose2 off = error(edge);
     return Matrix3.square(edge.information(), off.x(), off.y(), off.theta());
   }
 
-  /** Difference between the poses' relation and the measured one, in the earlier pose's axes. */
+  /** Difference between the current and the measured relative pose, in the earlier pose's axes. */
   private Pose2 error(Edge edge) {
     Pose2 is = poses.get(edge.to()).from(poses.get(edge.from()));
     Pose2 step = edge.step();
@@ -177,7 +177,7 @@ final class PoseGraph {
     return a[i] * b[j] + a[N + i] * b[N + j] + a[2 * N + i] * b[2 * N + j];
   }
 
-  /** Removes closures that contradict the rest. Returns how many. */
+  /** Removes closures that contradict the rest, and returns their number. */
   int dropContradicted(double limit) {
     int before = edges.size();
     edges.removeIf(edge -> edge.isClosure() && square(edge) > limit);

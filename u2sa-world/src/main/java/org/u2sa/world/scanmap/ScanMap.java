@@ -5,34 +5,36 @@ import java.util.List;
 import org.u2sa.messages.RangeScan;
 
 /**
- * Map of key scans: finds each scan's pose in it, grows by a key scan now and then, and closes
- * loops. In the plane, in the axes of the map.
+ * Planar map of key scans: finds each scan's pose by matching, adds key scans, and closes loops.
+ * All poses are in the map's axes.
  */
 final class ScanMap {
   /**
-   * What the pose of a scan is known to be.
+   * Estimated pose of a scan.
    *
    * @param pose of the vehicle in the map
-   * @param covariance of x, y and angle in the map's axes: of the place on the map, the map's own,
-   *     and along directions in which the surroundings look alike that of the way
-   * @param isMatched whether the scan fitted the map; else the pose is the way's
+   * @param covariance of x, y and angle in the map's axes: match and map uncertainty, and
+   *     dead-reckoning uncertainty along directions that the surroundings do not constrain
+   * @param isMatched whether the scan matched the map; otherwise the pose is dead-reckoned
    * @param isRebuilt whether a loop was closed and all poses have moved
    */
   record Located(Pose2 pose, double[] covariance, boolean isMatched, boolean isRebuilt) {}
 
-  private static final double NEAR_M = 12.0; // key scans that a scan is compared with
-  private static final int RECENT = 25; // of these, as long as no loop is closed
+  private static final double NEAR_M = 12.0; // key scans that a scan is matched against
+  private static final int RECENT = 25; // same, until a loop is closed
   private static final int CLOSED_RECENTLY = 12; // key scans
   private static final double SEARCH_SIGMAS = 3.0;
   private static final double MIN_SEARCH_M = 0.3;
-  private static final double MIN_SEARCH_RAD = 0.25; // odometry may be late while the vehicle turns
+  private static final double MIN_SEARCH_RAD = 0.25; // odometry may lag while the vehicle turns
   private static final double MAX_SEARCH_M = 2.0;
   private static final double MAX_SEARCH_RAD = 0.5;
-  private static final int LOST_SCANS = 3; // so many in a row fit nothing: an unknown area
-  private static final double LOST_FACTOR = 10.0; // on the way's covariance then
-  private static final double OUTSIDE = 1.5; // of the searched window, a match is no match
+  private static final int LOST_SCANS = 3; // consecutive mismatches that indicate an unknown area
+  private static final double LOST_FACTOR =
+      10.0; // factor on the dead-reckoning covariance in that case
+  private static final double OUTSIDE =
+      1.5; // fraction of the search window beyond which a match is rejected
   private static final double MAX_SQUARE = 40.0; // of a closure after optimisation
-  private static final int MAX_KEYS = 4000; // 4 km and more; memory of some 60 MB
+  private static final int MAX_KEYS = 4000; // at least 4 km; about 60 MB of memory
 
   private final ScanMapVariables tuning;
   private final List<KeyScan> keys = new ArrayList<>();
@@ -46,7 +48,7 @@ final class ScanMap {
   private Pose2 pose;
   private double[] covariance;
   private double[] atNewestKey = new double[9]; // covariance of the newest key scan's pose
-  private double[] sinceKey = new double[9]; // covariance of the way since the newest key scan
+  private double[] sinceKey = new double[9]; // dead-reckoning covariance since the newest key scan
   private Pose2 lastKey; // where the newest key scan, or the last fixed match, was taken
   private double way;
   private long matches;
@@ -57,7 +59,7 @@ final class ScanMap {
   /**
    * @param start pose of the vehicle in the map
    * @param startCovariance of that pose
-   * @param saved key scans of a map that stays as it is; empty: the map grows
+   * @param saved key scans of a fixed map; empty: a new map is built
    */
   ScanMap(ScanMapVariables tuning, Pose2 start, double[] startCovariance, List<KeyScan> saved) {
     this.tuning = tuning;
@@ -73,7 +75,7 @@ final class ScanMap {
   /**
    * Finds the pose of a scan.
    *
-   * @param step way of the vehicle since the scan before, in its axes there
+   * @param step motion since the previous scan, in the axes of the vehicle at that scan
    */
   Located locate(ScanPoints points, RangeScan scan, Pose2 step) {
     double metres = Math.hypot(step.x(), step.y());
@@ -105,7 +107,7 @@ final class ScanMap {
       pose = predicted;
       covariance = carried;
       boolean isNew = !isFixed && ++unmatchedInARow >= LOST_SCANS && isFarFromKey();
-      boolean isRebuilt = // the way alone joins an unknown area
+      boolean isRebuilt = // an unknown area is connected by dead reckoning alone
           isNew
               && key(
                   points,
@@ -201,7 +203,7 @@ final class ScanMap {
     return Matrix3.ofSigmas(along, along, angle);
   }
 
-  /** Fills the local map with the key scans around, unless they are in it. */
+  /** Updates the local map with the nearby key scans, if they have changed. */
   private void prepare(Pose2 predicted) {
     List<KeyScan> chosen = isFixed ? nearFixed(predicted) : nearGrowing(predicted);
     if (!chosen.equals(compared)) {

@@ -24,17 +24,18 @@ import org.u2sa.world.modeller.Sighting;
 
 /**
  * Matches each scan with a map of earlier ones and publishes the pose as a measurement for the
- * State Estimator (thesis 4.3.1.2); closes loops and rebuilds the grid from the map. Scans go into
- * the grid at their matched pose, those of further scanners relative to the last one. The way
- * between scans is that of local-state, which never jumps; of an estimator without one, that of the
- * state.
+ * State Estimator (thesis 4.3.1.2); closes loops and rebuilds the grid from the map. Scans enter
+ * the grid at their matched pose, scans of other scanners relative to the last match. The motion
+ * between scans is taken from local-state, which never jumps, or from the state if the estimator
+ * publishes no local-state.
  */
 public final class ScanMapModeller implements Modeller {
   /** Name of the measurements' source. */
   public static final String SOURCE = "ScanMap";
 
   private static final long LOCAL_GAP_MICROS = 500_000L;
-  private static final long LOST_MICROS = 5_000_000L; // between scans: the map starts again
+  private static final long LOST_MICROS =
+      5_000_000L; // maximum interval between scans: beyond it the map is restarted
 
   private final Settings<ScanMapVariables> settings;
   private final Settings<GridModeller.Variables> gridSettings;
@@ -42,20 +43,20 @@ public final class ScanMapModeller implements Modeller {
   private final PoseHistory locals = new PoseHistory();
   private final List<StateInformation> corrections = new ArrayList<>();
   private final Function<String, Path> files;
-  private MapFile.Contents saved; // of MAP FILE; null without
+  private MapFile.Contents saved; // of MAP FILE, or null
   private MapFrame frame = MapFrame.BODY;
   private ScanMap map;
-  private Pose2 lastWay; // of the previous scan, in the axes of local-state or the state
+  private Pose2 lastWay; // at the previous scan, in the axes of local-state or the state
   private boolean lastIsLocal;
   private long lastMicros;
-  private String scanner = ""; // the first heard: only its scans are matched
-  private Pose2 matched; // of the scan last matched, on the map
-  private Pose2 matchedTold; // the same by the state
+  private String scanner = ""; // first scanner heard: only its scans are matched
+  private Pose2 matched; // of the last matched scan, on the map
+  private Pose2 matchedTold; // same, according to the state
 
   /**
-   * @param configuration the World Modeler's
-   * @param grid grid to keep
-   * @param files finds a file named in the configuration
+   * @param configuration configuration of the World Modeler
+   * @param grid the grid to rebuild
+   * @param files resolves file names in the configuration
    */
   public ScanMapModeller(
       Configurator configuration, GridModeller grid, Function<String, Path> files) {
@@ -117,7 +118,7 @@ public final class ScanMapModeller implements Modeller {
         now.matchPoints());
   }
 
-  /** Way of the vehicle since the previous scan, in its axes there. */
+  /** Motion since the previous scan, in the vehicle's axes at that scan. */
   private Pose2 step(PlanarFrame plane, Pose2 told, long micros) {
     Optional<StateInformation> local = locals.at(micros, LOCAL_GAP_MICROS);
     Pose2 way = local.map(plane::local).orElse(told);
@@ -147,7 +148,7 @@ public final class ScanMapModeller implements Modeller {
     }
   }
 
-  /** Key scans of MAP FILE, at their places in this map. */
+  /** Key scans of MAP FILE, at their poses in this map. */
   private List<KeyScan> saved(PlanarFrame plane, StateInformation vehicle) {
     if (saved == null) {
       return List.of();
@@ -204,7 +205,7 @@ public final class ScanMapModeller implements Modeller {
     corrections.add(measured);
   }
 
-  /** Enters a scan into the grid at its place on the map. */
+  /** Enters a scan into the grid at its pose on the map. */
   private void enter(RangeScan scan, ScanPoses poses, PlanarFrame plane, Pose2 pose) {
     Sighting first = poses.first();
     StateInformation vehicle = first.vehicle().orElseThrow();

@@ -11,7 +11,9 @@ record ScanMapVariables(
         boolean correctState,
     @Variable(ifAbsentText = "")
         @Description(
-            "Where the vehicle starts on the map: x and y [m] and heading [deg], such as \"0 0 90\"; published in LOCAL_NED until a state arrives. Empty: the first state says it.")
+            "Where the vehicle starts on the map: x and y [m] and heading [deg], such as \"0 0 "
+                + "90\"; published in LOCAL_NED until a state arrives. Empty: taken from the first "
+                + "state.")
         String mapStart,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.05)
         @Description("Standard deviation of the position in MAP START.")
@@ -21,41 +23,42 @@ record ScanMapVariables(
         double mapStartPsiSigma,
     @Variable(ifAbsentText = "")
         @Description(
-            "Saved map to localise in, relative to the configuration file; it stays as it is. Empty: the map grows from the first scan.")
+            "Saved map for localisation, relative to the configuration file; it is not modified. "
+                + "Empty: the map is built from the first scan on.")
         String mapFile,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.05)
-        @Description("Standard deviation of the places on the map of MAP FILE.")
+        @Description("Standard deviation of positions on the map of MAP FILE.")
         double mapSigma,
     @Variable(ifAbsentText = "")
         @Description(
             "File to which the map is written when the World Modeler stops, relative to the configuration file. Empty: it is not saved.")
         String saveMap,
     @Variable(ifAbsentText = "true")
-        @Description("Whether to look for places where the vehicle was before, and to close loops.")
+        @Description("Whether to detect and close loops when the vehicle revisits a place.")
         boolean closeLoops,
     @Variable(unit = "m", min = 1, max = 60, ifAbsent = 25)
         @Description("Range beyond which echoes are not matched.")
         double matchReach,
     @Variable(min = 20, max = 2000, ifAbsent = 400)
-        @Description("Echoes of a scan that are matched, at most; more take more time.")
+        @Description("Maximum number of echoes of a scan to match; more take more time.")
         int matchPoints,
     @Variable(min = 0, max = 1, ifAbsent = 0.3)
-        @Description("Share of a scan's echoes that must lie on surfaces of the map.")
+        @Description("Minimum fraction of a scan's echoes that must lie on surfaces of the map.")
         double minShare,
     @Variable(unit = "m", min = 0.05, max = 10, ifAbsent = 0.5)
-        @Description("Way after which a scan is added to the map.")
+        @Description("Distance travelled after which a scan is added to the map.")
         double keyDistance,
     @Variable(unit = "deg", min = 1, max = 180, ifAbsent = 20)
-        @Description("Turn after which a scan is added to the map.")
+        @Description("Heading change after which a scan is added to the map.")
         double keyTurn,
     @Variable(min = 0, max = 2, ifAbsent = 0.1)
-        @Description("Standard deviation of the dead-reckoned way, as a share of it.")
+        @Description("Standard deviation of the dead-reckoned distance, as a fraction of it.")
         double wayNoise,
     @Variable(min = 0, max = 2, ifAbsent = 0.2)
-        @Description("Standard deviation of a dead-reckoned turn, as a share of it.")
+        @Description("Standard deviation of a dead-reckoned turn, as a fraction of it.")
         double turnNoise,
     @Variable(unit = "deg/m", min = 0, max = 45, ifAbsent = 1)
-        @Description("Standard deviation of the dead-reckoned heading per metre of way.")
+        @Description("Standard deviation of the dead-reckoned heading per metre travelled.")
         double headingNoise) {
   /** Validates MAP START. */
   ScanMapVariables {
@@ -77,7 +80,7 @@ record ScanMapVariables(
     }
     if (numbers.length != 3 || !Double.isFinite(numbers[0] + numbers[1] + numbers[2])) {
       throw new IllegalArgumentException(
-          "MAP START: \"" + text + "\" is not three numbers, x and y [m] and heading [deg]");
+          "MAP START: \"" + text + "\" is not three numbers: x and y [m] and heading [deg]");
     }
     return numbers;
   }

@@ -1,25 +1,25 @@
 package org.u2sa.world.scanmap;
 
 /**
- * Finds the pose from which a scan fits a map: a correlative search of a window (Olson, "Real-time
- * correlative scan matching", ICRA 2009), then Gauss-Newton on the distances of the echoes from the
- * surfaces (Censi, "An ICP variant using a point-to-line metric", ICRA 2008).
+ * Matches a scan to a map: a correlative search of a window (Olson, "Real-time correlative scan
+ * matching", ICRA 2009), then Gauss-Newton on the point-to-line distances " + "(Censi, "An ICP
+ * variant using a point-to-line metric", ICRA 2008).
  */
 final class ScanMatcher {
   /**
-   * A match.
+   * Result of a match.
    *
-   * @param pose where the scan fits best, given the guess
-   * @param information of the echoes alone about the pose, in the map's axes; without the guess's,
-   *     so that it is about 0 along a featureless corridor
-   * @param share part of the echoes that lie on surfaces of the map [0…1]
+   * @param pose the best pose, given the guess
+   * @param information information matrix from the echoes alone, in the map's axes; excludes the
+   *     prior, so it is about 0 along a featureless corridor
+   * @param share fraction of the echoes that lie on surfaces of the map, 0…1
    * @param score mean likelihood of the echoes [0…1]
    */
   record Match(Pose2 pose, double[] information, double share, double score) {}
 
   private static final double COARSE_M = 0.2;
   private static final double FINE_M = 0.1;
-  private static final double WIDE_M = 1.2; // a larger window is searched by bounds
+  private static final double WIDE_M = 1.2; // larger windows are searched by branch and bound
   private static final double COARSE_RAD = 0.035;
   private static final double FINE_RAD = 0.0125;
   private static final int SEARCHED_POINTS = 90;
@@ -32,10 +32,10 @@ final class ScanMatcher {
   private static final double POINT_SIGMA = 3.0; // of echoes that belong to no surface, times
   private static final double NEAR_M = 0.12; // an echo this near to a surface supports the match
 
-  /** Neighbouring beams hit the same part of a wall: this many count as one. */
+  /** Number of neighbouring beams that count as one independent measurement. */
   private static final double BEAMS_ALIKE = 8.0;
 
-  /** Squared error of a surface's direction [rad²]. */
+  /** Variance of a surface normal's direction [rad²]. */
   private static final double DIRECTION_NOISE = 0.004;
 
   private static final double DONE_M = 1e-4;
@@ -45,10 +45,10 @@ final class ScanMatcher {
   /**
    * Matches a scan.
    *
-   * @param guess where the vehicle should be
+   * @param guess predicted pose
    * @param prior information about the guess, in the map's axes
-   * @param windowM how far from the guess to search [m]; 0 for no search
-   * @param windowRad how far to turn [rad]
+   * @param windowM half-width of the search window [m]; 0 for no search
+   * @param windowRad half-width of the search window [rad]
    */
   Match match(
       LocalMap map,
@@ -61,7 +61,7 @@ final class ScanMatcher {
     return refined(map, scan, start, guess, prior);
   }
 
-  /** The pose of the highest likelihood in a window. */
+  /** The pose with the highest likelihood in a window. */
   Pose2 searched(LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
     Pose2 coarse =
         windowM > WIDE_M
@@ -71,8 +71,8 @@ final class ScanMatcher {
   }
 
   /**
-   * Best pose of a large window: squares of the size of a block in the order of their bounds, until
-   * no bound is above the best pose found (branch and bound; Hess et al., ICRA 2016).
+   * Best pose in a large window by branch and bound over squares of block size ( Hess et al., ICRA
+   * 2016).
    */
   private static Pose2 bounded(
       LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
@@ -163,7 +163,7 @@ final class ScanMatcher {
           }
           double far =
               (i * i + k * k) / (cells * cells + 1.0) + turn * turn / (turns * turns + 1.0);
-          double score = sum * (1.0 - 0.03 * far); // of equals, the nearest to the guess
+          double score = sum * (1.0 - 0.03 * far); // on ties, the pose nearest to the guess
           if (score > most) {
             most = score;
             best = new Pose2(guess.x() + i * stepM, guess.y() + k * stepM, Pose2.wrapped(theta));
@@ -212,7 +212,7 @@ final class ScanMatcher {
     return new Match(pose, information, share, score(map, scan, pose));
   }
 
-  /** Mean likelihood of the echoes from a pose [0…1]. */
+  /** Mean likelihood of the echoes at a pose, 0…1. */
   static double score(LocalMap map, ScanPoints scan, Pose2 pose) {
     double c = StrictMath.cos(pose.theta());
     double s = StrictMath.sin(pose.theta());
@@ -279,8 +279,8 @@ final class ScanMatcher {
     }
 
     /**
-     * Takes away what the noise of the surfaces' directions pretends to tell along the direction in
-     * which the echoes tell least, as along a corridor.
+     * Removes spurious information, due to noisy surface normals, along the least constrained
+     * direction, such as along a corridor.
      */
     private void discount() {
       double mean = (h[0] + h[4]) / 2.0;

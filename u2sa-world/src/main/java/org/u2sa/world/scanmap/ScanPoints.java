@@ -7,23 +7,26 @@ import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.SensorPose;
 
 /**
- * Echoes of one scan in the vehicle's plane, with the direction across the surface where
- * neighbouring echoes lie on one.
+ * Echoes of one scan in the vehicle's plane, with surface normals where neighbouring echoes lie on
+ * a surface.
  */
 final class ScanPoints {
   private static final int PARTS = 8;
   private static final double SURFACE_GAP = 0.15; // between neighbouring echoes of a surface [m]
   private static final double GAP_PER_METRE = 0.06; // 1° beams, at grazing angles
-  private static final double SPAN = 0.25; // neighbours at least this far apart tell a direction
-  private static final double FRONT_M = 0.3; // a pole is this much nearer than what is behind it
-  private static final double MAX_BEND = 0.15; // off the line through the neighbours, per metre
+  private static final double SPAN = 0.25; // minimum distance of neighbours to estimate a normal
+  private static final double FRONT_M =
+      0.3; // a pole is at least this much nearer than its background
+  private static final double MAX_BEND =
+      0.15; // deviation from the line through the neighbours, per metre
 
   final int count;
   final double[] x;
   final double[] y;
   final double[] nx; // NaN: no surface
   final double[] ny;
-  final boolean[] loose; // of no surface and no object by itself: tells nothing about the pose
+  final boolean[]
+      loose; // neither on a surface nor an isolated object: carries no information about the pose
 
   private ScanPoints(int count) {
     this.count = count;
@@ -44,10 +47,10 @@ final class ScanPoints {
   }
 
   /**
-   * Takes the echoes of a scan that count as obstacles, thinned to about a number of points.
+   * Obstacle echoes of a scan, thinned to about the given number of points.
    *
    * @param vehicle pose of the vehicle at the first beam, in the map of the poses
-   * @param reach range beyond which echoes are left out [m]
+   * @param reach range beyond which echoes are dropped [m]
    */
   static ScanPoints of(
       RangeScan scan,
@@ -115,8 +118,8 @@ final class ScanPoints {
   }
 
   /**
-   * Whether both neighbours are farther away, as beside a pole. Of two echoes far apart on a wall
-   * at a grazing angle one is nearer.
+   * Whether both neighbours are farther away, as beside a pole. On a wall seen at a grazing angle,
+   * one of the two neighbours is nearer instead.
    */
   private boolean isInFront(int i) {
     if (i == 0 || i + 1 == count) {
@@ -126,7 +129,7 @@ final class ScanPoints {
     return Math.hypot(x[i - 1], y[i - 1]) > range && Math.hypot(x[i + 1], y[i + 1]) > range;
   }
 
-  /** Farthest echo of the same surface on one side, until it spans enough to tell a direction. */
+  /** Farthest echo of the same surface on one side, up to the span needed to estimate a normal. */
   private int neighbour(int i, int step) {
     int at = i;
     for (int k = i + step; k >= 0 && k < count; k += step) {
@@ -142,7 +145,7 @@ final class ScanPoints {
     return at;
   }
 
-  /** Several scans as one, each seen from its pose. */
+  /** Merges several scans taken at different poses. */
   static ScanPoints joined(List<KeyScan> scans, Pose2 seenFrom) {
     int total = scans.stream().mapToInt(scan -> scan.points().count).sum();
     ScanPoints all = new ScanPoints(total);

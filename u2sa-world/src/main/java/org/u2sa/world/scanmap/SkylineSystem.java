@@ -5,14 +5,14 @@ import java.util.Arrays;
 /**
  * Sparse symmetric positive definite system in envelope storage, solved by Cholesky's method
  * (George and Liu, "Computer solution of large sparse positive definite systems", 1981, section
- * 4.2). A chain of poses has short rows; each loop closure lengthens its own.
+ * 4.2). A chain of poses has short rows; each loop closure lengthens one.
  */
 final class SkylineSystem {
-  private final int[] first; // column of the first number of each row
+  private final int[] first; // column of the first element of each row
   private final double[][] rows;
 
   /**
-   * @param first column of the first number of each row that may differ from 0
+   * @param first column of the first element of each row that may be non-zero
    */
   SkylineSystem(int[] first) {
     this.first = first.clone();
@@ -22,7 +22,7 @@ final class SkylineSystem {
     }
   }
 
-  /** Adds to the number in a row and a column that is not to the right of it. */
+  /** Adds to an element of the lower triangle. */
   void add(int row, int column, double value) {
     rows[row][column - first[row]] += value;
   }
@@ -51,7 +51,7 @@ final class SkylineSystem {
     }
   }
 
-  /** Solves for a right side, after {@link #factor}. */
+  /** Solves for a right-hand side, after {@link #factor}. */
   double[] solve(double[] right) {
     double[] x = Arrays.copyOf(right, right.length);
     for (int i = 0; i < x.length; i++) {

@@ -15,12 +15,12 @@ import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Sphere;
 
 /**
- * Objects for {@code <geometry>}. What does not stand upright, and meshes, become the upright prism
- * around them.
+ * Objects for {@code <geometry>}. Tilted shapes and meshes are replaced by their upright bounding
+ * prism.
  */
 final class SdfGeometry {
   private static final int ROUND = 24; // corners of a rim
-  private static final double FLAT_M = 1e-3; // thickness of what has none
+  private static final double FLAT_M = 1e-3; // thickness of flat shapes
 
   private final SdfResources resources;
   private final ReadBudget budget;

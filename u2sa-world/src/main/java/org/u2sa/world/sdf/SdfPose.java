@@ -16,7 +16,7 @@ record SdfPose(Point at, Rotation rotation) {
   private static final int NUMBERS = 6;
   private static final double UPRIGHT = 1e-6;
 
-  /** The pose that an element's child says; {@link #NONE} without one. */
+  /** The pose given by an element's child, or {@link #NONE}. */
   static SdfPose of(XmlElement element) {
     return element.child("pose").map(SdfPose::read).orElse(NONE);
   }

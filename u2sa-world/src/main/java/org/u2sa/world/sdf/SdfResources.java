@@ -10,9 +10,9 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Finds the models and meshes that a world names: {@code model://name/…}, relative to the file, or
- * by their last name if they are on a server, from which nothing is fetched. Files outside the
- * folders of the world and of Gazebo's variables are not read.
+ * Finds the models and meshes of a world: {@code model://name/…}, relative to the file, or by their
+ * base name for models on a server, because nothing is downloaded. Files outside the folders of the
+ * world and of Gazebo's variables are not read.
  */
 final class SdfResources {
   private static final String MODEL = "model://";

@@ -15,8 +15,9 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * A world of Gazebo as objects in LOCAL_ENU about its origin: x east, y north, z up. Of each link
- * its collisions count, or its visuals if it has none. Everything stands where the file puts it.
+ * A world of Gazebo as objects in LOCAL_ENU about its origin: x east, y north, z up. Uses each
+ * link's collisions, or its visuals if it has none. All objects are static at the positions in the
+ * file.
  */
 public final class SdfWorld {
   private static final int MAX_OBJECTS = 100_000;

@@ -19,10 +19,10 @@ import org.u2sa.interfaces.time.Clock;
  * Checks passwords on its own thread, because one check takes 0.2 s of CPU time.
  *
  * <p>A flood of wrong passwords must neither starve control of CPU time nor lock out legitimate
- * users. Correct passwords are cached. After a wrong one, the same name from the same address is
- * refused unchecked, with exponential back-off. Addresses without wrong passwords go first; for the
- * others the thread sleeps three times as long as it worked. A refusal is final only after a check,
- * and unknown names take as long as known ones.
+ * users. Correct passwords are cached. After a wrong password, further attempts with the same name
+ * and address are refused unchecked, with exponential back-off. Addresses without wrong passwords
+ * go first; for the others the thread sleeps three times as long as it worked. A refusal is final
+ * only after a check, and unknown names take as long as known ones.
  */
 public final class Authenticator implements AutoCloseable {
   private static final int RESTS_PER_WORK = 3;

@@ -46,7 +46,7 @@ public final class ConnectRequest {
   /**
    * The client's will, published when its connection breaks.
    *
-   * @param eachMatters whether it has QoS 1
+   * @param eachMatters whether QoS 1 is requested
    */
   public record Will(String topic, byte[] payload, boolean eachMatters, boolean isRetained) {}
 
@@ -124,7 +124,7 @@ public final class ConnectRequest {
    * will (published by the session), and without a persistent session.
    *
    * @param connection unique connection ID that replaces the client ID: Moquette confuses two
-   *     connections of one client, and closes the newer together with the older
+   *     connections of one client, and closes both
    */
   public MqttConnectMessage forMoquette(String connection, String name) {
     MqttConnectVariableHeader said = packet.variableHeader();

@@ -6,9 +6,9 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.u2sa.core.communication.limit.RecentlyUsed;
 
 /**
- * Which sender runs the Health Monitor of a system: the first that publishes conditions, until
- * another does when it is silent. It stays known when its connection ends, because it repeats no
- * condition when it is connected again. The vehicle keeps the place for good.
+ * Tracks which sender runs a system's Health Monitor: the first that publishes conditions, until it
+ * is silent and another one does. It is kept when its connection ends, because it does not repeat
+ * conditions after reconnecting. The vehicle keeps the place for good.
  *
  * <p>For the network's thread only, except where stated otherwise.
  */
@@ -18,14 +18,14 @@ final class HealthMonitors {
   private final Set<String> ofVehicle = ConcurrentHashMap.newKeySet(); // system IDs
   private final Map<String, Speaker> ofOthers = new RecentlyUsed<>(MAX_SYSTEMS); // by system ID
 
-  /** Notes a condition published by the vehicle. Thread-safe. */
+  /** Records a condition published by the vehicle. Thread-safe. */
   void hearVehicle(String systemId) {
     if (!ofVehicle.contains(systemId)) { // a read is cheaper
       ofVehicle.add(systemId);
     }
   }
 
-  /** Notes a condition. */
+  /** Records a condition. */
   void hear(String systemId, Speaker speaker, long nowMicros) {
     if (speaker.isOfVehicle()) {
       hearVehicle(systemId);

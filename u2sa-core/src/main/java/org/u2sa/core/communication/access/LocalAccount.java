@@ -33,8 +33,8 @@ public final class LocalAccount implements AutoCloseable {
   }
 
   /**
-   * Creates a new token for the broker that is to listen at this address, and writes it to its
-   * files, unless another broker listens there, whose token would be overwritten.
+   * Creates a token for the broker at this address and writes it to its files, unless another
+   * broker already listens there.
    *
    * @param log notified if a file cannot be written, with the consequence
    */
@@ -65,7 +65,7 @@ public final class LocalAccount implements AutoCloseable {
               own.password() + "\n",
               failure ->
                   log.accept(
-                      "WARNING: no token there for the programs of this account, which can only listen where they find none: "
+                      "WARNING: cannot write a token, so programs of this account can only listen: "
                           + failure));
     }
   }

@@ -18,14 +18,14 @@ public final class LoginQueue {
   private final LoginFailures failures;
   private final List<LoginApplication> waiting = new ArrayList<>(); // guarded by this
 
-  /** An empty queue, which prefers those without failures. */
+  /** Creates an empty queue, which prefers requests without earlier failures. */
   public LoginQueue(LoginFailures failures) {
     this.failures = failures;
   }
 
   /**
-   * Adds a request. Returns the displaced one, possibly itself: from the address with the most
-   * wrong passwords, then with the most waiting requests.
+   * Adds a request. Returns the displaced request, possibly the given one: from the address with
+   * the most wrong passwords, then with the most waiting requests.
    */
   public synchronized Optional<LoginApplication> add(LoginApplication application) {
     long same = waiting.stream().filter(other -> other.from().equals(application.from())).count();

@@ -13,13 +13,13 @@ import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MessageCodec;
 
 /**
- * The source in whose name a message is published: a service on the channels of the contract, a
- * sensor, an actuator or a subsystem where a field names it, or the only writer of a channel.
+ * Source name of a message: a service on the channels of the contract, a sensor, actuator or
+ * subsystem named by a field, or the only writer of a channel.
  *
  * @param key unique per system
  * @param systemId the vehicle
  * @param channel name of the channel
- * @param name the service's or the source's; empty for a channel's only writer
+ * @param name name of the service or source; empty for a channel's only writer
  * @param isService whether it is a service's name, which is the same on all channels
  */
 public record SourceName(
@@ -35,7 +35,7 @@ public record SourceName(
           Channels.CONFIGURATION,
           Channels.MISSION);
 
-  /** Fields that name the sources of other channels; empty where there is one writer. */
+  /** Fields that name the sources of other channels; empty for channels with one writer. */
   private static final Map<String, String> FIELDS = fields();
 
   private static Map<String, String> fields() {

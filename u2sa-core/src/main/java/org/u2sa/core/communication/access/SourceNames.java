@@ -21,27 +21,28 @@ import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Which connection may publish under which source name: the first that does, until it leaves, or
- * another of the same sender. A reconnecting or restarted service is therefore never locked out by
- * its own half-open connection, and that of another sender loses its names when it is silent.
+ * Assigns source names to connections: the first connection to publish under a name owns it until
+ * it closes, or until another one of the same sender takes over. A reconnecting or restarted
+ * service is therefore never locked out by its own half-open connection, and a silent connection
+ * loses its names to other senders.
  *
  * <p>The vehicle, i.e. the broker's process and the processes that it started, takes any name from
- * others. A name under which one of its services has reported health stays the vehicle's until that
- * service says that it has stopped, so that nobody can report in place of one that failed. The
- * arming state stays its own for good: what is published while its Safety Manager restarts would be
- * believed by actuators.
+ * others. A name under which a service of the vehicle has reported health stays reserved until that
+ * service reports its stop, so that nobody can impersonate a failed service. The arming state stays
+ * reserved permanently, because actuators would believe an impostor while the Safety Manager
+ * restarts.
  *
  * <p>Failsafes have two writers, the Safety Manager and, while that is lost, the Health Monitor,
- * which may be of different runs. Nobody holds their name: they are accepted from the vehicle, from
- * whoever may publish the arming state, and from the sender that runs the monitor.
+ * which may be of different runs. Their names have no owner: they are accepted from the vehicle,
+ * from clients that may publish the arming state, and from the sender that runs the monitor.
  *
  * <p>For the network's thread only, except where stated otherwise.
  */
 public final class SourceNames {
   /** The kind of refusal. */
-  public static final String TAKEN = "its source name is another connection's";
+  public static final String TAKEN = "its source name belongs to another connection";
 
-  private static final int MAX_HELD = 4_096; // of one connection; names beyond are nobody's
+  private static final int MAX_HELD = 4_096; // per connection; names beyond it have no owner
 
   private final MessageCodec codec;
   private final Map<String, Speaker> speakers = new HashMap<>(); // by key
@@ -56,12 +57,12 @@ public final class SourceNames {
     this.codec = codec;
   }
 
-  /** Sets the bus of the services of the broker's process, whose sources are theirs. */
+  /** Sets the bus of the services in the broker's process, which own their source names. */
   public void join(LocalBus services) {
     bus = services;
   }
 
-  /** Notes a message of a service of the broker's process. Thread-safe. */
+  /** Records a message from a service in the broker's process. Thread-safe. */
   public void hearLocal(Channel<?> channel, U2SAData message) {
     LocalBus services = bus;
     if (services == null) {
@@ -92,7 +93,7 @@ public final class SourceNames {
     return SourceName.of(topic, rule, payload, codec);
   }
 
-  /** Whether a connection may publish a message, whose source's name it then holds. */
+  /** Whether a connection may publish a message; if so, it becomes the owner of the source name. */
   public boolean mayPublish(
       Topic topic, AccessRule rule, ByteBuf payload, Speaker speaker, long nowMicros) {
     Optional<SourceName> source = nameOf(topic, rule, payload);

@@ -15,7 +15,7 @@ public final class Speaker {
   private long spokeMicros;
 
   /**
-   * @param user the client's user name, or that of all clients without users
+   * @param user the client's user name, or the common name of clients without users
    */
   public Speaker(String user, String clientId) {
     String of = ClientIds.senderOf(clientId);
@@ -23,20 +23,20 @@ public final class Speaker {
     sender = user + " " + of;
   }
 
-  /** Whether it is of the broker's process or of a process that this one started. */
+  /** Whether the connection belongs to the broker's process or to a process that it started. */
   boolean isOfVehicle() {
     return isOfVehicle;
   }
 
-  /** Whether both are of one process, or of processes that share their run. */
+  /** Whether both connections belong to one process, or to processes of one run. */
   boolean isSameAs(Speaker other) {
     return isOfVehicle && other.isOfVehicle || sender.equals(other.sender);
   }
 
   /**
-   * Whether it may take a name over.
+   * Whether this connection may take over a name.
    *
-   * @param holder that has it; null if none
+   * @param holder current holder of the name, or null
    */
   boolean mayReplace(Speaker holder, long nowMicros) {
     return holder == null
@@ -49,7 +49,7 @@ public final class Speaker {
     return held;
   }
 
-  /** Notes a message in any name. */
+  /** Records a message published under any name. */
   void spoke(long nowMicros) {
     spokeMicros = nowMicros;
   }

@@ -15,8 +15,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * What one client may publish, judged by topic alone: by channel and by the type a reader will
- * resolve the whole type chain to. Not thread-safe.
+ * Publishing permissions of one client by topic: by channel and by the type to which a reader
+ * resolves the type chain. Not thread-safe.
  */
 public final class TopicPermissions {
   private static final int TOPICS_REMEMBERED = 256;
@@ -69,15 +69,15 @@ public final class TopicPermissions {
       topic = Topic.parse(text);
       type = types.nearest(topic.typeChain());
     } catch (IllegalArgumentException e) {
-      return new Verdict("its topic is not one of U2SA's", null, null);
+      return new Verdict("its topic is not a U2SA topic", null, null);
     } catch (MalformedMessageException e) {
       return new Verdict("its types are not a class and its ancestors", null, null);
     }
     if (!topic.toString().equals(text)) { // only the canonical form is allowed
-      return new Verdict("its topic is not one of U2SA's", null, null);
+      return new Verdict("its topic is not a U2SA topic", null, null);
     }
     if (user != null && !user.mayEnter(topic.systemId())) {
-      return new Verdict("it is another system", topic, null);
+      return new Verdict("it belongs to another system", topic, null);
     }
     return Channels.named(topic.channel()).isPresent()
         ? onStandardChannel(topic, type)
@@ -89,7 +89,7 @@ public final class TopicPermissions {
     if (rule.isPresent()
         && !topic.source().isEmpty()
         && !rule.get().channel().isRetainedBySource()) {
-      return new Verdict("its topic is not one of U2SA's", topic, null);
+      return new Verdict("its topic is not a U2SA topic", topic, null);
     }
     if (rule.isEmpty()) {
       return new Verdict(topic.channel() + " does not carry " + type.name(), topic, null);

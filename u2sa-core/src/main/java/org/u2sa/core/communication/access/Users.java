@@ -15,7 +15,7 @@ import org.u2sa.interfaces.BadInputException;
 
 /**
  * Users of a running broker: those of the file, which is reloaded when it changes, and temporary
- * ones of this run. Thread-safe.
+ * users of this run. Thread-safe.
  */
 public final class Users {
   private final Path file; // null if none
@@ -68,7 +68,7 @@ public final class Users {
     return named(name).filter(user -> user.password().matches(said));
   }
 
-  /** The user of this name; empty if there is none. */
+  /** The user of this name, or empty. */
   public Optional<User> named(String name) {
     User temporary = ofThisRun.get(name);
     return Optional.ofNullable(temporary != null ? temporary : ofFile.get(name));

@@ -1,2 +1,2 @@
-/** Who may connect, as which user, and what the user's roles permit. */
+/** Authentication and authorisation of the broker's clients. */
 package org.u2sa.core.communication.access;

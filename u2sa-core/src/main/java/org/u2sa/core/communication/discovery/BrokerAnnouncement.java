@@ -11,8 +11,8 @@ import javax.jmdns.JmDNS;
 import javax.jmdns.ServiceInfo;
 
 /**
- * Tells the local network by multicast DNS where this system's broker listens. Announcing and
- * withdrawing take seconds and run on a separate thread.
+ * Announces the address of this system's broker by multicast DNS. Announcing and withdrawing take
+ * seconds and run on a separate thread.
  */
 public final class BrokerAnnouncement implements AutoCloseable {
   /** DNS-SD service type registered for MQTT. */

@@ -3,7 +3,7 @@ package org.u2sa.core.communication.discovery;
 import java.util.Set;
 
 /**
- * A broker that announced itself.
+ * An announced broker.
  *
  * @param host IP address or host name
  * @param port its TCP port

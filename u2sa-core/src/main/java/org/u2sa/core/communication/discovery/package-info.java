@@ -1,2 +1,2 @@
-/** How clients find the Communication Manager (mDNS). */
+/** Discovery of the Communication Manager by mDNS. */
 package org.u2sa.core.communication.discovery;

@@ -16,7 +16,7 @@ public final class Allowance {
   private double left;
   private long asOfMicros;
 
-  /** Refilled at a rate [1/s]; its burst is what a quarter of a second refills. */
+  /** Refilled at a rate [1/s]; the burst size is the refill of 0.25 s. */
   public Allowance(double perS, long nowMicros) {
     this(perS, perS * BURST_S, nowMicros);
   }
@@ -39,7 +39,7 @@ public final class Allowance {
    * Creates an allowance of a thread's time.
    *
    * @param part share of the time [0…1]
-   * @param burstS how much may be taken at once [s]
+   * @param burstS burst size, as time at the permitted rate [s]
    */
   static Allowance ofTime(double part, double burstS, long nowMicros) {
     return new Allowance(part, burstS, 0.0, nowMicros);
@@ -57,7 +57,7 @@ public final class Allowance {
     left -= amount;
   }
 
-  /** Takes unconditionally, for what was already received. */
+  /** Debits unconditionally, for data already received. */
   public void take(double amount, long nowMicros) {
     isOpen(nowMicros);
     take(amount);
@@ -86,7 +86,7 @@ public final class Allowance {
       return true;
     }
 
-    /** Takes unconditionally, for what was already done. */
+    /** Debits unconditionally, for work already done. */
     public synchronized void charge(String user, double amount, long nowMicros) {
       byUser.computeIfAbsent(user, name -> new Allowance(perS, nowMicros)).take(amount, nowMicros);
     }

@@ -26,7 +26,7 @@ public final class RemoteInterest {
     this.numbers = numbers;
   }
 
-  /** Destination of messages of one type on one channel. */
+  /** Topic for messages of one type on one channel. */
   public final class Destination {
     private final List<String> typeChain;
     private final String topic;
@@ -53,7 +53,7 @@ public final class RemoteInterest {
       return topic;
     }
 
-    /** Numbering of the messages sent there. */
+    /** Sequence numbers of the messages sent to it. */
     public OriginNumbers.Stream stream() {
       return stream;
     }

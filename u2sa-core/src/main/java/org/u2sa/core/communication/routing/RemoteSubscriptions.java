@@ -20,7 +20,7 @@ import org.u2sa.core.communication.limit.RecentlyUsed;
 public final class RemoteSubscriptions {
   private static final int TOPICS_REMEMBERED = 4_096;
 
-  /** One connection's filters, and whether each message matters to it there. */
+  /** One connection's filters, and whether each requires every message. */
   private record Client(String user, Map<String, Boolean> filters) {}
 
   /** A filter, and for each connection that has it whether each message matters to it. */

@@ -50,7 +50,7 @@ public final class RetainedTable {
   /**
    * Retains a message; an empty one deletes the retained message.
    *
-   * @param owner the client's user, or the client where there are no users
+   * @param owner the client's user, or the client if there are no users
    * @param payload must not be modified afterwards
    * @return the reason for refusing, or empty
    */

@@ -1,2 +1,2 @@
-/** Which message goes to which subscriber, and which messages are retained. */
+/** Routing of messages to subscribers, and retained messages. */
 package org.u2sa.core.communication.routing;

@@ -13,18 +13,18 @@ public final class {{Name}} extends Actuator {
       @Variable(unit = "us", min = 500, max = 2500, ifAbsent = 1500) @Description("Pulse at 0 %.")
           double neutral,
       @Variable(unit = "us", min = -1000, max = 1000, ifAbsent = 500)
-          @Description("How much longer the pulse is at 100 %.")
+          @Description("Increase of the pulse width at 100 %.")
           double full) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);
-  private final DoubleConsumer servo; // takes the length of its pulse [µs]
+  private final DoubleConsumer servo; // receives the pulse width [µs]
 
-  /** Called by the launcher. Put your device in place of this one, which moves nothing. */
+  /** Called by the launcher. Replace this dummy with your device. */
   public {{Name}}(ServiceContext context) {
     this(context, pulseMicros -> {});
   }
 
-  /** With any servo, as tests have one. */
+  /** Uses the given servo, e.g. in tests. */
   {{Name}}(ServiceContext context, DoubleConsumer servo) {
     super(context, "{{Name}}");
     this.servo = servo;

@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Turns a vehicle with two driven wheels to where it is to go. In: navigation, state. Out:
+ * Steers a vehicle with two driven wheels to its navigation point. In: navigation, state. Out:
  * actuation.
  */
 public final class {{Name}} extends ControlSystem {
@@ -24,7 +24,7 @@ public final class {{Name}} extends ControlSystem {
           @Description("Power of both motors straight ahead.")
           double power,
       @Variable(unit = "%/rad", min = 0, max = 500, ifAbsent = 40)
-          @Description("Power for each radian of the bearing, opposite on both sides.")
+          @Description("Differential power per radian of bearing.")
           double bearingGain) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

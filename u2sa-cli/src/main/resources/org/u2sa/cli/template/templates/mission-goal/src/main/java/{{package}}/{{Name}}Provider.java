@@ -9,8 +9,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 
 /**
- * Makes {@link {{Name}}} known to missions, readers of messages and path planners; named in
- * META-INF/services.
+ * Registers {@link {{Name}}} with missions, message readers and path planners; listed in META-INF/services.
  */
 public final class {{Name}}Provider implements MessageTypeProvider, PlannerStateProvider {
   @Override

@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Pursues a {@link {{Name}}}: goes there, and stands until the time is over. A state of the path
+ * Pursues a {@link {{Name}}}: goes there and stops until the time has elapsed. A state of the path
  * planner.
  */
 final class {{Name}}State implements PlannerState {
@@ -47,7 +47,7 @@ final class {{Name}}State implements PlannerState {
     }
     double stayedS = Clock.seconds(now - arrivedMicros.getAsLong());
     return stayedS < goal.stay()
-        ? Plan.underWay(List.of()) // nowhere to go: the vehicle stands
+        ? Plan.underWay(List.of()) // no target: the vehicle stops
         : new Plan(List.of(), Plan.Progress.COMPLETED, "stayed " + goal.stay() + " s");
   }
 

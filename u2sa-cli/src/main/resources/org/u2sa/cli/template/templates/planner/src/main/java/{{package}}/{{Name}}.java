@@ -22,7 +22,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 public final class {{Name}} implements PlannerState {
   private record Variables(
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 2)
-          @Description("Distance to a waypoint within which the vehicle is slow.")
+          @Description("Distance to a waypoint within which the vehicle slows down.")
           double slowWithin,
       @Variable(unit = "m/s", min = 0.01, max = 20, ifAbsent = 0.5)
           @Description("Speed near a waypoint.")
@@ -50,7 +50,7 @@ public final class {{Name}} implements PlannerState {
 
   @Override
   public void enter(Pursuit pursuit) {
-    // nothing is remembered from one waypoint to the next
+    // stateless between waypoints
   }
 
   @Override

@@ -13,8 +13,7 @@ import org.u2sa.service.ProprioceptiveSensor;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Stands in for the device drivers of a ground vehicle with a driven wheel at each side: it rolls
- * as it is commanded, without mass or slip, and measures exactly where it is. In: actuation. Out:
+ * Replaces the device drivers of a differential-drive ground vehicle with a simulation: it moves as commanded, without mass or slip, and measures its position exactly. In: actuation. Out:
  * sensed-state, actuators.
  */
 public final class SimulatedRover extends ProprioceptiveSensor {
@@ -38,7 +37,8 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   /** Called by the launcher. */
   public SimulatedRover(ServiceContext context) {
     super(context, "SimulatedRover", RATE_HZ);
-    // Without mass it stops by itself: a step asks for percentages, and a stopped motor has none.
+    // Without mass it stops immediately: each step asks for percentages, and a stopped motor
+    // has none.
     motors = new CommandedActuators(this, Set.copyOf(MOTORS), () -> {});
   }
 

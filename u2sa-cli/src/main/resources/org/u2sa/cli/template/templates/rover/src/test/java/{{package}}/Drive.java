@@ -16,8 +16,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Runs a system in simulated time, as fast as the machine allows, and notes the goals that it
- * completes.
+ * Runs a system in simulated time, as fast as the machine allows, and records the completed goals.
  */
 final class Drive implements Receiver {
   private final List<String> completed = new ArrayList<>();
@@ -25,9 +24,9 @@ final class Drive implements Receiver {
   private Drive() {}
 
   /**
-   * The goals that a system completes, in their order.
+   * The goals that a system completes, in order.
    *
-   * @param goals how many to wait for
+   * @param goals number of goals to wait for
    * @param longestS simulated time after which to give up [s]
    */
   static List<String> completed(String systemFile, Path logs, int goals, double longestS)

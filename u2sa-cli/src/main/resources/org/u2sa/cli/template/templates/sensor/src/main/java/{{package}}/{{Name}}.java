@@ -35,7 +35,7 @@ public final class {{Name}} extends ProprioceptiveSensor {
             .zSigma(tuning.get().noise()));
   }
 
-  /** Simulated: 100 m, and a slow swell. Read your device here; a lost one publishes nothing. */
+  /** Simulated: 100 m, and a slow swell. Read your device here; return empty while it is disconnected. */
   private double altitudeM(double nowS) {
     return 100.0 + 5.0 * Math.sin(nowS / 10.0) + tuning.get().noise() * random.nextGaussian();
   }

@@ -33,10 +33,10 @@ final class SimulatedRun implements Receiver {
   private SimulatedRun() {}
 
   /**
-   * The goals that the system of a folder completes with the vehicle there, in their order.
+   * The goals that a folder's system completes, in order.
    *
-   * @param home where the vehicle starts, facing north: the mission's home
-   * @param goals how many to wait for
+   * @param home starting position, facing north: the mission's home
+   * @param goals number of goals to wait for
    * @param longestS simulated time after which to give up [s]
    */
   static List<String> completed(
