@@ -23,7 +23,7 @@ final class AwaitedSensors {
    * What is known of a scanner.
    *
    * @param newest end of its newest scan [µs]
-   * @param interval to the one before [µs]
+   * @param interval since the previous message [µs]
    * @param usual the shorter one of the last two intervals: a gap is no habit [µs]
    */
   private record Scans(long newest, long interval, long usual) {

@@ -10,10 +10,10 @@ import org.u2sa.interfaces.BadInputException;
  * are named. A few short files that include each other would otherwise take years.
  */
 final class ReadBudget {
-  private static final long MOST_BYTES = 512L << 20;
-  private static final long LEAST_COST = 16_384; // of opening a file, however short it is
+  private static final long MAX_BYTES = 512L << 20;
+  private static final long MIN_COST = 16_384; // of opening a file, however short it is
 
-  private long left = MOST_BYTES;
+  private long left = MAX_BYTES;
 
   /**
    * Takes the cost of reading a file.
@@ -25,12 +25,12 @@ final class ReadBudget {
     if (!Files.isRegularFile(file)) {
       throw new IOException("is not a regular file");
     }
-    left -= Math.max(LEAST_COST, Files.size(file));
+    left -= Math.max(MIN_COST, Files.size(file));
     if (left < 0) {
       throw new BadInputException(
           file
               + ": the models and meshes of the world come to more than "
-              + (MOST_BYTES >> 20)
+              + (MAX_BYTES >> 20)
               + " MB, each counted as often as it is included");
     }
   }
