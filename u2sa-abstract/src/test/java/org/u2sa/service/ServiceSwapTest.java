@@ -285,7 +285,7 @@ class ServiceSwapTest {
     ServiceSwap swap = new ServiceSwap(old, successor, () -> true).order();
 
     assertThat(swap.await(0.05))
-        .hasValueSatisfying(why -> assertThat(why).contains("within 0.05 s"));
+        .hasValueSatisfying(why -> assertThat(why).contains("more than 0.05 s"));
     number(1);
     kit.settle();
     assertThat(old.handled).containsExactly("n1");

@@ -56,7 +56,7 @@ class InventedSensorsTest {
           .isCloseTo(48.0, within(1e-6));
       assertThat(service.status()).isEqualTo(ServiceStatus.RUNNING);
       HealthReport report = kit.latest(Channels.HEALTH).orElseThrow();
-      assertThat(report.lastError().orElseThrow()).startsWith("more than 32 sensors, \"invented ");
+      assertThat(report.lastError().orElseThrow()).startsWith("more than 32 sensors: ignored ");
     }
   }
 }

@@ -136,7 +136,7 @@ class ConfigurationWritingTest {
                 + ", line 2, variable \"A\": \"abc\" is not a whole number from -2147483648 to"
                 + " 2147483647");
     assertThat(configuration.change("A", 1.5).get()).contains("1.5 is not a whole number");
-    assertThat(configuration.change("C", 1)).contains(file + ", variable \"C\": there is none");
+    assertThat(configuration.change("C", 1)).contains(file + ", variable \"C\": not found");
     assertThat(configuration.change("B", "a\u0001"))
         .contains(file + ", variable \"B\": character U+0001 at position 2 is not allowed in XML");
     assertThat(text(file)).isEqualTo(two(1, "x"));

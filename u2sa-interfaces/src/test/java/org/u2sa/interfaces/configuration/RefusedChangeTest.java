@@ -31,7 +31,7 @@ class RefusedChangeTest {
     assertThat(change(many(257)).refusal())
         .contains("test: 257 variables in one change, expected at most 256");
     assertThat(change(many(256)).refusal())
-        .hasValueSatisfying(why -> assertThat(why).startsWith("test, variable \"V0\": there is"));
+        .hasValueSatisfying(why -> assertThat(why).startsWith("test, variable \"V0\": not found"));
   }
 
   @Test

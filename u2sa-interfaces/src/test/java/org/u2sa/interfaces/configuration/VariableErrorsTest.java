@@ -59,7 +59,7 @@ class VariableErrorsTest extends RefusedFile {
     XmlConfiguration configuration = configuration("<variable name='PORT' type='int' value='1'/>");
     assertRefused(
         () -> configuration.getVariable("PORTS"),
-        ", variable \"PORTS\": there is none; did you mean \"PORT\"?");
+        ", variable \"PORTS\": not found; did you mean \"PORT\"?");
   }
 
   @Test

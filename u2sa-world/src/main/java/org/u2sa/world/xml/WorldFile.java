@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -138,7 +139,9 @@ public final class WorldFile {
     element.refuseText();
     List<String> script = SCRIPTS.get(element.name());
     List<XmlElement> shapes =
-        element.children().stream().filter(child -> !script.contains(child.name())).toList();
+        element.children().stream()
+            .filter(child -> !script.contains(child.name()))
+            .collect(Collectors.toList());
     shapes.forEach(child -> type(child, types, script)); // refuses what is neither
     if (shapes.size() != 1) {
       throw element.error("holds " + shapes.size() + " objects; expected one, such as <box>");
