@@ -19,8 +19,7 @@ record ThrusterVariables(
         double maximum,
     @Variable(unit = "%", min = 0, max = 50, ifAbsent = 0)
         @Description(
-            "Dead band: the motor does not start below this command, so smaller ones "
-                + "count as 0.")
+            "Dead band: the motor does not start below this command, so smaller ones count as 0.")
         double deadband,
     @Variable(unit = "%/s", min = 1, max = 100_000, ifAbsent = 400)
         @Description("Maximum rate of change of a command; stops are not limited.")
@@ -33,12 +32,9 @@ record ThrusterVariables(
         double reverseThrust,
     @Variable(unit = "N m", min = -1.0e6, max = 1.0e6, ifAbsent = 0)
         @Description(
-            "Torque on the vehicle about the direction of thrust at FULL THRUST, for the "
-                + "announcement: positive for a rotor that turns anticlockwise when viewed against "
-                + "the thrust direction.")
+            "Torque on the vehicle about the direction of thrust at FULL THRUST, for the announcement: positive for a rotor that turns anticlockwise when viewed against the thrust direction.")
         double fullTorque,
     @Variable(unit = "s", min = 0.05, max = 60, ifAbsent = 1)
         @Description(
-            "Time after which a connected thruster counts as silent, or as stalled if it is "
-                + "commanded and does not turn.")
+            "Time after which a connected thruster counts as silent, or as stalled if it is commanded and does not turn.")
         double timeout) {}

@@ -31,8 +31,7 @@ public final class TrueNorth {
   private record Source(
       @Variable(ifAbsentText = "MODEL")
           @Description(
-              "MODEL: World Magnetic Model at the vehicle's position (no heading until the "
-                  + "position is known); FIXED: DECLINATION.")
+              "MODEL: World Magnetic Model at the vehicle's position (no heading until the position is known); FIXED: DECLINATION.")
           North north,
       @Variable(unit = "rad", min = -Math.PI, max = Math.PI, ifAbsent = 0)
           @Description("Magnetic declination, east positive, if NORTH is FIXED.")

@@ -38,8 +38,7 @@ public final class CommandedActuators {
           double commandExpiry,
       @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
           @Description(
-              "Maximum time by which a command's timestamp may be ahead of this clock; "
-                  + "later ones are refused.")
+              "Maximum time by which a command's timestamp may be ahead of this clock; later ones are refused.")
           double clockTolerance,
       @Variable(ifAbsentText = "false")
           @Description(
@@ -48,8 +47,7 @@ public final class CommandedActuators {
       // The longest restart or outage measured took 7.5 s, and it listens 0.5 s.
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
           @Description(
-              "Time without an arming state after which a vehicle that requires arming counts as "
-                  + "disarmed; 0: never, for a vehicle that would fall from the air.")
+              "Time without an arming state after which a vehicle that requires arming counts as disarmed; 0: never, for a vehicle that would fall from the air.")
           double armingExpiry) {}
 
   private static final String COMMANDS = "ACTUATOR COMMANDS";

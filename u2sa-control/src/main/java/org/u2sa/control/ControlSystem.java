@@ -47,8 +47,7 @@ public abstract class ControlSystem extends EventDrivenService {
           double commandExpiry,
       @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.5)
           @Description(
-              "Time over which commands blend from those of the control system that this one "
-                  + "replaces (bumpless transfer).")
+              "Time over which commands blend from those of the control system that this one replaces (bumpless transfer).")
           double blendTime,
       @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 1)
           @Description("Age at which a navigation point counts as absent.")

@@ -49,8 +49,7 @@ public final class VelocityControl extends ControlSystem {
           double turnGain,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 1)
           @Description(
-              "Minimum distance of a point to turn to: the bearing of a nearer point is mostly "
-                  + "error.")
+              "Minimum distance of a point to turn to: the bearing of a nearer point is mostly error.")
           double facingDistance,
       @Variable(ifAbsentText = "true")
           @Description("Whether the vehicle can move sideways and backwards, like a multicopter.")

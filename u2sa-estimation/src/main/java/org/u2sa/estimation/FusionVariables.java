@@ -41,13 +41,11 @@ record FusionVariables(
         double turnSigma,
     @Variable(unit = "m/s", min = 0, ifAbsent = 0)
         @Description(
-            "Sideways speed, 1 sigma, over ground (GROUND) or through air or water; 0: the "
-                + "domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
+            "Sideways speed, 1 sigma, over ground (GROUND) or through air or water; 0: the domain's (0.1, AIR 2, WATER 0.3, UNDERWATER 0.2).")
         double sideSlipSigma,
     @Variable(unit = "s", min = 0, ifAbsent = 0.2)
         @Description(
-            "Interval of the no-sideslip (non-holonomic) constraint; 0: none, for vehicles that "
-                + "move in all directions.")
+            "Interval of the no-sideslip (non-holonomic) constraint; 0: none, for vehicles that move in all directions.")
         double constraintInterval,
     @Variable(unit = "rad/s", min = 0, minExcluded = true, ifAbsent = 0.02)
         @Description("Initial bias of gyroscopes, 1 sigma.")
@@ -81,8 +79,7 @@ record FusionVariables(
         double headingCorrelation,
     @Variable(unit = "s", min = 0, max = 1, ifAbsent = 0.1)
         @Description(
-            "Uncertainty of the delays of position sources, 1 sigma: the filter estimates the "
-                + "deviation from their services' DELAY. 0: exactly known.")
+            "Uncertainty of the delays of position sources, 1 sigma: the filter estimates the deviation from their services' DELAY. 0: exactly known.")
         double delaySigma,
     @Variable(unit = "deg", min = -180, max = 180, ifAbsent = 0)
         @Description("Longitude of the surveyed place where each run starts.")
@@ -92,8 +89,7 @@ record FusionVariables(
         double startY,
     @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 0)
         @Description(
-            "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts "
-                + "it by more than the gate takes precedence.")
+            "Accuracy of the starting position, 1 sigma; 0: unknown. A receiver that contradicts it by more than the gate takes precedence.")
         double startSigma,
     @Variable(unit = "deg", min = -360, max = 360, ifAbsent = 0)
         @Description("Heading at the start, clockwise from true north.")
@@ -104,8 +100,7 @@ record FusionVariables(
         double startPsiSigma,
     @Variable(ifAbsentText = "")
         @Description(
-            "Positions of sensors away from the vehicle's reference point: \"SENSOR NAME = "
-                + "FORWARD LEFT DOWN; …\" in metres, like MOUNTED X, Y, Z of other sensors.")
+            "Positions of sensors away from the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, like MOUNTED X, Y, Z of other sensors.")
         String leverArms,
     @Variable(ifAbsentText = "")
         @Description(

@@ -9,8 +9,7 @@ import org.u2sa.service.U2SAService;
 record NeededNumbers(
     @Variable(ifAbsentText = "x, y, psi")
         @Description(
-            "State values that the vehicle needs; health reports those absent for longer than "
-                + "COMPLETE WITHIN.")
+            "State values that the vehicle needs; health reports those absent for longer than COMPLETE WITHIN.")
         String needed,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 5)
         @Description("Time for which a needed value may be absent before health reports it.")

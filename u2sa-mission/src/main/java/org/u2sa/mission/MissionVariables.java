@@ -14,8 +14,7 @@ record MissionVariables(
         boolean loop,
     @Variable(ifAbsentText = "ALL")
         @Description(
-            "Whether ALL of several next goals must be finished before the mission continues, or "
-                + "ANY one.")
+            "Whether ALL of several next goals must be finished before the mission continues, or ANY one.")
         GoalSequence.Options options,
     @Variable(ifAbsentText = "")
         @Description(
@@ -27,8 +26,7 @@ record MissionVariables(
         String landMission,
     @Variable(ifAbsentText = "NEVER")
         @Description(
-            "Whether a restarted process resumes the mission where this one ended: ALWAYS, when "
-                + "ORDERED by resume, or NEVER.")
+            "Whether a restarted process resumes the mission where this one ended: ALWAYS, when ORDERED by resume, or NEVER.")
         Resumption resume) {
   /** Whether a mission continues after a restart in another process. */
   enum Resumption {

@@ -78,7 +78,7 @@ final class WaypointRules {
     }
     if (waypoint.speed().orElse(1.0) == 0.0) {
       throw element(goal, "speed")
-          .error("0.0 m/s never reaches the waypoint; expected more than " + "0 m/s");
+          .error("0.0 m/s never reaches the waypoint; expected more than 0 m/s");
     }
   }
 

@@ -147,7 +147,7 @@ class FailsafeMissionTest {
 
     assertThatThrownBy(() -> new MissionManager(kit.context()))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("r.xml, line 1, <mission>: holds no goals");
+        .hasMessageContaining("r.xml, line 1, <mission>: contains no goals");
   }
 
   @Test

@@ -35,7 +35,7 @@ class MissionManagerTest extends ThreeWaypoints {
 
     assertThatThrownBy(() -> new MissionManager(kit.context()))
         .isInstanceOf(BadInputException.class)
-        .hasMessageStartingWith(file + ", line 1, <mission>: holds no goals");
+        .hasMessageStartingWith(file + ", line 1, <mission>: contains no goals");
   }
 
   @Test
@@ -247,7 +247,8 @@ class MissionManagerTest extends ThreeWaypoints {
     kit.start(MissionManager::new);
     kit.publish(Channels.GOAL_UPDATES, report("4"));
 
-    assertThat(logged("goal \"4\" added; until another goal's next names it")).isTrue();
+    assertThat(logged("goal \"4\" added; it is not pursued until another goal's next names it"))
+        .isTrue();
     kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("4"));
     assertThat(goals().goals()).extracting(GoalInformation::uid).containsExactly("4");
   }

@@ -358,7 +358,7 @@ class MissionOrdersTest extends ThreeWaypoints {
     give(order(MissionAction.RESUME));
 
     assertThat(logged("SKIP by anna: goal \"1\" skipped")).isTrue();
-    assertThat(logged("RESUME by anna refused: there is nothing to resume")).isTrue();
+    assertThat(logged("RESUME by anna refused: nothing to resume")).isTrue();
   }
 
   @Test

@@ -26,8 +26,7 @@ record PlanningVariables(
         double cornerLimit,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 1)
         @Description(
-            "Minimum look-ahead distance along the line. A shorter one holds the line "
-                + "more tightly.")
+            "Minimum look-ahead distance along the line. A shorter one holds the line more tightly.")
         double lookAhead,
     @Variable(unit = "s", min = 0, ifAbsent = 1)
         @Description(
@@ -35,8 +34,7 @@ record PlanningVariables(
         double lookAheadTime,
     @Variable(ifAbsentText = "IMMEDIATE")
         @Description(
-            "IMMEDIATE changes to the altitude of a leg's end at once, LINEAR in proportion to "
-                + "the distance flown.")
+            "IMMEDIATE changes to the altitude of a leg's end at once, LINEAR in proportion to the distance flown.")
         AltitudeProfile altitudeProfile,
     @Variable(min = 1, max = 1000, ifAbsent = 3)
         @Description("Passes at a waypoint before giving up.")

@@ -98,7 +98,7 @@ class PathPlannerDriveTest {
       assertThat(report.abandoned()).isTrue();
       assertThat(report.completed()).isFalse();
       assertThat(drive.kit.log("MissionManager"))
-          .anyMatch(line -> line.contains("goal \"1\" given up"));
+          .anyMatch(line -> line.contains("goal \"1\" abandoned"));
       assertThat(drive.kit.log("MissionManager"))
           .anyMatch(line -> line.contains("current goals [2]"));
     }

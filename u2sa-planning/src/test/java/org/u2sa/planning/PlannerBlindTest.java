@@ -111,7 +111,7 @@ class PlannerBlindTest extends PlannedVehicle {
     pointsIn(20);
     assertThat(pointsIn(10)).isEqualTo(10);
     assertThat(point().y()).as("abeam, not towards the goal ahead").isNotZero();
-    assertThat(logged("stands: nothing from the World Modeler")).isEqualTo(1);
+    assertThat(logged("stands: no data from the World Modeler")).isEqualTo(1);
   }
 
   @ParameterizedTest

@@ -26,8 +26,7 @@ record RecorderVariables(
         int keep,
     @Variable(ifAbsentText = "true")
         @Description(
-            "Whether to record which service handled which message when, so that services can be "
-                + "re-executed.")
+            "Whether to record which service handled which message when, so that services can be re-executed.")
         boolean executions,
     @Variable(min = 16, max = 1_000_000, ifAbsent = 8192)
         @Description("Capacity of the write queue in messages; more are dropped and counted.")

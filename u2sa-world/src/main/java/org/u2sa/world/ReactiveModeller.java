@@ -31,8 +31,7 @@ final class ReactiveModeller implements Modeller {
           double memory,
       @Variable(ifAbsentText = "true")
           @Description(
-              "REACTIVE: whether a scan's echoes are published as a point cloud among "
-                  + "the objects.")
+              "REACTIVE: whether a scan's echoes are published as a point cloud among the objects.")
           boolean scansAsObjects) {}
 
   private record Memory(long micros, List<ObjectDescription> objects) {}

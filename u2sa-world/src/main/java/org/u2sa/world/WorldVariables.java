@@ -19,35 +19,29 @@ record WorldVariables(
         String world,
     @Variable(ifAbsentText = "true")
         @Description(
-            "Whether objects of WORLD that move are known beforehand too; false: sensors have to "
-                + "detect them, like uncharted traffic.")
+            "Whether objects of WORLD that move are known beforehand too; false: sensors have to detect them, like uncharted traffic.")
         boolean worldMovers,
     @Variable(unit = "Hz", min = 0.01, max = 100, ifAbsent = 2)
         @Description("Grids published per second, at most RATE.")
         double gridRate,
     @Variable(ifAbsentText = "GOAL")
         @Description(
-            "GOAL omits passable objects (HINDRANCE) of other types while every current goal "
-                + "names types of objects; ALL publishes everything.")
+            "GOAL omits passable objects (HINDRANCE) of other types while every current goal names types of objects; ALL publishes everything.")
         Relevant relevant,
     @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.3)
         @Description(
-            "Maximum time that a measurement waits for the state of its time; then the newest "
-                + "state is extrapolated.")
+            "Maximum time that a measurement waits for the state of its time; then the newest state is extrapolated.")
         double waitForState,
     @Variable(unit = "s", min = 0.001, max = 10, ifAbsent = 0.5)
         @Description(
-            "Maximum time between states for interpolating the pose of a measurement, and for "
-                + "extrapolating the newest state; otherwise the measurement is dropped.")
+            "Maximum time between states for interpolating the pose of a measurement, and for extrapolating the newest state; otherwise the measurement is dropped.")
         double stateGap,
     @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 3)
         @Description("Time without a state after which the map continues in BODY.")
         double stateLostAfter,
     @Variable(ifAbsentText = "")
         @Description(
-            "Names of required sensors, separated by commas; while one is silent, the Path "
-                + "Planner stops the vehicle. Empty: every scanner heard so far and, with GRID among "
-                + "MODELLERS and no WORLD, at least one.")
+            "Names of required sensors, separated by commas; while one is silent, the Path Planner stops the vehicle. Empty: every scanner heard so far and, with GRID among MODELLERS and no WORLD, at least one.")
         String expectedSensors,
     @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 1)
         @Description("Age of its newest measurement at which an expected sensor counts as silent.")

@@ -15,18 +15,14 @@ import org.u2sa.messages.frame.Point;
 public record ActuatorDescription(
     @Variable(ifAbsentText = "")
         @Description(
-            "Force and moment on the vehicle at full command, in forward, right and down axes: "
-                + "\"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number "
-                + "being the reverse thrust, or \"wrench X Y Z K M N\" in N and N m; empty: no "
-                + "effect is announced.")
+            "Force and moment on the vehicle at full command, in forward, right and down axes: \"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number being the reverse thrust, or \"wrench X Y Z K M N\" in N and N m; empty: no effect is announced.")
         String effect,
     @Variable(min = 0.1, max = 10, ifAbsent = 1)
         @Description("Exponent of the effect over the command; about 2 for propellers.")
         double effectExponent,
     @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 0)
         @Description(
-            "Speed through air or water at which the effect holds; it scales with speed squared. "
-                + "0: independent of speed.")
+            "Speed through air or water at which the effect holds; it scales with speed squared. 0: independent of speed.")
         double effectSpeed,
     @Variable(unit = "%", min = 0, max = 99, ifAbsent = 0)
         @Description("Dead band: smaller commands have no effect.")

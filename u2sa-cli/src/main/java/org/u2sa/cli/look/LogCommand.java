@@ -46,7 +46,7 @@ public final class LogCommand extends BaseCommand {
       arity = "0..1",
       paramLabel = "FOLDER|RECORDING",
       description =
-          "Folder or recording with the logs. Default: the most recent folder below " + "out/.")
+          "Folder or recording with the logs. Default: the most recent folder below out/.")
   private Path where;
 
   @Option(

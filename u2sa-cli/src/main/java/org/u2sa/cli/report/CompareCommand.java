@@ -39,7 +39,7 @@ public final class CompareCommand extends BaseCommand {
 
   @Option(
       names = "--json",
-      description = "Print the page's data as JSON instead of writing the " + "page.")
+      description = "Print the page's data as JSON instead of writing the page.")
   private boolean json;
 
   @Override

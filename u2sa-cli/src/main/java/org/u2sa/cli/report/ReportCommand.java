@@ -47,7 +47,7 @@ public final class ReportCommand extends BaseCommand {
 
   @Option(
       names = "--json",
-      description = "Print the page's data as JSON instead of writing the " + "page.")
+      description = "Print the page's data as JSON instead of writing the page.")
   private boolean json;
 
   @Override

@@ -52,8 +52,7 @@ public final class AllocatingControl extends ControlSystem {
   private record Choices(
       @Variable(ifAbsentText = "")
           @Description(
-              "Essential axes, separated by spaces: without them the actuators stay neutral. "
-                  + "SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
+              "Essential axes, separated by spaces: without them the actuators stay neutral. SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
       @Variable(ifAbsentText = "")
           @Description(
@@ -65,8 +64,7 @@ public final class AllocatingControl extends ControlSystem {
           CommandKind commands,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether failed or weak actuators are detected from the vehicle's motion and "
-                  + "excluded or derated; requires accurate masses.")
+              "Whether failed or weak actuators are detected from the vehicle's motion and excluded or derated; requires accurate masses.")
           boolean watchesResponse,
       @Variable(unit = "s", min = 1, max = 3600, ifAbsent = 60)
           @Description("Time after which a failed or weak actuator is tried again.")

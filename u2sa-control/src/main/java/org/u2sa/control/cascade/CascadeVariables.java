@@ -85,15 +85,14 @@ final class CascadeVariables {
           boolean facesTheWay,
       @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 1)
           @Description(
-              "Minimum distance of a point to turn to; for a nearer one the heading is " + "kept.")
+              "Minimum distance of a point to turn to; for a nearer one the heading is kept.")
           double facingDistance,
       @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 0.5)
           @Description("Speed to a navigation point that specifies none.")
           double cruiseSpeed,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the vehicle moves sideways by tilting its lift, as multirotors do. SURGE "
-                  + "and SWAY then have gains, but no weight.")
+              "Whether the vehicle moves sideways by tilting its lift, as multirotors do. SURGE and SWAY then have gains, but no weight.")
           boolean leans,
       @Variable(unit = "deg", min = 1, max = 60, ifAbsent = 25)
           @Description("Maximum tilt of a vehicle that leans.")

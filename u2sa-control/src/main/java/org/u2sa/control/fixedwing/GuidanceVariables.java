@@ -12,7 +12,7 @@ import org.u2sa.interfaces.configuration.Variable;
 record GuidanceVariables(
     @Variable(unit = "m/s", min = 5, max = 100, ifAbsent = 46)
         @Description(
-            "Reference calibrated airspeed of the surface gains, which are scaled with " + "speed.")
+            "Reference calibrated airspeed of the surface gains, which are scaled with speed.")
         double referenceSpeed,
     @Variable(unit = "m/s", min = 6, max = 60, ifAbsent = 40)
         @Description("Calibrated airspeed unless navigation demands another.")
@@ -36,8 +36,7 @@ record GuidanceVariables(
         double pitchUpperLimit,
     @Variable(unit = "m", min = 5, max = 1000, ifAbsent = 150)
         @Description(
-            "Minimum L1 distance: nearer navigation points are treated as this far away, which "
-                + "bounds the gain.")
+            "Minimum L1 distance: nearer navigation points are treated as this far away, which bounds the gain.")
         double minLookAhead,
     @Variable(unit = "m/s", min = 4, max = 40, ifAbsent = 26.2)
         @Description("Calibrated stall speed, wings level, flaps up.")
@@ -53,8 +52,7 @@ record GuidanceVariables(
         double angleOfAttackLimit,
     @Variable(min = 0, max = 1, ifAbsent = 0.3)
         @Description(
-            "Fraction of the wind speed added to the rotation speed and the minimum airspeed, as "
-                + "allowance for gusts near the ground (MIL-F-8785C: σ about 0.2).")
+            "Fraction of the wind speed added to the rotation speed and the minimum airspeed, as allowance for gusts near the ground (MIL-F-8785C: σ about 0.2).")
         double gustShare) {
   /** Validates the order of the speeds. */
   GuidanceVariables {

@@ -25,18 +25,15 @@ final class TouchDown {
           double flareLookAhead,
       @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.6)
           @Description(
-              "Aileron per sideslip that holds the wings level: dihedral effect over aileron "
-                  + "effect.")
+              "Aileron per sideslip that holds the wings level: dihedral effect over aileron effect.")
           double aileronPerSideslip,
       @Variable(unit = "m/s", min = 10, max = 40, ifAbsent = 28)
           @Description(
-              "Ground speed above which the brakes are hardly used; below it they are applied "
-                  + "gradually.")
+              "Ground speed above which the brakes are hardly used; below it they are applied gradually.")
           double brakeSpeed,
       @Variable(unit = "m/s", min = 0, max = 20, ifAbsent = 13)
           @Description(
-              "Maximum crosswind for landing, as measured by the aircraft; above it the aircraft "
-                  + "stays at SAFE HEIGHT.")
+              "Maximum crosswind for landing, as measured by the aircraft; above it the aircraft stays at SAFE HEIGHT.")
           double maxCrosswind) {}
 
   private static final double LEVEL_MPS = 10.0; // below this, ailerons cannot level the wings

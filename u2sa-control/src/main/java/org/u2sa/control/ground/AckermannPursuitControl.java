@@ -38,8 +38,7 @@ public final class AckermannPursuitControl extends GroundControl {
           SteeringLaw steeringLaw,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the steering is commanded as an angle instead of a percentage; its "
-                  + "actuator must announce that it accepts angles.")
+              "Whether the steering is commanded as an angle instead of a percentage; its actuator must announce that it accepts angles.")
           boolean steersByAngle) {
     double angleRad() {
       return Math.toRadians(steeringAngle);

@@ -37,8 +37,7 @@ public final class DifferentialDriveControl extends GroundControl {
           double tolerance,
       @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 0.5)
           @Description(
-              "Integral gain on the command of HEADING GAIN, for mismatched motors; 0: no "
-                  + "feedback.")
+              "Integral gain on the command of HEADING GAIN, for mismatched motors; 0: no feedback.")
           double mismatchGain) {}
 
   private static final double ALIGNED_RAD = 0.6; // at larger bearings it turns and does not learn

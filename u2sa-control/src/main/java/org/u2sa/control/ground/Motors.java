@@ -14,8 +14,7 @@ record Motors(
         String rightActuator,
     @Variable(unit = "%", min = 0, max = 95, ifAbsent = 80)
         @Description(
-            "Maximum correction by feedback: raises the weaker motor's command and lowers the "
-                + "stronger motor's.")
+            "Maximum correction by feedback: raises the weaker motor's command and lowers the stronger motor's.")
         double mismatchLimit) {
   List<String> names() {
     return List.of(leftActuator, rightActuator);

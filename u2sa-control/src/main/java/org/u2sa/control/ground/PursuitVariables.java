@@ -52,13 +52,11 @@ record PursuitVariables(
         double responseTime,
     @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0)
         @Description(
-            "Time constant of the speed response (63 % from rest), for lead compensation; 0: no "
-                + "lead.")
+            "Time constant of the speed response (63 % from rest), for lead compensation; 0: no lead.")
         double pickUpTime,
     @Variable(unit = "s", min = 0.2, max = 60, ifAbsent = 3)
         @Description(
-            "Stall detection: time at full power with hardly any motion before the motors are "
-                + "rested, with a warning.")
+            "Stall detection: time at full power with hardly any motion before the motors are rested, with a warning.")
         double stallTime,
     @Variable(unit = "s", min = 0, max = 600, ifAbsent = 10)
         @Description("Time for which stalled motors rest before the vehicle tries again.")

@@ -11,8 +11,7 @@ import org.u2sa.messages.StateInformation;
 record SlopeHelp(
     @Variable(unit = "%", min = 0, max = 5000, ifAbsent = 0)
         @Description(
-            "Percentage that holds the vehicle on a slope, per sine of the slope: weight divided "
-                + "by the motors' stall force; 0: left to SPEED GAIN.")
+            "Percentage that holds the vehicle on a slope, per sine of the slope: weight divided by the motors' stall force; 0: left to SPEED GAIN.")
         double slopeHelp) {
   private static final double FULL_PERCENT = 100.0;
   private static final double LEVEL_RAD = 0.026; // dead band for uneven ground and sensor error

@@ -28,16 +28,13 @@ final class BrokerSecurity {
           String securityDirectory,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the embedded broker may listen on a network without SECURITY DIRECTORY, "
-                  + "where anyone can command the vehicle.")
+              "Whether the embedded broker may listen on a network without SECURITY DIRECTORY, where anyone can command the vehicle.")
           boolean allowInsecureNetwork,
       @Variable(
               oneOf = {"account", "everybody"},
               ifAbsentText = "account")
           @Description(
-              "Who on this host may command without SECURITY DIRECTORY: the account that started "
-                  + "the broker (tools read its private token file), or everybody. Everybody may "
-                  + "listen.")
+              "Who on this host may command without SECURITY DIRECTORY: the account that started the broker (tools read its private token file), or everybody. Everybody may listen.")
           String localCommands) {}
 
   private final LocalAccount account; // null without users, or with the directory's users

@@ -32,8 +32,7 @@ final class MonitorVariables {
           double reconnectWithin,
       @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 15)
           @Description(
-              "Time within which a service must be heard after the monitor starts or orders its "
-                  + "start.")
+              "Time within which a service must be heard after the monitor starts or orders its start.")
           double startWithin,
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0.25)
           @Description(

@@ -24,8 +24,7 @@ record SafetyVariables(
         String estimatorService,
     @Variable(ifAbsentText = "")
         @Description(
-            "Services whose failure counts as loss of the actuator link, separated by commas; "
-                + "only their refusals count. Empty: refusals of all services count.")
+            "Services whose failure counts as loss of the actuator link, separated by commas; only their refusals count. Empty: refusals of all services count.")
         String actuatorServices,
     @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 2)
         @Description(
@@ -56,13 +55,11 @@ record SafetyVariables(
         double batteryTime,
     @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 10)
         @Description(
-            "Time without a message after which the sensor of a known battery counts as lost, if "
-                + "a threshold is set.")
+            "Time without a message after which the sensor of a known battery counts as lost, if a threshold is set.")
         double batteryDeadline,
     @Variable(ifAbsentText = "")
         @Description(
-            "Sensor names of the monitored batteries, separated by commas, so that spoofed ones "
-                + "are ignored; empty: all.")
+            "Sensor names of the monitored batteries, separated by commas, so that spoofed ones are ignored; empty: all.")
         String batteries,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 3)
         @Description("Time for which a cause must be gone before it no longer counts.")
@@ -78,8 +75,7 @@ record SafetyVariables(
         boolean missionRequired,
     @Variable(ifAbsentText = "")
         @Description(
-            "Actuators that must be announced before arming, separated by commas; empty: at "
-                + "least one, whichever it is.")
+            "Actuators that must be announced before arming, separated by commas; empty: at least one, whichever it is.")
         String requiredActuators,
     @Variable(ifAbsentText = "")
         @Description("Geofence XML file, relative to this one; empty: none.")

@@ -154,7 +154,8 @@ class SecretFileTest {
 
     assertThatThrownBy(directory::check)
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining(folder + "\": there is no " + missing + "; ./u2sa security init");
+        .hasMessageContaining(
+            folder + "\": missing " + missing + "; create it with ./u2sa security init");
   }
 
   @ParameterizedTest

@@ -53,7 +53,7 @@ public final class MjpegCamera extends ParsedDevice<CameraFrame> implements Came
     private record Variables(
         @Variable(ifAbsentText = "/?action=stream")
             @Description(
-                "MJPEG: path of the stream on the camera; defaults to that of " + "mjpg-streamer.")
+                "MJPEG: path of the stream on the camera; defaults to that of mjpg-streamer.")
             String streamPath) {}
 
     public Provider() {

@@ -59,8 +59,7 @@ public final class LinkedGps extends ParsedDevice<GpsFix> implements GpsReceiver
     private record Variables(
         @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = NmeaGps.USUAL_RANGE_ERROR_M)
             @Description(
-                "NMEA: standard deviation of the range to a satellite without corrections; "
-                    + "smaller for DGPS and RTK. Without GST sentences, position sigma = this × DOP.")
+                "NMEA: standard deviation of the range to a satellite without corrections; smaller for DGPS and RTK. Without GST sentences, position sigma = this × DOP.")
             double rangeError,
         @Variable(min = 1_200, max = 921_600, ifAbsent = 9_600)
             @Description("UBLOX: baud rate of the receiver's port, as in CONNECTION; not changed.")

@@ -18,8 +18,7 @@ record SensorVariables(
             ifAbsentText = "UBLOX 6",
             oneOf = {"NMEA", "UBLOX 6", "UBLOX 8"})
         @Description(
-            "NMEA: any receiver, never configured; UBLOX 6: LEA-6 and older, UBLOX 8: generation "
-                + "7 and newer, both configured at each connection.")
+            "NMEA: any receiver, never configured; UBLOX 6: LEA-6 and older, UBLOX 8: generation 7 and newer, both configured at each connection.")
         String gpsReceiver,
     @Variable(unit = "Hz", min = 0.1, max = 25, ifAbsent = 5)
         @Description("Fixes per second of a u-blox receiver.")
@@ -32,8 +31,7 @@ record SensorVariables(
             ifAbsentText = "SPARTON",
             oneOf = {"NMEA", "SPARTON"})
         @Description(
-            "NMEA: any compass that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its "
-                + "successors, polled for each heading.")
+            "NMEA: any compass that sends HDG, HDM or HDT unprompted; SPARTON: SP3004D and its successors, polled for each heading.")
         String compass,
     @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0)
         @Description(

@@ -42,8 +42,7 @@ record MavlinkVariables(
         double commandRate,
     @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
         @Description(
-            "Time for which neutral commands are sent after commands end or are stopped, before "
-                + "control is returned.")
+            "Time for which neutral commands are sent after commands end or are stopped, before control is returned.")
         double neutralTime,
     @Variable(unit = "us", min = 800, max = 2200, ifAbsent = 1000)
         @Description("With COMMANDS rc: pulse at -100 %.")

@@ -20,8 +20,7 @@ final class LinkConfiguration {
               oneOf = {"embedded", "flightgear"},
               ifAbsentText = "embedded")
           @Description(
-              "embedded: the Cessna 172 of u2sa-sim in lockstep (with u2sa simulate, the vehicle "
-                  + "file's aircraft); flightgear: FlightGear's generic protocol over TCP.")
+              "embedded: the Cessna 172 of u2sa-sim in lockstep (with u2sa simulate, the vehicle file's aircraft); flightgear: FlightGear's generic protocol over TCP.")
           String link,
       @Variable(ifAbsentText = "")
           @Description(
@@ -29,8 +28,7 @@ final class LinkConfiguration {
           String mission,
       @Variable(unit = "m/s", min = 0, max = 30, ifAbsent = 0)
           @Description(
-              "Wind speed for the embedded aircraft: at every height, or with WIND SHEAR at 6 m "
-                  + "above ground.")
+              "Wind speed for the embedded aircraft: at every height, or with WIND SHEAR at 6 m above ground.")
           double windSpeed,
       @Variable(unit = "rad", min = 0, max = 2.0 * Math.PI, ifAbsent = 0)
           @Description(
@@ -38,8 +36,7 @@ final class LinkConfiguration {
           double windFrom,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether the wind increases with height, for the embedded aircraft (MIL-F-8785C, "
-                  + "3.7.3.4: 1.8 times as strong at 300 m).")
+              "Whether the wind increases with height, for the embedded aircraft (MIL-F-8785C, 3.7.3.4: 1.8 times as strong at 300 m).")
           boolean windShear,
       @Variable(ifAbsentText = "true")
           @Description(

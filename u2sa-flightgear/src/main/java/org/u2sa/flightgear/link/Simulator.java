@@ -44,9 +44,7 @@ public final class Simulator extends ProprioceptiveSensor implements ActuatorOwn
   private record Senses(
       @Variable(ifAbsentText = "true")
           @Description(
-              "Whether sensed-state has the aircraft's true position, motion and attitude; "
-                  + "false: only weight on wheels, engine and height above ground; sensors measure "
-                  + "the rest.")
+              "Whether sensed-state has the aircraft's true position, motion and attitude; false: only weight on wheels, engine and height above ground; sensors measure the rest.")
           boolean sensesMotion) {}
 
   private final boolean sensesMotion;

@@ -124,7 +124,7 @@ public final class StopConfirmation {
       missing.add("no service of system \"" + systemId + "\" is heard");
     } else if (holding.isEmpty()) {
       missing.add(
-          "of its " + heard.size() + " services, none reports that it obeys emergency " + "stops");
+          "of its " + heard.size() + " services, none reports that it obeys emergency stops");
     }
     holding.forEach(
         (service, held) -> {

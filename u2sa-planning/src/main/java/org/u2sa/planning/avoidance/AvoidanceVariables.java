@@ -27,15 +27,11 @@ public record AvoidanceVariables(
         double clearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Distance from obstacles within which the vehicle does not cut its route's corners, "
-                + "but follows it closely and more slowly; 0: corners are cut as far as obstacles "
-                + "allow.")
+            "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: corners are cut as far as obstacles allow.")
         double preferredClearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Narrowest passage on the map that routes lead straight through, for vehicles that "
-                + "turn on the spot. 0: wide enough to turn in or, if no other route leads to the "
-                + "goal, VEHICLE WIDTH plus CLEARANCE.")
+            "Narrowest passage on the map that routes lead straight through, for vehicles that turn on the spot. 0: wide enough to turn in or, if no other route leads to the goal, VEHICLE WIDTH plus CLEARANCE.")
         double narrowestPassage,
     @Variable(unit = "m", min = 0, ifAbsent = 1)
         @Description("Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
@@ -48,23 +44,21 @@ public record AvoidanceVariables(
         double planningCell,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "PLANNING CELL for routes through passages too narrow to turn in, because coarse "
-                + "cells make passages narrower; 0: PLANNING CELL.")
+            "PLANNING CELL for routes through passages too narrow to turn in, because coarse cells make passages narrower; 0: PLANNING CELL.")
         double narrowCell,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 40)
         @Description("Edge of the square around the vehicle in which obstacles are planned around.")
         double planningSpan,
     @Variable(ifAbsentText = "corridor")
         @Description(
-            "Type of objects that form the area to stay inside, each overlapping the " + "next.")
+            "Type of objects that form the area to stay inside, each overlapping the next.")
         String corridorType,
     @Variable(ifAbsentText = "")
         @Description("Types of objects that are not obstacles, separated by commas.")
         String ignoredTypes,
     @Variable(ifAbsentText = "")
         @Description(
-            "Types of objects to pass on one side, such as red flag: LEFT, blue flag: RIGHT; the "
-                + "other side is blocked unless no other route exists (OVERLOOK AFTER).")
+            "Types of objects to pass on one side, such as red flag: LEFT, blue flag: RIGHT; the other side is blocked unless no other route exists (OVERLOOK AFTER).")
         String passSides,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 2.5)
         @Description("Lateral distance up to which the other side of such an object is blocked.")
@@ -74,9 +68,7 @@ public record AvoidanceVariables(
         double verticalClearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "At a waypoint reached between two lines within this distance, the way back is "
-                + "blocked until the next waypoint, or until no other route exists (OVERLOOK AFTER); "
-                + "0: never.")
+            "At a waypoint reached between two lines within this distance, the way back is blocked until the next waypoint, or until no other route exists (OVERLOOK AFTER); 0: never.")
         double closeBehind,
     @Variable(unit = "m/s", min = 0, minExcluded = true, ifAbsent = 1)
         @Description("Speed around obstacles, unless the waypoint sets one.")
@@ -132,13 +124,11 @@ public record AvoidanceVariables(
         double giveUpAfter,
     @Variable(unit = "s", min = 0, ifAbsent = 0)
         @Description(
-            "Time without any route after which obstacles with a confidence below 0.6 are "
-                + "ignored, until a route has existed for as long; 0: never.")
+            "Time without any route after which obstacles with a confidence below 0.6 are ignored, until a route has existed for as long; 0: never.")
         double overlookAfter,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 2)
         @Description(
-            "Age of the World Modeler's newest objects or grid at which the vehicle stops, or "
-                + "circles if it cannot stop, until newer data arrive. Not with PLANNER = NONE.")
+            "Age of the World Modeler's newest objects or grid at which the vehicle stops, or circles if it cannot stop, until newer data arrive. Not with PLANNER = NONE.")
         double worldStaleAfter) {
   /** Collision distance to an obstacle, allowing for rounding [fraction of a cell]. */
   private static final double TOUCH_CELLS = 0.5;

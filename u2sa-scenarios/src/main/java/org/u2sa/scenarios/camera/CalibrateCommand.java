@@ -51,7 +51,7 @@ final class CalibrateCommand implements Callable<Integer> {
       names = "--pictures",
       defaultValue = "15",
       description =
-          "With --live: number of pictures that show the board (default: " + "${DEFAULT-VALUE}).")
+          "With --live: number of pictures that show the board (default: ${DEFAULT-VALUE}).")
   private int wanted;
 
   @Option(

@@ -7,13 +7,11 @@ import org.u2sa.interfaces.configuration.Variable;
 public record CourseVariables(
     @Variable(ifAbsentText = "")
         @Description(
-            "Calibration file of the camera, relative to the configuration file (u2sa camera "
-                + "calibrate); empty: the geometry reported by the camera, or ANGLE OF VIEW.")
+            "Calibration file of the camera, relative to the configuration file (u2sa camera calibrate); empty: the geometry reported by the camera, or ANGLE OF VIEW.")
         String calibration,
     @Variable(unit = "rad", min = 0.17, max = 2.8, ifAbsent = 1.05)
         @Description(
-            "Horizontal angle of view, for a camera that neither is calibrated nor reports its "
-                + "geometry.")
+            "Horizontal angle of view, for a camera that neither is calibrated nor reports its geometry.")
         double angleOfView,
     @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0)
         @Description("Height of the vehicle's reference point above the ground.")
@@ -24,9 +22,7 @@ public record CourseVariables(
         boolean levelGround,
     @Variable(unit = "rad", min = 0.001, max = 1.6, ifAbsent = 1.6)
         @Description(
-            "Tilt above which the vehicle is assumed to be on a slope, fully at twice this tilt: "
-                + "the ground ahead may slope or be level, so standard deviations of positions on it "
-                + "grow.")
+            "Tilt above which the vehicle is assumed to be on a slope, fully at twice this tilt: the ground ahead may slope or be level, so standard deviations of positions on it grow.")
         double slopeAbove,
     @Variable(unit = "m", min = 0, max = 50, ifAbsent = 0.5)
         @Description("Minimum distance of searched ground ahead of the reference point.")

@@ -13,7 +13,7 @@ record LineModelVariables(
         String lineTypes,
     @Variable(unit = "m", min = 0.01, max = 5, ifAbsent = 0.35)
         @Description(
-            "LINES: lateral distance up to which a sighting is associated with a known " + "line.")
+            "LINES: lateral distance up to which a sighting is associated with a known line.")
         double lineGate,
     @Variable(min = 1, max = 20, ifAbsent = 3) @Description("LINES: sightings that confirm a line.")
         int lineHits,
@@ -26,16 +26,14 @@ record LineModelVariables(
         double lineExtension,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
         @Description(
-            "LINES: assumed continuation of a line beyond its seen end where the other line of "
-                + "its lane runs alongside; 0: same as LINE EXTENSION.")
+            "LINES: assumed continuation of a line beyond its seen end where the other line of its lane runs alongside; 0: same as LINE EXTENSION.")
         double laneExtension,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 6.1)
         @Description("LINES: maximum width of a lane, for LANE EXTENSION.")
         double widestLane,
     @Variable(unit = "m", min = 0, max = 10, ifAbsent = 0)
         @Description(
-            "LINES: position drift of the vehicle in one second, growing with the square root of "
-                + "time. It widens the search for lines not seen for a while.")
+            "LINES: position drift of the vehicle in one second, growing with the square root of time. It widens the search for lines not seen for a while.")
         double lineWander,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 1.5)
         @Description(
@@ -43,8 +41,7 @@ record LineModelVariables(
         double laneWidth,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 2.5)
         @Description(
-            "LINES: distance ahead within which an existing line should be seen; a line unseen "
-                + "there loses confidence.")
+            "LINES: distance ahead within which an existing line should be seen; a line unseen there loses confidence.")
         double doubtReach,
     @Variable(unit = "deg", min = 0, max = 360, ifAbsent = 50)
         @Description("LINES: width of the sector ahead in which unseen lines lose confidence.")
@@ -54,19 +51,15 @@ record LineModelVariables(
         double lineReach,
     @Variable(unit = "m", min = 0, max = 10, ifAbsent = 0)
         @Description(
-            "LINES: minimum distance of closed gaps from the vehicle's reference point: about "
-                + "half its width.")
+            "LINES: minimum distance of closed gaps from the vehicle's reference point: about half its width.")
         double clearOfVehicle,
     @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 0)
         @Description(
-            "LINES: depth of the occlusion behind echoes of a scanner, where a camera cannot see "
-                + "the ground: apparent lines there are part of the occluding object.")
+            "LINES: depth of the occlusion behind echoes of a scanner, where a camera cannot see the ground: apparent lines there are part of the occluding object.")
         double hiddenBehind,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
         @Description(
-            "LINES: range within which a camera sees all paint. Where a line ends and the ground "
-                + "beyond was seen as far as JOIN GAP, no continuation is assumed; 0: it is always "
-                + "assumed.")
+            "LINES: range within which a camera sees all paint. Where a line ends and the ground beyond was seen as far as JOIN GAP, no continuation is assumed; 0: it is always assumed.")
         double lookReach,
     @Variable(unit = "deg", min = 0, max = 360, ifAbsent = 80)
         @Description("LINES: width of the sector ahead for LOOK REACH.")

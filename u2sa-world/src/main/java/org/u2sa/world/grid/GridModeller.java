@@ -31,13 +31,11 @@ public final class GridModeller implements Modeller {
           double hitLogOdds,
       @Variable(min = 0, minExcluded = true, max = 6, ifAbsent = 0.4)
           @Description(
-              "Log odds that a beam subtracts from the cells it crosses; 0.4 is a "
-                  + "probability of 0.4.")
+              "Log odds that a beam subtracts from the cells it crosses; 0.4 is a probability of 0.4.")
           double missLogOdds,
       @Variable(unit = "m", ifAbsent = -0.1)
           @Description(
-              "Height relative to the vehicle's reference point below which an echo counts as "
-                  + "ground.")
+              "Height relative to the vehicle's reference point below which an echo counts as ground.")
           double lowest,
       @Variable(unit = "m", ifAbsent = 2)
           @Description(
@@ -45,9 +43,7 @@ public final class GridModeller implements Modeller {
           double highest,
       @Variable(unit = "m", min = 0, ifAbsent = 1000)
           @Description(
-              "Distance up to which a beam without an echo counts as free space, at most the "
-                  + "range of the scanner's farthest echo so far; lower it where dark or smooth "
-                  + "walls return no echo.")
+              "Distance up to which a beam without an echo counts as free space, at most the range of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 

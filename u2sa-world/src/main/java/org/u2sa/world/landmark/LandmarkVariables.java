@@ -10,21 +10,18 @@ import org.u2sa.interfaces.configuration.Variable;
 record LandmarkVariables(
     @Variable(ifAbsentText = "")
         @Description(
-            "Types of stationary objects that serve as landmarks, separated by commas, such as "
-                + "\"buoy, gate\". Empty: all objects of WORLD that have a UID.")
+            "Types of stationary objects that serve as landmarks, separated by commas, such as \"buoy, gate\". Empty: all objects of WORLD that have a UID.")
         String landmarkTypes,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.1)
         @Description("Standard deviation of the positions in WORLD, per axis.")
         double landmarkSigma,
     @Variable(ifAbsentText = "false")
         @Description(
-            "Whether objects of LANDMARK TYPES that are not in WORLD are learnt as landmarks at "
-                + "their first sighting.")
+            "Whether objects of LANDMARK TYPES that are not in WORLD are learnt as landmarks at their first sighting.")
         boolean learnLandmarks,
     @Variable(min = 1, max = 20, ifAbsent = 3)
         @Description(
-            "Association gate, in standard deviations, of a sighting without a known UID; "
-                + "ambiguous sightings are ignored.")
+            "Association gate, in standard deviations, of a sighting without a known UID; ambiguous sightings are ignored.")
         double landmarkGate,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.3)
         @Description("Default standard deviation of a sighting, per axis.")

@@ -25,16 +25,14 @@ record ObjectMapVariables(
         double gate,
     @Variable(ifAbsentText = "false")
         @Description(
-            "OBJECTS: whether UIDs of sensors identify objects: one UID always means the same "
-                + "object, different UIDs different objects.")
+            "OBJECTS: whether UIDs of sensors identify objects: one UID always means the same object, different UIDs different objects.")
         boolean trustUids,
     @Variable(min = 1, max = 31, ifAbsent = 3)
         @Description("OBJECTS: sightings within CONFIRM WINDOW that confirm an object.")
         int confirmHits,
     @Variable(min = 1, max = 31, ifAbsent = 5)
         @Description(
-            "OBJECTS: opportunities to see an object, within which it must be seen CONFIRM HITS "
-                + "times or is dropped.")
+            "OBJECTS: opportunities to see an object, within which it must be seen CONFIRM HITS times or is dropped.")
         int confirmWindow,
     @Variable(min = 0.1, max = 0.999, ifAbsent = 0.9)
         @Description(
@@ -42,35 +40,29 @@ record ObjectMapVariables(
         double detectionProbability,
     @Variable(ifAbsentText = "")
         @Description(
-            "OBJECTS: fields of view of object sensors, such as Camera: 60 deg, 8 m; Radar: 120 "
-                + "deg, 150 m, 90 deg (width, reach, direction to the left). A sensor without an "
-                + "entry gives no negative evidence.")
+            "OBJECTS: fields of view of object sensors, such as Camera: 60 deg, 8 m; Radar: 120 deg, 150 m, 90 deg (width, reach, direction to the left). A sensor without an entry gives no negative evidence.")
         String fieldsOfView,
     @Variable(ifAbsentText = "")
         @Description(
-            "OBJECTS: types of objects that scanners see, separated by commas, * for all: a beam "
-                + "through such an object is negative evidence.")
+            "OBJECTS: types of objects that scanners see, separated by commas, * for all: a beam through such an object is negative evidence.")
         String scannersSee,
     @Variable(ifAbsentText = "true")
         @Description(
-            "OBJECTS: whether scanner echoes in formerly free space are tracked, and published "
-                + "once known to move.")
+            "OBJECTS: whether scanner echoes in formerly free space are tracked, and published once known to move.")
         boolean moversInScans,
     @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 5)
         @Description("OBJECTS: typical speed of moving objects, 1 sigma; 0: nothing moves.")
         double usualSpeed,
     @Variable(ifAbsentText = "*")
         @Description(
-            "OBJECTS: types of objects that can move, separated by commas; * for all. Objects of "
-                + "unknown type always can.")
+            "OBJECTS: types of objects that can move, separated by commas; * for all. Objects of unknown type always can.")
         String movers,
     @Variable(unit = "m/s^2", min = 0, max = 100, ifAbsent = 1)
         @Description("OBJECTS: acceleration of moving objects, in speed or direction, 1 sigma.")
         double manoeuvres,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.05)
         @Description(
-            "OBJECTS: error common to all sightings of a sensor, such as its mounting error, 1 "
-                + "sigma: averaging does not reduce it.")
+            "OBJECTS: error common to all sightings of a sensor, such as its mounting error, 1 sigma: averaging does not reduce it.")
         double systematicSigma,
     @Variable(unit = "s", min = 0, ifAbsent = 5)
         @Description("OBJECTS: time after which an unseen moving object is dropped; 0: never.")
@@ -90,8 +82,7 @@ record ObjectMapVariables(
         double horizon,
     @Variable(ifAbsentText = "false")
         @Description(
-            "OBJECTS: whether objects of the world file are dropped, too, if they are not seen "
-                + "where they should be.")
+            "OBJECTS: whether objects of the world file are dropped, too, if they are not seen where they should be.")
         boolean doubtFile,
     @Variable(min = 1, max = 100_000, ifAbsent = 1000)
         @Description(

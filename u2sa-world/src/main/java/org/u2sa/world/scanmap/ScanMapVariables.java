@@ -11,9 +11,7 @@ record ScanMapVariables(
         boolean correctState,
     @Variable(ifAbsentText = "")
         @Description(
-            "Where the vehicle starts on the map: x and y [m] and heading [deg], such as \"0 0 "
-                + "90\"; published in LOCAL_NED until a state arrives. Empty: taken from the first "
-                + "state.")
+            "Where the vehicle starts on the map: x and y [m] and heading [deg], such as \"0 0 90\"; published in LOCAL_NED until a state arrives. Empty: taken from the first state.")
         String mapStart,
     @Variable(unit = "m", min = 0.001, max = 100, ifAbsent = 0.05)
         @Description("Standard deviation of the position in MAP START.")
@@ -23,8 +21,7 @@ record ScanMapVariables(
         double mapStartPsiSigma,
     @Variable(ifAbsentText = "")
         @Description(
-            "Saved map for localisation, relative to the configuration file; it is not modified. "
-                + "Empty: the map is built from the first scan on.")
+            "Saved map for localisation, relative to the configuration file; it is not modified. Empty: the map is built from the first scan on.")
         String mapFile,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.05)
         @Description("Standard deviation of positions on the map of MAP FILE.")

@@ -2,8 +2,8 @@ package org.u2sa.world.scanmap;
 
 /**
  * Matches a scan to a map: a correlative search of a window (Olson, "Real-time correlative scan
- * matching", ICRA 2009), then Gauss-Newton on the point-to-line distances " + "(Censi, "An ICP
- * variant using a point-to-line metric", ICRA 2008).
+ * matching", ICRA 2009), then Gauss-Newton on the point-to-line distances (Censi, "An ICP variant
+ * using a point-to-line metric", ICRA 2008).
  */
 final class ScanMatcher {
   /**

@@ -11,19 +11,15 @@ public record BrokerLimits(
         int maxClients,
     @Variable(min = 10, max = 10_000_000, ifAbsent = 100_000)
         @Description(
-            "Packets per second that the embedded broker reads from one client; further ones "
-                + "wait. A tenth of it while a subscriber to its messages lags.")
+            "Packets per second that the embedded broker reads from one client; further ones wait. A tenth of it while a subscriber to its messages lags.")
         int clientMessagesPerSecond,
     @Variable(min = 10_000, max = 2_000_000_000, ifAbsent = 200_000_000)
         @Description(
-            "Bytes per second that the embedded broker reads from one client; further ones wait. "
-                + "A tenth of it while a subscriber to its messages lags.")
+            "Bytes per second that the embedded broker reads from one client; further ones wait. A tenth of it while a subscriber to its messages lags.")
         int clientBytesPerSecond,
     @Variable(min = 100, max = 100_000_000, ifAbsent = 250_000)
         @Description(
-            "Packets per second that the embedded broker reads from all clients together. Each "
-                + "client's first 1 % of CLIENT MESSAGES PER SECOND is not counted and never waits "
-                + "for other clients.")
+            "Packets per second that the embedded broker reads from all clients together. Each client's first 1 % of CLIENT MESSAGES PER SECOND is not counted and never waits for other clients.")
         int totalMessagesPerSecond,
     @Variable(min = 1, max = 1_000_000, ifAbsent = 200)
         @Description(
@@ -35,8 +31,7 @@ public record BrokerLimits(
         int clientOrdersPerSecond,
     @Variable(min = 16, max = 1_000_000, ifAbsent = 4_096)
         @Description(
-            "Topics for which the embedded broker retains a client's message; one user may take "
-                + "half. Emergency stop, failsafe and arming state have separate space.")
+            "Topics for which the embedded broker retains a client's message; one user may take half. Emergency stop, failsafe and arming state have separate space.")
         int maxRetainedTopics,
     @Variable(min = 65_536, max = 2_000_000_000, ifAbsent = 32 << 20)
         @Description("Total bytes of retained messages; at most a quarter of the heap.")
@@ -51,8 +46,7 @@ public record BrokerLimits(
         int maxUnacknowledgedBytes,
     @Variable(unit = "s", min = 0.5, max = 3_600, ifAbsent = 15)
         @Description(
-            "Time after which the embedded broker disconnects a client that neither reads nor "
-                + "acknowledges its pending messages.")
+            "Time after which the embedded broker disconnects a client that neither reads nor acknowledges its pending messages.")
         double clientPatience) {
   /** Unidentified connections from one address. */
   public static final int PENDING_PER_ADDRESS = 32;
