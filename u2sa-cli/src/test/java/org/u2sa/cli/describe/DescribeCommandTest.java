@@ -75,7 +75,7 @@ class DescribeCommandTest extends CommandFixture {
         .containsPattern("decision +2 static response +2 static response +MissionManager chooses")
         .containsPattern("independence +5 problem detection +5 problem detection +SafetyManager")
         .contains(
-            "Flashlight measures the vehicle.\nStateEstimator makes one estimate of where it is")
+            "Flashlight measures the vehicle.\nStateEstimator makes one estimate of its position and motion")
         .contains("MissionManager chooses the next goal.\nPathPlanner plans the route there")
         .contains("PathPlanner, path planner, org.u2sa.planning.PathPlanner")
         .containsPattern("configuration +.*MissionManager.xml")

@@ -110,7 +110,7 @@ class ServiceCommandsTest extends CommandFixture {
     assertThat(out.toString())
         .containsPattern("Lidar +-> StateEstimator +sensed-state +StateInformation")
         .containsPattern("(?s)Published without subscribers:.*Lidar +power +BatteryState")
-        .containsPattern("(?s)published by nobody:.*Lidar +goals +GoalList");
+        .containsPattern("(?s)Subscribed to without publishers:.*Lidar +goals +GoalList");
   }
 
   @Test
