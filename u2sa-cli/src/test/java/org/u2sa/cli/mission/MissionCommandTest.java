@@ -130,7 +130,7 @@ class MissionCommandTest extends CommandFixture {
     assertThat(run("resume")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("rover: resumed at [buoy]");
     assertThat(run("resume")).isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("RESUME was not done: there is nothing to resume");
+    assertThat(err.toString()).contains("RESUME was not done: nothing to resume");
   }
 
   @Test
