@@ -63,7 +63,7 @@ class BadInputTest {
       textBlock =
           """
           <y>21.325247</y> | <y>91</y> | short.xml, line 4, <y>: 91.0 is outside -90.0…90.0 deg of latitude
-          <y>21.325247</y> | <y>89.5</y> | short.xml, line 4, <y>: 89.5 is outside -85.0…85.0 deg of latitude, where the aircraft can start
+          <y>21.325247</y> | <y>89.5</y> | short.xml, line 4, <y>: 89.5 is outside -85.0…85.0 deg of latitude, the range for starting
           <y>21.325247</y> | <y>-89.9</y> | short.xml, line 4, <y>: -89.9 is outside -85.0…85.0 deg of latitude
           <z unit="ft">17.5</z> | <z>9000</z> | short.xml, line 5, <z>: 9000.0 is outside -500.0…5000.0 m above sea level
           <psi>90.0</psi>  | ''        | short.xml: lacks the heading <psi> of its <home>
