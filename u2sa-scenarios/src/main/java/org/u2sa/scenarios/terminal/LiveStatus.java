@@ -137,7 +137,7 @@ public final class LiveStatus implements AutoCloseable {
         s.waypoints() == 0
             ? 0
             : BAR_WIDTH * Math.max(0, Math.min(s.waypoints(), s.waypoint() - 1)) / s.waypoints();
-    return "[#".repeat(done) + ".".repeat(BAR_WIDTH - done) + "]";
+    return "[" + "#".repeat(done) + ".".repeat(BAR_WIDTH - done) + "]";
   }
 
   private static String rate(Moment s) {
