@@ -55,7 +55,7 @@ class Board:
         self.text = b""
 
     def bytes(self, count):
-        """Exactly so many bytes from the board."""
+        """Reads exactly this number of bytes from the board."""
         got = b""
         while len(got) < count:
             piece = self.link.recv(count - len(got))

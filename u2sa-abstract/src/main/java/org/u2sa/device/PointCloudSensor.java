@@ -35,19 +35,21 @@ public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
 
   private record Variables(
       @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 0.1)
-          @Description("Height above the vehicle's reference point; lower points are ground.")
+          @Description(
+              "Minimum height above the vehicle's reference point; lower points are ground.")
           double minHeight,
       @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 2)
-          @Description("Height above the vehicle's reference point; it passes under higher points.")
+          @Description(
+              "Maximum height above the vehicle's reference point; it passes under higher points.")
           double maxHeight,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.5)
-          @Description("Distance from the scanner; closer points are the vehicle itself.")
+          @Description("Minimum range from the scanner; closer points are the vehicle itself.")
           double nearest,
       @Variable(unit = "m", min = 0.1, max = 1_000, ifAbsent = 30)
-          @Description("Distance from the scanner beyond which points are ignored.")
+          @Description("Maximum range from the scanner; farther points are ignored.")
           double farthest,
       @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.2)
-          @Description("Edge of the cubes of which one point each is published.")
+          @Description("Edge of the cubic cells; the nearest point of each is published.")
           double cell,
       @Variable(min = 1, max = 10_000, ifAbsent = 1_000)
           @Description("Maximum number of points in a message; the farthest are left out.")

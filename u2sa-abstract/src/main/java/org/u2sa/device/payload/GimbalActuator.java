@@ -52,7 +52,7 @@ public final class GimbalActuator extends PeriodicService implements ActuatorOwn
           double rateLimit,
       @Variable(ifAbsentText = "HOLD")
           @Description(
-              "Without commands, at an emergency stop and while disarmed: HOLD stays, NEUTRAL points straight ahead.")
+              "Behaviour without commands, at an emergency stop and while disarmed: HOLD keeps the angles, NEUTRAL points straight ahead.")
           WithoutCommands withoutCommands) {}
 
   private final Variables variables;

@@ -1,8 +1,8 @@
 package org.u2sa.device.payload;
 
 /**
- * Kinds of switched payloads, by what becomes of them at the start, without commands, at an
- * emergency stop, while disarmed, and when the service ends.
+ * Kinds of switched payloads, by how they behave at the start, without commands, at an emergency
+ * stop, while disarmed, and when the service ends.
  */
 public enum SwitchKind {
   /** Unchanged: a gripper does not drop its load. */

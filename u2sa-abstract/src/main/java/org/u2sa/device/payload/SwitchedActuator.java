@@ -22,12 +22,12 @@ import org.u2sa.service.handover.HandOver;
  * light (thesis 2.2, 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators.
  *
  * <p>A command is the level of a position [%]; the nearest one counts. Its {@link SwitchKind} says
- * what becomes of it without commands. A RELEASE obeys its {@link ReleaseInterlock} only.
+ * how it behaves without commands. A RELEASE obeys its {@link ReleaseInterlock} only.
  */
 public final class SwitchedActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double ALL_PERCENT = 100.0;
-  private static final double TIMEOUT_S = 2.0; // without news of a connected output
+  private static final double TIMEOUT_S = 2.0; // without a reading from a connected output
   private static final String LEVEL = "LEVEL";
 
   private static final Devices.Usual USUAL =
@@ -43,17 +43,17 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
           String subsystem,
       @Variable
           @Description(
-              "What becomes of it without commands, at an emergency stop and while disarmed: GRIPPER and LIGHT stay, BRAKE engages, RELEASE locks and has an interlock.")
+              "Kind of payload. Without commands, at an emergency stop and while disarmed, GRIPPER and LIGHT keep their position, BRAKE engages, and RELEASE locks behind its interlock.")
           SwitchKind kind,
       @Variable(ifAbsentText = "")
           @Description(
-              "Names and levels in %, such as \"OPEN 0, CLOSED 100\"; RELEASE: the first is the safe one; BRAKE: the last is the engaged one; empty: those usual for the kind.")
+              "Names and levels of the positions in %, such as \"OPEN 0, CLOSED 100\". RELEASE: the first is the safe one. BRAKE: the last is the engaged one. Empty: the kind's defaults.")
           String positions,
       @Variable(unit = "s", min = 0.1, max = 60, ifAbsent = 1)
-          @Description("RELEASE: how long the release must be commanded before it fires.")
+          @Description("RELEASE: time for which the release must be commanded before it fires.")
           double holdTime,
       @Variable(unit = "s", min = 0.02, max = 3600, ifAbsent = 2)
-          @Description("RELEASE: how long it fires at most; then it locks again.")
+          @Description("RELEASE: maximum time for which it fires; then it locks again.")
           double fireTime) {}
 
   private final Variables variables;
@@ -145,7 +145,7 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
     isRefusalTold = isRefused;
   }
 
-  /** What becomes of it without commands; nothing else moves it. */
+  /** Engages a brake and locks a release; a gripper or light stays where it is. */
   private void rest() {
     if (variables.kind() == SwitchKind.BRAKE) {
       set(positions.last());

@@ -30,7 +30,7 @@ import org.u2sa.service.handover.HandOver;
 public final class ServoActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;
   private static final double FULL_PERCENT = 100.0;
-  private static final double TIMEOUT_S = 1.0; // without news of a connected servo
+  private static final double TIMEOUT_S = 1.0; // without a reading from a connected servo
   private static final String SLEW = "SLEW";
 
   private static final Devices.Usual USUAL =
@@ -48,7 +48,8 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
           @Description("Whether a positive command turns it backwards.")
           boolean reversed,
       @Variable(unit = "%", min = -100, max = 0, ifAbsent = -100)
-          @Description("Minimum command; 0 for one that turns one way, such as flaps.")
+          @Description(
+              "Minimum command; 0 for a servo that turns one way only, such as that of flaps.")
           double minimum,
       @Variable(unit = "rad", min = 0.01, max = 2.0 * Math.PI, ifAbsent = Math.PI / 6.0)
           @Description("Angle by which a command of 100 % turns it from the neutral angle.")
@@ -63,11 +64,11 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
           @Description("Largest angle that its linkage allows.")
           double maximumAngle,
       @Variable(unit = "rad/s", min = 0.01, max = 1_000, ifAbsent = 10)
-          @Description("Maximum rate; also of the way to the neutral angle.")
+          @Description("Maximum rate, also on the way to the neutral angle.")
           double rateLimit,
       @Variable(ifAbsentText = "NEUTRAL")
           @Description(
-              "Without commands, at an emergency stop and while disarmed: NEUTRAL goes to the neutral angle, HOLD stays, as joints of an arm should.")
+              "Behaviour without commands, at an emergency stop and while disarmed: NEUTRAL moves to the neutral angle, HOLD keeps the angle, as the joints of an arm should.")
           WithoutCommands withoutCommands) {}
 
   private final Variables variables;

@@ -5,11 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
@@ -20,6 +16,7 @@ import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
+import org.u2sa.testkit.XmlMutations;
 import org.u2sa.world.xml.WorldFile;
 
 /**
@@ -28,12 +25,6 @@ import org.u2sa.world.xml.WorldFile;
  */
 class WorldFileFuzzTest {
   private static final int MUTATIONS = Integer.getInteger("u2sa.fuzz", 400);
-  private static final Pattern NUMBER = Pattern.compile("(?<=>|\\s)-?\\d+(\\.\\d+)?(?=<|\\s|;)");
-  private static final Pattern TAG = Pattern.compile("</?\\w+");
-  private static final Pattern WORD = Pattern.compile("(?<=>)[a-zA-Z][a-zA-Z -]*(?=<)");
-  private static final List<String> ODD =
-      List.of(
-          "0", "-1", "1e-12", "1e12", "1e308", "NaN", "Infinity", "", "1 2", "x", "0.5", "-1e9");
   private static final List<String> TAGS =
       List.of("mover", "zone", "waves", "speed", "waypoint", "water", "polygon");
 
@@ -74,41 +65,7 @@ class WorldFileFuzzTest {
 
   @TempDir private Path folder;
 
-  private final Random random = new Random(21);
-
-  private String mutated(String text) {
-    String mutant = text;
-    for (int i = 0; i <= random.nextInt(3); i++) {
-      mutant =
-          switch (random.nextInt(6)) {
-            case 0, 1 -> replaced(mutant, NUMBER, ODD.get(random.nextInt(ODD.size())));
-            case 2 -> replaced(mutant, NUMBER, "" + Math.exp(20.0 * random.nextGaussian()));
-            case 3 -> replaced(mutant, TAG, "<" + TAGS.get(random.nextInt(TAGS.size())));
-            case 4 -> replaced(mutant, WORD, "regular");
-            default -> cut(mutant);
-          };
-    }
-    return mutant;
-  }
-
-  private String replaced(String text, Pattern what, String by) {
-    List<int[]> found = new ArrayList<>();
-    Matcher matcher = what.matcher(text);
-    while (matcher.find()) {
-      found.add(new int[] {matcher.start(), matcher.end()});
-    }
-    if (found.isEmpty()) {
-      return text;
-    }
-    int[] one = found.get(random.nextInt(found.size()));
-    return text.substring(0, one[0]) + by + text.substring(one[1]);
-  }
-
-  private String cut(String text) {
-    int from = random.nextInt(text.length());
-    int to = Math.min(text.length(), from + 1 + random.nextInt(60));
-    return text.substring(0, from) + text.substring(to);
-  }
+  private final XmlMutations mutations = new XmlMutations(21L, TAGS, List.of("regular"));
 
   /** Whether the file is a world in which a vessel moves; false if it is refused. */
   private boolean runs(String text) throws IOException {
@@ -137,7 +94,7 @@ class WorldFileFuzzTest {
     assertThat(runs(WORLD)).isTrue();
     int running = 0;
     for (int i = 0; i < MUTATIONS; i++) {
-      String mutant = mutated(WORLD);
+      String mutant = mutations.of(WORLD);
       try {
         running += runs(mutant) ? 1 : 0;
       } catch (RuntimeException | AssertionError e) {
