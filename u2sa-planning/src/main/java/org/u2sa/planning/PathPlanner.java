@@ -77,7 +77,7 @@ public class PathPlanner extends EventDrivenService {
             List.of(
                 new WaypointState(guidance, settings, avoidance, seeing),
                 new ObjectGoalState(avoidance, seeing)));
-    states.discover(this);
+    states.discover(this, new PlannerSurroundings(avoidance));
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);

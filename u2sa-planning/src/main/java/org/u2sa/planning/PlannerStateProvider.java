@@ -13,6 +13,7 @@ public interface PlannerStateProvider {
    *
    * @param configuration configuration of the planner, in which states declare and read their own
    *     variables
+   * @param surroundings what the planner knows of the vehicle's surroundings
    */
-  Collection<PlannerState> plannerStates(Configurator configuration);
+  Collection<PlannerState> plannerStates(Configurator configuration, Surroundings surroundings);
 }

@@ -16,9 +16,9 @@ final class PlannerStates {
   }
 
   /** Adds the states of extensions; these replace earlier ones for the same class of goals. */
-  void discover(Configurator configuration) {
+  void discover(Configurator configuration, Surroundings surroundings) {
     for (PlannerStateProvider provider : ServiceLoader.load(PlannerStateProvider.class)) {
-      states.addAll(provider.plannerStates(configuration));
+      states.addAll(provider.plannerStates(configuration, surroundings));
     }
   }
 

@@ -3,14 +3,12 @@ package org.u2sa.world;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
-import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
-import org.u2sa.messages.schema.FieldValue;
+import org.u2sa.messages.goal.SoughtObjects;
 
 /**
  * Selects the objects relevant to the current task (thesis 3.2.3.3, 4.3.2). A goal of any class can
@@ -19,37 +17,10 @@ import org.u2sa.messages.schema.FieldValue;
  * its way to a buoy must not run into the gate.
  */
 final class Relevance {
-  private static final String ONE = "objectType";
-  private static final String SEVERAL = "objectTypes";
-
   private Set<String> wanted = Set.of(); // empty: all
 
   void of(GoalList goals) {
-    Set<String> types = new TreeSet<>();
-    for (GoalInformation goal : goals.goals()) {
-      Set<String> its = types(goal);
-      if (its.isEmpty()) {
-        types.clear(); // a goal without types may need anything
-        break;
-      }
-      types.addAll(its);
-    }
-    wanted = types;
-  }
-
-  private static Set<String> types(GoalInformation goal) {
-    Set<String> types = new TreeSet<>();
-    for (FieldValue field : goal.enumerateFields()) {
-      boolean names = field.name().equals(ONE) || field.name().equals(SEVERAL);
-      Optional<Object> value = names ? field.value() : Optional.empty();
-      if (value.isPresent()) {
-        Object given = value.get();
-        Collection<?> all = given instanceof Collection<?> list ? list : List.of(given);
-        all.forEach(type -> types.add(type.toString().trim()));
-      }
-    }
-    types.remove("");
-    return types;
+    wanted = SoughtObjects.of(goals);
   }
 
   /** Restores the relevant types of a predecessor. */

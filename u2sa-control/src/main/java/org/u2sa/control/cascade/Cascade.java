@@ -34,6 +34,7 @@ final class Cascade {
   private boolean turnsFirst; // turns first, without moving sideways
   private final Lean lean = new Lean(); // level unless the vehicle leans
   private final GroundWatch ground = new GroundWatch();
+  private final DriftAngle drift = new DriftAngle();
   private Attitude attitude = new Attitude(0.0, 0.0, 0.0); // of the last step
 
   Cascade(CascadeVariables settings) {
@@ -58,6 +59,7 @@ final class Cascade {
    * @param way vector to the target: north, east, down [m]; empty to stop and hold the heading
    */
   double[] step(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double stepS) {
+    drift.step(motion.velocity(), stepS);
     aim(motion, way, speedMps);
     boolean leans = settings.leans();
     if (leans) {
@@ -88,7 +90,9 @@ final class Cascade {
     double distance = Math.hypot(toGo.x(), toGo.y());
     double heading = motion.attitude().psi();
     if (settings.way().facesTheWay() && distance >= settings.way().facingDistance()) {
-      headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()));
+      double bearing = Math.atan2(toGo.y(), toGo.x());
+      headingRad =
+          OptionalDouble.of(settings.way().countersDrift() ? bearing - drift.rad() : bearing);
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(heading);
     }

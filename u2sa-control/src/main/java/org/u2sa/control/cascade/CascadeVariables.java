@@ -83,6 +83,10 @@ final class CascadeVariables {
       @Variable(ifAbsentText = "false")
           @Description("Whether the vehicle turns towards the navigation point.")
           boolean facesTheWay,
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "With FACES THE WAY: whether the vehicle turns into wind and current so that its course over ground, not its bow, points at the navigation point. For boats that cannot move sideways.")
+          boolean countersDrift,
       @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 1)
           @Description(
               "Minimum distance of a point to turn to; for a nearer one the heading is kept.")

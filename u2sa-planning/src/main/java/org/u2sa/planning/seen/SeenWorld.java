@@ -106,7 +106,13 @@ public final class SeenWorld {
     bodyOnly = only;
   }
 
-  private List<ObjectDescription> objects() {
+  /** Centre of an object on the state's plane: north, east, down [m]. */
+  public Point centre(ObjectDescription object, StateInformation state) {
+    return new ObjectReader(plane(state), state).centre(object);
+  }
+
+  /** Newest objects; in vehicle axes only, while the vehicle's position is unknown. */
+  public List<ObjectDescription> objects() {
     List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
     return bodyOnly
         ? all.stream()

@@ -10,25 +10,30 @@ public abstract class NoisyDevice<R extends Device.Reading> extends SimulatedDev
   private final Random noise;
 
   /** Uses the random stream {@code name}. */
-  NoisyDevice(SensorErrors errors, NoiseStreams streams, String name) {
+  protected NoisyDevice(SensorErrors errors, NoiseStreams streams, String name) {
     super(errors.rateHz(), errors.latencyS());
     this.errors = errors;
     noise = streams.of(name);
   }
 
   /** Draws a constant bias for one quantity. */
-  final double bias() {
+  protected final double bias() {
     return errors.biasSigma() * noise.nextGaussian();
   }
 
   /** Adds white noise to a value. */
-  final double noisy(double exact) {
+  protected final double noisy(double exact) {
     return exact + errors.sigma() * gaussian();
   }
 
   /** Draws from the standard normal distribution. */
-  final double gaussian() {
+  protected final double gaussian() {
     return noise.nextGaussian();
+  }
+
+  /** Draws from 0…1, uniformly. */
+  protected final double uniform() {
+    return noise.nextDouble();
   }
 
   @Override

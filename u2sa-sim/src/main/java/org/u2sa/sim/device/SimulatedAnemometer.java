@@ -35,7 +35,7 @@ public final class SimulatedAnemometer extends NoisyDevice<Anemometer.Wind> impl
   }
 
   @Override
-  Wind measure(double timeS, long measuredAtMicros) {
+  protected Wind measure(double timeS, long measuredAtMicros) {
     VehicleTruth now = truth.get();
     Point through = VehicleAxes.of(now, now.velocity().minus(air.get()));
     double speedMps = Math.max(0.0, noisy(Math.hypot(through.x(), through.y()) + biasMps));

@@ -29,7 +29,7 @@ public final class SimulatedBarometer extends NoisyDevice<Pressure> implements B
   }
 
   @Override
-  Pressure measure(double timeS, long measuredAtMicros) {
+  protected Pressure measure(double timeS, long measuredAtMicros) {
     double altitude = altitudeM.getAsDouble();
     return new Pressure(
         measuredAtMicros,

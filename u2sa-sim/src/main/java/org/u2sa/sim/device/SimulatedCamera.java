@@ -101,7 +101,7 @@ public final class SimulatedCamera extends SimulatedDevice<CameraFrame> implemen
   }
 
   @Override
-  CameraFrame measure(double timeS, long measuredAtMicros) {
+  protected CameraFrame measure(double timeS, long measuredAtMicros) {
     Scene now = scene.get();
     byte[] pixels = new byte[lens.width() * lens.height()];
     for (int row = 0; row < lens.height(); row++) {

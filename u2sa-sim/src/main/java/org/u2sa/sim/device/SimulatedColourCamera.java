@@ -30,7 +30,7 @@ public final class SimulatedColourCamera extends SimulatedDevice<CameraFrame> im
   }
 
   @Override
-  CameraFrame measure(double timeS, long measuredAtMicros) {
+  protected CameraFrame measure(double timeS, long measuredAtMicros) {
     return new CameraFrame(
         measuredAtMicros,
         lens.width(),

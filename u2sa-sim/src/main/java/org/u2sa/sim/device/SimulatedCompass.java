@@ -38,7 +38,7 @@ public final class SimulatedCompass extends SimulatedDevice<Heading> implements 
   }
 
   @Override
-  Heading measure(double timeS, long measuredAtMicros) {
+  protected Heading measure(double timeS, long measuredAtMicros) {
     return new Heading(measuredAtMicros, model.sample(truth.get(), field.get()), false);
   }
 

@@ -32,7 +32,7 @@ public final class SimulatedDepthGauge extends NoisyDevice<Pressure> implements 
   }
 
   @Override
-  Pressure measure(double timeS, long measuredAtMicros) {
+  protected Pressure measure(double timeS, long measuredAtMicros) {
     double waterPa = densityKgPerM3 * Gravity.STANDARD_MPS2 * Math.max(0.0, depthM.getAsDouble());
     return new Pressure(
         measuredAtMicros,

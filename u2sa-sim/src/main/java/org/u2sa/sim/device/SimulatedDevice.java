@@ -34,7 +34,7 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
    * @param latencyS from a measurement to its arrival [s]; as with real devices, the reading
    *     carries its arrival time
    */
-  SimulatedDevice(double rateHz, double latencyS) {
+  protected SimulatedDevice(double rateHz, double latencyS) {
     Arguments.requireInside("rate of a device", rateHz, 0.1, 10_000.0);
     periodMicros = Math.round(MICROS_PER_S / rateHz);
     latencyMicros = Math.round(latencyS * MICROS_PER_S);
@@ -46,7 +46,7 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
    * @param timeS time since the first reading [s], strictly increasing
    * @param measuredAtMicros timestamp of the reading [µs, run's clock]
    */
-  abstract R measure(double timeS, long measuredAtMicros);
+  protected abstract R measure(double timeS, long measuredAtMicros);
 
   /**
    * Adds delay and loss to a device whose model has none; before the first reading.

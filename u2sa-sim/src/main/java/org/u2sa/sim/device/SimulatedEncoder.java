@@ -37,7 +37,7 @@ public final class SimulatedEncoder extends SimulatedDevice<WheelEncoder.Ticks>
   }
 
   @Override
-  Ticks measure(double timeS, long measuredAtMicros) {
+  protected Ticks measure(double timeS, long measuredAtMicros) {
     return new Ticks(
         measuredAtMicros,
         (int) left.sample(leftRad.getAsDouble()),

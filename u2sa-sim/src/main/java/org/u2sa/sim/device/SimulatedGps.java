@@ -44,7 +44,7 @@ public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsRe
   }
 
   @Override
-  GpsFix measure(double timeS, long measuredAtMicros) {
+  protected GpsFix measure(double timeS, long measuredAtMicros) {
     GpsSample sample = model.sample(timeS, truth.get(), blocked.getAsBoolean());
     return sample.valid()
         ? new GpsFix(

@@ -41,7 +41,7 @@ public final class SimulatedHydrophones extends NoisyDevice<HydrophoneArray.Ping
   }
 
   @Override
-  Ping measure(double timeS, long measuredAtMicros) {
+  protected Ping measure(double timeS, long measuredAtMicros) {
     VehicleTruth now = truth.get();
     Point seen = VehicleAxes.of(now, pinger.minus(now.position()));
     double azimuth = noisy(StrictMath.atan2(seen.y(), seen.x()) + azimuthBiasRad);

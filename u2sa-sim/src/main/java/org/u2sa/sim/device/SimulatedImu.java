@@ -81,7 +81,7 @@ public final class SimulatedImu extends SimulatedDevice<Orientation> implements 
   }
 
   @Override
-  Orientation measure(double timeS, long measuredAtMicros) {
+  protected Orientation measure(double timeS, long measuredAtMicros) {
     Orientation o = truth.get();
     double headingDeg = Math.toDegrees(noisy(o.heading().headingRad(), errors.headingRad()));
     return new Orientation(

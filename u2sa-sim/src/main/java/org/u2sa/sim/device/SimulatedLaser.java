@@ -119,7 +119,7 @@ public final class SimulatedLaser extends SimulatedDevice<LaserScanner.Scan>
   }
 
   @Override
-  Scan measure(double timeS, long measuredAtMicros) {
+  protected Scan measure(double timeS, long measuredAtMicros) {
     Sight sight = view.get();
     double[] seen = new double[optics.beams()];
     for (int i = 0; i < seen.length; i++) {

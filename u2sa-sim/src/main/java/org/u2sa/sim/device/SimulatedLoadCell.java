@@ -22,7 +22,7 @@ public final class SimulatedLoadCell extends NoisyDevice<LoadCell.Load> implemen
   }
 
   @Override
-  Load measure(double timeS, long measuredAtMicros) {
+  protected Load measure(double timeS, long measuredAtMicros) {
     return new Load(measuredAtMicros, noisy(thrustN.getAsDouble() + biasN));
   }
 }

@@ -83,7 +83,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   }
 
   @Override
-  Counts measure(double timeS, long measuredAtMicros) {
+  protected Counts measure(double timeS, long measuredAtMicros) {
     GroundState state = truth.get();
     return new Counts(
         measuredAtMicros,

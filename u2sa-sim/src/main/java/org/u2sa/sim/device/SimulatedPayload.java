@@ -21,7 +21,7 @@ public abstract class SimulatedPayload<R extends Device.Reading> extends Simulat
   }
 
   @Override
-  final R measure(double timeS, long measuredAtMicros) {
+  protected final R measure(double timeS, long measuredAtMicros) {
     return sense(measuredAtMicros);
   }
 }

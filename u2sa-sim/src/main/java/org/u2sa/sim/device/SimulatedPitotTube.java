@@ -38,7 +38,7 @@ public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> impl
   }
 
   @Override
-  Impact measure(double timeS, long measuredAtMicros) {
+  protected Impact measure(double timeS, long measuredAtMicros) {
     VehicleTruth now = truth.get();
     double forwardMps = Math.max(0.0, VehicleAxes.of(now, now.velocity().minus(wind.get())).x());
     StandardAtmosphere.Air air = StandardAtmosphere.at(altitudeM.getAsDouble());

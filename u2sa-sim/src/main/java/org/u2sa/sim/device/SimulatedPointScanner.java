@@ -75,7 +75,7 @@ public final class SimulatedPointScanner extends SimulatedDevice<PointScanner.Cl
   }
 
   @Override
-  Cloud measure(double timeS, long measuredAtMicros) {
+  protected Cloud measure(double timeS, long measuredAtMicros) {
     ToDoubleFunction<Point> sight = view.get();
     List<Point> points = new ArrayList<>();
     for (Point direction : directions) {

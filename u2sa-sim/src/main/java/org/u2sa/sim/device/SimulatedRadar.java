@@ -43,7 +43,7 @@ public final class SimulatedRadar extends NoisyDevice<TrackingRadar.Tracks>
   }
 
   @Override
-  Tracks measure(double timeS, long measuredAtMicros) {
+  protected Tracks measure(double timeS, long measuredAtMicros) {
     VehicleTruth now = truth.get();
     List<Track> tracks = new ArrayList<>();
     for (SimulatedTraffic.Other other : others.get()) {

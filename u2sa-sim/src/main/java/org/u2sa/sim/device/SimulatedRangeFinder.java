@@ -37,7 +37,7 @@ public final class SimulatedRangeFinder extends SimulatedDevice<RangeFinder.Dist
   }
 
   @Override
-  Distance measure(double timeS, long measuredAtMicros) {
+  protected Distance measure(double timeS, long measuredAtMicros) {
     double rangeM = Math.max(0.0, distance.getAsDouble() + sigmaM * noise.nextGaussian());
     return new Distance(
         measuredAtMicros, rangeM <= farthestM ? OptionalDouble.of(rangeM) : OptionalDouble.empty());

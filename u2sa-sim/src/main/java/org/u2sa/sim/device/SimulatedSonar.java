@@ -54,7 +54,7 @@ public final class SimulatedSonar extends SimulatedDevice<Sonar.Ping> implements
   }
 
   @Override
-  Ping measure(double timeS, long measuredAtMicros) {
+  protected Ping measure(double timeS, long measuredAtMicros) {
     double bearing = StrictMath.IEEEremainder(pings++ * head.stepRad(), FULL_TURN);
     double perSampleM = head.reachM() / head.samples();
     double echo = distance.applyAsDouble(bearing) / perSampleM - 0.5;

@@ -131,7 +131,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
   }
 
   @Override
-  synchronized Turning measure(double timeS, long measuredAtMicros) {
+  protected synchronized Turning measure(double timeS, long measuredAtMicros) {
     double share = Math.abs(rpm) / propeller.fullRpm();
     double measured = rpm + propeller.rpmSigma() * noise.nextGaussian();
     return new Turning(

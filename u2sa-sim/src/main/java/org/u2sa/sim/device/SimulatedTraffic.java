@@ -58,7 +58,7 @@ public final class SimulatedTraffic extends SimulatedDevice<TrafficReceiver.Traf
   }
 
   @Override
-  Traffic measure(double timeS, long measuredAtMicros) {
+  protected Traffic measure(double timeS, long measuredAtMicros) {
     Point here = own.get();
     for (Other other : others.get()) {
       boolean isLost = noise.nextDouble() < errors.lost();

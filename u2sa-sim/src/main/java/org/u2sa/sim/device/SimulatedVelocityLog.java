@@ -42,7 +42,7 @@ public final class SimulatedVelocityLog extends NoisyDevice<VelocityLog.Speeds>
   }
 
   @Override
-  Speeds measure(double timeS, long measuredAtMicros) {
+  protected Speeds measure(double timeS, long measuredAtMicros) {
     VehicleTruth now = truth.get();
     Point ground = measured(VehicleAxes.of(now, now.velocity()));
     Point water = measured(VehicleAxes.of(now, now.velocity().minus(current.get())));

@@ -33,7 +33,7 @@ public final class VehicleServo extends SimulatedDevice<Servo.Position> implemen
   }
 
   @Override
-  Position measure(double timeS, long measuredAtMicros) {
+  protected Position measure(double timeS, long measuredAtMicros) {
     return new Position(measuredAtMicros, OptionalDouble.empty());
   }
 

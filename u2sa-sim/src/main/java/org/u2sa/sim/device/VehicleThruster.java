@@ -32,7 +32,7 @@ public final class VehicleThruster extends SimulatedDevice<Thruster.Turning> imp
   }
 
   @Override
-  Turning measure(double timeS, long measuredAtMicros) {
+  protected Turning measure(double timeS, long measuredAtMicros) {
     return new Turning(
         measuredAtMicros,
         OptionalDouble.empty(),

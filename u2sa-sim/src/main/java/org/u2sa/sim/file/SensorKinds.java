@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.u2sa.device.detection.ObjectDetector;
 import org.u2sa.device.payload.Gimbal;
 import org.u2sa.device.payload.HydrophoneArray;
 import org.u2sa.device.payload.LoadCell;
@@ -66,6 +67,7 @@ final class SensorKinds {
     kinds.put("sonar", new Kind(Sonar.class, false, SightSensors::sonar));
     kinds.put("hydrophones", new Kind(HydrophoneArray.class, true, SightSensors::hydrophones));
     kinds.put("rangeFinder", new Kind(RangeFinder.class, false, SightSensors::rangeFinder));
+    kinds.put("detector", new Kind(ObjectDetector.class, true, SightSensors::detector));
     kinds.put("radar", new Kind(TrackingRadar.class, true, SightSensors::radar));
     kinds.put(
         "trafficReceiver", new Kind(TrafficReceiver.class, true, SightSensors::trafficReceiver));

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.detection.SimulatedDetector;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedCamera;
 import org.u2sa.sim.device.SimulatedHydrophones;
@@ -169,6 +170,32 @@ final class SightSensors {
                 vehicle.streams(),
                 vehicle.at(mount),
                 () -> inSight(vehicle.world(), vehicle.at(mount).get())));
+  }
+
+  static SensorKinds.Reader detector(FileElement file) {
+    SensorErrors errors =
+        new SensorErrors(
+            file.number("rate", "Hz", 0.1, 100.0),
+            file.number("delay", "s", 0.0, 60.0),
+            0.0,
+            0.0,
+            file.number("dropouts", "1", 0.0, 1.0, 0.0));
+    double reach = file.positive("reach", "m", 10_000.0);
+    SimulatedDetector.Optics optics =
+        new SimulatedDetector.Optics(
+            reach,
+            file.number("waterReach", "m", 0.0, 10_000.0, reach),
+            file.number("view", "rad", 0.01, 2.0 * Math.PI),
+            file.number("height", "rad", 0.01, Math.PI),
+            file.number("angleSigma", "rad", 0.0, 1.0),
+            file.number("rangeShare", "1", 0.0, 1.0),
+            file.number("missed", "1", 0.0, 1.0, 0.0));
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle ->
+            new SimulatedDetector(
+                errors, optics, vehicle.streams(), vehicle.world(), vehicle.at(mount)));
   }
 
   static SensorKinds.Reader trafficReceiver(FileElement file) {

@@ -1,0 +1,105 @@
+package org.u2sa.device.detection;
+
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.u2sa.device.DeviceSensor;
+import org.u2sa.device.Devices;
+import org.u2sa.device.MountingPose;
+import org.u2sa.device.SensorKind;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.SoughtObjects;
+import org.u2sa.messages.marine.MarineObjects;
+import org.u2sa.service.ServiceContext;
+
+/**
+ * Publishes what an {@link ObjectDetector} recognises, in BODY (thesis 4.2.1.2). In: goals. While
+ * every current goal names the types of objects that it looks for, only those are published (thesis
+ * 4.3.2). Out: sensed-objects.
+ */
+public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Detections> {
+  private static final SensorKind<ObjectDetector> KIND =
+      new SensorKind<>(
+          "ObjectDetectorSensor",
+          ObjectDetector.class,
+          new Devices.Usual("detector", "DETECTOR", "SIMULATED", ""),
+          Channels.SENSED_OBJECTS,
+          20.0, // Hz
+          2.0); // s
+
+  private final MountingPose.Turn mounted = settings(MountingPose.class).get().turn();
+  private Set<String> sought = new TreeSet<>(); // empty: everything
+  private long published;
+  private long leftOut;
+
+  /** Launcher constructor: opens the configured detector. */
+  public ObjectDetectorSensor(ServiceContext context) {
+    super(context, KIND);
+    hearGoals();
+  }
+
+  /** Uses the given detector, e.g. a simulated one. */
+  public ObjectDetectorSensor(ServiceContext context, ObjectDetector detector) {
+    super(context, KIND, detector);
+    hearGoals();
+  }
+
+  private void hearGoals() {
+    subscribe(Channels.GOALS, goals -> sought = SoughtObjects.of(goals));
+  }
+
+  @Override
+  protected Stream<ObjectDescription> messages(ObjectDetector.Detections picture) {
+    Stream.Builder<ObjectDescription> messages = Stream.builder();
+    int number = 0;
+    for (ObjectDetector.Detection detection : picture.detections()) {
+      if (sought.isEmpty() || sought.contains(detection.label())) {
+        messages.add(message(detection, ++number));
+        published++;
+      } else {
+        leftOut++;
+      }
+    }
+    remark("SEEN", String.format(Locale.ROOT, "%d; not sought by the goal %d", published, leftOut));
+    return messages.build();
+  }
+
+  private ObjectDescription message(ObjectDetector.Detection detection, int number) {
+    double level = Math.cos(detection.elevationRad());
+    Point way =
+        Point.of(
+            level * Math.cos(detection.bearingRad()),
+            level * Math.sin(detection.bearingRad()),
+            -Math.sin(detection.elevationRad()));
+    Point body = mounted.toBody(way.times(detection.rangeM()));
+    ObjectDescription object = MarineObjects.named(detection.label(), detection.radiusM());
+    object
+        .uid(sensorName() + " " + detection.label() + " " + number)
+        .referenceFrame(ReferenceFrame.BODY)
+        .x(body.x())
+        .y(body.y())
+        .z(body.z())
+        .level(ObjectLevel.AVOID_ALWAYS)
+        .sensorName(sensorName());
+    object.motion().sigma(sigma(detection, mounted.toBody(way).minus(mounted.toBody(Point.ORIGIN))));
+    return object;
+  }
+
+  /** Standard deviations along the vehicle's axes [m], of an ellipsoid along the line of sight. */
+  private static Point sigma(ObjectDetector.Detection detection, Point way) {
+    double along = detection.rangeSigmaM();
+    double across = detection.angleSigmaRad() * detection.rangeM();
+    return Point.of(
+        axis(way.x(), along, across), axis(way.y(), along, across), axis(way.z(), along, across));
+  }
+
+  private static double axis(double cosine, double along, double across) {
+    double sineSquared = Math.max(0.0, 1.0 - cosine * cosine);
+    return Math.sqrt(cosine * cosine * along * along + sineSquared * across * across);
+  }
+}

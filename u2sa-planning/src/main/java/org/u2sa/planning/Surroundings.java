@@ -1,0 +1,62 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/**
+ * What the planner knows of the vehicle's surroundings, for the {@link PlannerState}s of
+ * extensions. Confined to the planner's thread.
+ */
+public interface Surroundings {
+  /**
+   * Step of an approach.
+   *
+   * @param point next navigation point
+   * @param givenUp why the place cannot be reached; empty while it may be
+   */
+  record Step(NavigationPoint point, Optional<String> givenUp) {}
+
+  /** Newest objects of the World Modeler, in their own frames; empty before the first. */
+  List<ObjectDescription> objects();
+
+  /** Position of the vehicle on the planner's plane: north, east, down [m]. */
+  Point here(StateInformation state);
+
+  /**
+   * Position of an object's centre on the planner's plane: north, east, down [m].
+   *
+   * @throws IllegalArgumentException if the object is on the earth and the plane is not, or the
+   *     reverse
+   */
+  Point centre(ObjectDescription object, StateInformation state);
+
+  /**
+   * Position on the planner's plane: north, east, down [m].
+   *
+   * @param frame GLOBAL, LOCAL_NED or LOCAL_ENU
+   * @throws IllegalArgumentException if the frame has no place on the plane
+   */
+  Point onPlane(ReferenceFrame frame, Point point, StateInformation state);
+
+  /** Navigation point straight to a place on the planner's plane, whatever is in between. */
+  NavigationPoint straight(StateInformation state, Point place);
+
+  /** Starts an approach to another place. */
+  void begin();
+
+  /**
+   * Plans the next step to a place, around obstacles if the planner avoids any.
+   *
+   * @param pursuit the planner's input
+   * @param place on the planner's plane: north, east, down [m]
+   * @param thresholdM distance at which it counts as reached [m]
+   * @param speedMps speed on the way [m/s]; empty: the planner's
+   */
+  Step towards(Pursuit pursuit, Point place, double thresholdM, OptionalDouble speedMps);
+}

@@ -1,0 +1,24 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.Collection;
+import java.util.List;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypeProvider;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.PlannerStateProvider;
+import org.u2sa.planning.Surroundings;
+
+/** Registers RoboBoat's goal classes and their planner states. */
+public final class BoatTasks implements MessageTypeProvider, PlannerStateProvider {
+  @Override
+  public Collection<MessageType<?>> messageTypes() {
+    return List.of(BoatTask.TYPE, Channel.TYPE);
+  }
+
+  @Override
+  public Collection<PlannerState> plannerStates(
+      Configurator configuration, Surroundings surroundings) {
+    return List.of(new ChannelState(surroundings));
+  }
+}

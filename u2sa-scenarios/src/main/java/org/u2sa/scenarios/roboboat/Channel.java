@@ -1,0 +1,76 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.OptionalLong;
+import org.u2sa.messages.marine.Colour;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * A channel of gates, each between a buoy to the left and one to the right, to be passed in order
+ * (thesis 4.2). The station is its entrance. It ends after a number of gates or at a buoy.
+ */
+public final class Channel extends BoatTask {
+  private static final Schema<Channel> SCHEMA =
+      Schema.of(Channel.class, Channel::new, BoatTask.TYPE);
+  private static final ValueField<Channel, Colour> LEFT =
+      SCHEMA.requiredChoice("left", Colour.class);
+  private static final ValueField<Channel, Colour> RIGHT =
+      SCHEMA.requiredChoice("right", Colour.class);
+  private static final ValueField<Channel, Colour> END = SCHEMA.optionalChoice("end", Colour.class);
+  private static final ValueField<Channel, Long> GATES = SCHEMA.optionalCount("gates", "");
+  private static final NumberField<Channel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final ValueField<Channel, Long> PASSED = SCHEMA.optionalCount("passed", "");
+
+  public static final MessageType<Channel> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends Channel> type() {
+    return TYPE;
+  }
+
+  /** Colour of the buoys to the left. */
+  public Colour left() {
+    return require(LEFT);
+  }
+
+  /** Colour of the buoys to the right. */
+  public Colour right() {
+    return require(RIGHT);
+  }
+
+  /** Whether the channel ends at a buoy of a colour of its own. */
+  public boolean endsAtBuoy() {
+    return get(END) != null;
+  }
+
+  /** Colour of the buoy at its end. */
+  public Colour end() {
+    return require(END);
+  }
+
+  /** Gates until its end; empty if it ends at a buoy. */
+  public OptionalLong gates() {
+    return optionalCount(GATES);
+  }
+
+  /** Speed in the channel through the water [m/s]; 1 if unset. */
+  public double speed() {
+    return get(SPEED).orElse(1.0);
+  }
+
+  /** Gates passed so far, reported back. */
+  public long passed() {
+    return optionalCount(PASSED).orElse(0L);
+  }
+
+  public Channel passed(long gates) {
+    return put(PASSED, gates);
+  }
+
+  @Override
+  public Channel copy() {
+    return (Channel) super.copy();
+  }
+}

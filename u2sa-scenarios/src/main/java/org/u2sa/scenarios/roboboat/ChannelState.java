@@ -1,0 +1,174 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.Surroundings;
+
+/**
+ * Passes the gates of a {@link Channel} in order: always the nearest one ahead that has not been
+ * passed. Far from a gate's axis it goes around obstacles to a place before the gate; on the axis it
+ * steers through.
+ */
+final class ChannelState extends TaskState {
+  private static final double BEFORE_M = 4.0; // place before a gate at which it is on the axis
+  private static final double ON_AXIS_M = 1.2; // from the axis, plus a share of the way to go
+  private static final double ON_AXIS_SHARE = 0.25;
+  private static final double AHEAD_M = 3.0; // of the point on the axis to steer to
+  private static final double SAME_M = 2.0; // a gate this near one that was passed is the same
+  private static final double BEHIND_M = 1.0; // a gate is still ahead
+  private static final double REACH_M = 30.0; // to the next gate
+  private static final double BLIND_M = 25.0; // straight on without a gate in sight
+  private static final double AT_END_M = 4.0; // from the buoy at the end
+  private static final double SEARCH_MPS = 0.7;
+
+  private final List<Point> passed = new ArrayList<>();
+  private Optional<Point> before = Optional.empty(); // place at the last state
+  private Optional<Gate> last = Optional.empty();
+
+  ChannelState(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return Channel.class;
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    surroundings.begin();
+    passed.clear();
+    before = Optional.empty();
+    last = Optional.empty();
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    Channel goal = (Channel) pursuit.goal();
+    StateInformation state = pursuit.state();
+    Point here = surroundings.here(state);
+    List<Gate> gates =
+        Gate.among(
+            places(name(goal.left(), "buoy"), state), places(name(goal.right(), "buoy"), state));
+    before.ifPresent(from -> pass(gates, from, here));
+    before = Optional.of(here);
+    Channel now = goal.copy().passed(passed.size());
+    if (goal.gates().isPresent() && passed.size() >= goal.gates().getAsLong()) {
+      return done(pursuit, now);
+    }
+    Optional<Gate> next = next(gates, here);
+    Optional<Point> end = goal.endsAtBuoy() ? end(goal, state, here) : Optional.empty();
+    if (end.isPresent() && !passed.isEmpty() && isBefore(end.get(), next, here)) {
+      return away(end.get(), state) < AT_END_M
+          ? done(pursuit, now)
+          : step(pursuit, towards(pursuit, end.get(), AT_END_M, goal.speed()), now);
+    }
+    if (next.isPresent()) {
+      return through(next.get(), here, pursuit, now);
+    }
+    return search(pursuit, here, now);
+  }
+
+  private List<Point> places(String type, StateInformation state) {
+    List<Point> places = new ArrayList<>();
+    for (ObjectDescription object : surroundings.objects()) {
+      if (object.objectType().equals(type)) {
+        places.add(surroundings.centre(object, state));
+      }
+    }
+    return places;
+  }
+
+  private void pass(List<Gate> gates, Point from, Point here) {
+    for (Gate gate : gates) {
+      if (!isKnown(gate) && gate.isPassed(from, here)) {
+        passed.add(gate.middle());
+        last = Optional.of(gate);
+        surroundings.begin();
+      }
+    }
+  }
+
+  private boolean isKnown(Gate gate) {
+    Point middle = gate.middle();
+    return passed.stream()
+        .anyMatch(old -> Math.hypot(old.x() - middle.x(), old.y() - middle.y()) < SAME_M);
+  }
+
+  private Optional<Gate> next(List<Gate> gates, Point here) {
+    Gate nearest = null;
+    double least = REACH_M;
+    for (Gate gate : gates) {
+      Point middle = gate.middle();
+      double away = Math.hypot(middle.x() - here.x(), middle.y() - here.y());
+      boolean isAhead =
+          gate.aheadM(here) > -BEHIND_M && last.map(old -> old.aheadM(middle) < 0.0).orElse(true);
+      if (isAhead && !isKnown(gate) && away < least) {
+        nearest = gate;
+        least = away;
+      }
+    }
+    return Optional.ofNullable(nearest);
+  }
+
+  private Optional<Point> end(Channel goal, StateInformation state, Point here) {
+    return places(name(goal.end(), "buoy"), state).stream()
+        .min((a, b) -> Double.compare(distance(a, here), distance(b, here)));
+  }
+
+  private static boolean isBefore(Point end, Optional<Gate> next, Point here) {
+    return next.map(gate -> distance(end, here) < distance(gate.middle(), here)).orElse(true);
+  }
+
+  private static double distance(Point a, Point b) {
+    return Math.hypot(a.x() - b.x(), a.y() - b.y());
+  }
+
+  private Plan through(Gate gate, Point here, Pursuit pursuit, Channel now) {
+    double ahead = gate.aheadM(here);
+    double aside = Math.abs(gate.asideM(here));
+    if (ahead > BEFORE_M / 2.0 && aside > ON_AXIS_M + ON_AXIS_SHARE * ahead || ahead > 3 * BEFORE_M) {
+      return step(pursuit, towards(pursuit, gate.beyond(-BEFORE_M), 1.0, now.speed()), now);
+    }
+    NavigationPoint point =
+        surroundings.straight(pursuit.state(), gate.beyond(AHEAD_M - Math.max(0.0, ahead)));
+    return Plan.underWay(List.of(point.speed(now.speed()))).changing(now);
+  }
+
+  /** To the entrance; from there, or from the last gate, straight on until a gate is seen. */
+  private Plan search(Pursuit pursuit, Point here, Channel now) {
+    if (last.isEmpty()) {
+      Point entrance = station(now, pursuit.state());
+      return step(pursuit, towards(pursuit, entrance, 1.0, now.speed()), now);
+    }
+    double beyond = -last.get().aheadM(here);
+    if (beyond > BLIND_M) {
+      return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: no further gate was seen")
+          .changing(now);
+    }
+    return step(
+        pursuit, towards(pursuit, last.get().beyond(BLIND_M + AHEAD_M), 1.0, SEARCH_MPS), now);
+  }
+
+  private static Plan step(Pursuit pursuit, Surroundings.Step step, Channel now) {
+    List<NavigationPoint> points = List.of(step.point());
+    return step.givenUp()
+        .map(reason -> new Plan(points, Plan.Progress.ABANDONED, "given up: " + reason))
+        .orElseGet(() -> Plan.underWay(points))
+        .changing(now);
+  }
+
+  private static Plan done(Pursuit pursuit, Channel now) {
+    return new Plan(
+            List.of(), Plan.Progress.COMPLETED, "reached, " + now.passed() + " gates passed")
+        .changing(now);
+  }
+}

@@ -1,0 +1,59 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.marine.Colour;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.Surroundings;
+
+/** What all tasks at a station have in common: finding it, and its objects. */
+abstract class TaskState implements PlannerState {
+  final Surroundings surroundings;
+
+  TaskState(Surroundings surroundings) {
+    this.surroundings = surroundings;
+  }
+
+  /**
+   * {@inheritDoc} With the task's expected time at cruise speed, over its probability of success
+   * (thesis 4.2.1.3).
+   */
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    BoatTask task = (BoatTask) goal;
+    double way = away(station(task, state), state);
+    return (way + task.expectedTime()) / task.successProbability();
+  }
+
+  /** The station on the planner's plane. */
+  Point station(BoatTask goal, StateInformation state) {
+    return surroundings.onPlane(ReferenceFrame.GLOBAL, goal.place(), state);
+  }
+
+  /** Level distance of a place on the plane [m]. */
+  double away(Point place, StateInformation state) {
+    Point here = surroundings.here(state);
+    return Math.hypot(place.x() - here.x(), place.y() - here.y());
+  }
+
+  /** The way to a place, around obstacles. */
+  Surroundings.Step towards(
+      Pursuit pursuit, Point place, double thresholdM, double speedMps) {
+    return surroundings.towards(pursuit, place, thresholdM, OptionalDouble.of(speedMps));
+  }
+
+  static boolean isA(ObjectDescription object, Colour colour, String kind) {
+    return object.objectType().equals(name(colour, kind));
+  }
+
+  /** Name of a kind of object, such as "orange buoy". */
+  static String name(Colour colour, String kind) {
+    return colour.name().toLowerCase(Locale.ROOT) + " " + kind;
+  }
+}
