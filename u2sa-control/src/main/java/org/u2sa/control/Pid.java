@@ -135,6 +135,11 @@ public final class Pid {
     integral = gains.gain > 0.0 ? wantedOutput - proportional : 0.0;
   }
 
+  /** Integral part of the output: what a steady disturbance demands. */
+  public double integral() {
+    return integral;
+  }
+
   /** Resets all states. */
   public void reset() {
     integral = 0.0;

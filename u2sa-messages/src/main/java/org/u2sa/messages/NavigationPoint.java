@@ -26,6 +26,7 @@ public class NavigationPoint extends U2SAData {
       SCHEMA.optionalNumber("speed", "m/s", 0.0);
   private static final ValueField<NavigationPoint, Boolean> BACKWARDS =
       SCHEMA.since(3).optionalFlag("backwards");
+  private static final NumberField<NavigationPoint> TURN = SCHEMA.optionalNumber("turn", "rad");
 
   public static final MessageType<NavigationPoint> TYPE = SCHEMA.build();
 
@@ -77,6 +78,18 @@ public class NavigationPoint extends U2SAData {
 
   public NavigationPoint backwards(boolean value) {
     return put(BACKWARDS, value);
+  }
+
+  /**
+   * Turn that leads to the wanted heading, relative to the vehicle's heading at the timestamp,
+   * positive to the right [rad]; empty: control chooses the heading.
+   */
+  public OptionalDouble turn() {
+    return get(TURN);
+  }
+
+  public NavigationPoint turn(double value) {
+    return put(TURN, value);
   }
 
   /** Creates a target for the vehicle itself, in BODY. */

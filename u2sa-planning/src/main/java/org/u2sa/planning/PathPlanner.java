@@ -76,7 +76,8 @@ public class PathPlanner extends EventDrivenService {
         new PlannerStates(
             List.of(
                 new WaypointState(guidance, settings, avoidance, seeing),
-                new ObjectGoalState(avoidance, seeing)));
+                new ObjectGoalState(avoidance, seeing),
+                new StationState(guidance, settings(StationVariables.class))));
     states.discover(this, new PlannerSurroundings(avoidance));
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);

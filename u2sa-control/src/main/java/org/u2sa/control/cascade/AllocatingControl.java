@@ -155,7 +155,7 @@ public final class AllocatingControl extends ControlSystem {
       return;
     }
     fluidMps = motion.get().speedThroughFluidMps(state);
-    drive(motion.get(), wayToGo(state, point), point.flatMap(to -> speed(to)));
+    drive(motion.get(), target(state, point));
   }
 
   @Override
@@ -186,16 +186,28 @@ public final class AllocatingControl extends ControlSystem {
     return motion;
   }
 
-  private static Optional<Double> speed(NavigationPoint point) {
-    return point.speed().isPresent() ? Optional.of(point.speed().getAsDouble()) : Optional.empty();
+  private Target target(StateInformation state, Optional<NavigationPoint> point) {
+    Optional<Point> way = wayToGo(state, point);
+    if (way.isEmpty()) {
+      return Target.none();
+    }
+    NavigationPoint to = point.orElseThrow();
+    double headingThen = stateOf(to).orElseThrow().psi().orElse(0.0);
+    return new Target(
+        way,
+        to.speed().isPresent() ? Optional.of(to.speed().getAsDouble()) : Optional.empty(),
+        to.turn().isPresent()
+            ? OptionalDouble.of(headingThen + to.turn().getAsDouble())
+            : OptionalDouble.empty(),
+        to.backwards());
   }
 
-  private void drive(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps) {
+  private void drive(BodyMotion motion, Target target) {
     if (takesOver) {
-      cascade.takeOver(motion, way, speedMps, presentWrench());
+      cascade.takeOver(motion, target, presentWrench());
       takesOver = false;
     }
-    double[] wanted = cascade.step(motion, way, speedMps, stepS());
+    double[] wanted = cascade.step(motion, target, stepS());
     double mass = tuning.of(tuner.axis()).mass();
     tuner
         .step(isArmedBySomebody && !wentBySight, left, wanted, cascade.measured(), mass, stepS())

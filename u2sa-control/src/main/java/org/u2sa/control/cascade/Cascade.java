@@ -1,7 +1,6 @@
 package org.u2sa.control.cascade;
 
 import java.util.Arrays;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.control.Pid;
 import org.u2sa.control.Transfer;
@@ -18,6 +17,7 @@ import org.u2sa.service.handover.HandOver;
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
+  private static final double VANE_PER_S = 0.1; // turning rate per angle off the weather
   private static final double FLIES_FROM = 0.5; // fraction of the weight that is lifted
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
@@ -55,15 +55,14 @@ final class Cascade {
 
   /**
    * Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call.
-   *
-   * @param way vector to the target: north, east, down [m]; empty to stop and hold the heading
    */
-  double[] step(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double stepS) {
+  double[] step(BodyMotion motion, Target target, double stepS) {
     drift.step(motion.velocity(), stepS);
-    aim(motion, way, speedMps);
+    weatherVane(target, stepS);
+    aim(motion, target);
     boolean leans = settings.leans();
     if (leans) {
-      ground.step(way.orElse(Point.ORIGIN).z(), wanted[HEAVE], motion, stepS);
+      ground.step(target.way().orElse(Point.ORIGIN).z(), wanted[HEAVE], motion, stepS);
       if (ground.stands()) {
         rest();
         Arrays.fill(wrench, 0.0);
@@ -85,19 +84,38 @@ final class Cascade {
     return wrench;
   }
 
-  private void aim(BodyMotion motion, Optional<Point> way, Optional<Double> speedMps) {
-    Point toGo = way.orElse(Point.ORIGIN);
-    double distance = Math.hypot(toGo.x(), toGo.y());
-    double heading = motion.attitude().psi();
-    if (settings.way().facesTheWay() && distance >= settings.way().facingDistance()) {
-      double bearing = Math.atan2(toGo.y(), toGo.x());
-      headingRad =
-          OptionalDouble.of(settings.way().countersDrift() ? bearing - drift.rad() : bearing);
+  /**
+   * Turns the bow into wind and current while the vehicle stays at a place and no heading is given:
+   * to the side to which it must push, until it need not push aside.
+   */
+  private void weatherVane(Target target, double stepS) {
+    boolean stays = target.way().isPresent() && distanceM(target) < settings.way().facingDistance();
+    if (!settings.way().weatherVanes() || !stays || target.headingRad().isPresent()) {
+      return;
+    }
+    double turnRad = Math.atan2(pids[SWAY].integral(), Math.abs(pids[SURGE].integral()));
+    double step = stepS * VANE_PER_S * turnRad;
+    headingRad.ifPresent(heading -> headingRad = OptionalDouble.of(heading + step));
+  }
+
+  private static double distanceM(Target target) {
+    return target.way().map(way -> Math.hypot(way.x(), way.y())).orElse(0.0);
+  }
+
+  private void aim(BodyMotion motion, Target target) {
+    Point toGo = target.way().orElse(Point.ORIGIN);
+    if (target.headingRad().isPresent()) {
+      headingRad = target.headingRad();
+    } else if (settings.way().facesTheWay()
+        && distanceM(target) >= settings.way().facingDistance()) {
+      double astern = target.isBackwards() ? Math.PI : 0.0;
+      double crab = settings.way().countersDrift() && !target.isBackwards() ? drift.rad() : 0.0;
+      headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()) + astern - crab);
     } else if (headingRad.isEmpty()) {
-      headingRad = OptionalDouble.of(heading);
+      headingRad = OptionalDouble.of(motion.attitude().psi());
     }
     attitude = motion.attitude();
-    Point velocity = velocity(motion, toGo, speedMps.orElse(settings.way().cruiseSpeed()));
+    Point velocity = velocity(motion, toGo, target);
     wanted[SURGE] = velocity.x();
     wanted[SWAY] = velocity.y();
     wanted[HEAVE] = velocity.z();
@@ -129,16 +147,20 @@ final class Cascade {
    * Wanted velocity along the vehicle's axes [m/s], with each axis within its limit and the total
    * within the speed.
    */
-  private Point velocity(BodyMotion motion, Point toGo, double speedMps) {
+  private Point velocity(BodyMotion motion, Point toGo, Target target) {
     Point body = settings.leans() ? motion.level(toGo) : motion.frd(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, body.x());
     double right = towards(DegreeOfFreedom.SWAY, body.y());
     if (turnsFirst || !settings.leans() && !tuning[SWAY].isControlled()) {
       double aside = Math.hypot(body.x(), body.y());
       double ahead = aside > 0.0 ? body.x() / aside : 0.0;
-      forward = Math.max(0.0, towards(DegreeOfFreedom.SURGE, aside) * ahead); // turn first
+      if (target.headingRad().isEmpty()) { // turn first
+        double sign = target.isBackwards() ? -1.0 : 1.0;
+        forward = sign * Math.max(0.0, sign * towards(DegreeOfFreedom.SURGE, aside) * ahead);
+      }
       right = 0.0;
     }
+    double speedMps = target.speedMps().orElse(settings.way().cruiseSpeed());
     double speed = Math.hypot(forward, right);
     double scale = speed > speedMps ? speedMps / speed : 1.0;
     return Point.of(scale * forward, scale * right, towards(DegreeOfFreedom.HEAVE, body.z()));
@@ -211,9 +233,8 @@ final class Cascade {
   }
 
   /** Takes over from a wrench commanded by another law (bumpless transfer). */
-  void takeOver(
-      BodyMotion motion, Optional<Point> way, Optional<Double> speedMps, double[] present) {
-    aim(motion, way, speedMps);
+  void takeOver(BodyMotion motion, Target target, double[] present) {
+    aim(motion, target);
     for (int j = 0; j < AXES.length; j++) {
       pids[j].takeOver(acceleration(j, present[j]), wanted[j], measured[j]);
     }

@@ -91,6 +91,10 @@ final class CascadeVariables {
           @Description(
               "Minimum distance of a point to turn to; for a nearer one the heading is kept.")
           double facingDistance,
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether a vehicle that stays at a place, within FACING DISTANCE and without a heading to hold, turns its bow into wind and current.")
+          boolean weatherVanes,
       @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 0.5)
           @Description("Speed to a navigation point that specifies none.")
           double cruiseSpeed,

@@ -40,6 +40,7 @@ import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionOrder;
@@ -124,6 +125,7 @@ public final class StandardTypes implements MessageTypeProvider {
           OccupancyGrid.TYPE,
           PlannedPath.TYPE,
           ObjectGoal.TYPE,
+          Station.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,

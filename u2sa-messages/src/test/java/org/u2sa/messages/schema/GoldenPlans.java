@@ -7,6 +7,7 @@ import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.messages.goal.Station;
 
 /** What the planners that see brought. */
 final class GoldenPlans {
@@ -35,5 +36,18 @@ final class GoldenPlans {
     golden.add(
         "NavigationPoint-backwards",
         NavigationPoint.at(Point.of(-1.5, 0.25, 0.0)).speed(0.5).backwards(true));
+    golden.add(
+        "NavigationPoint-turn", NavigationPoint.at(Point.of(0.5, 0.25, 0.0)).turn(-0.75));
+    golden.add(
+        "Station",
+        new Station()
+            .duration(30.0)
+            .approach(5.0)
+            .backwards(true)
+            .uid("8")
+            .x(151.25)
+            .y(-33.5)
+            .psi(1.5)
+            .horizontalThreshold(0.25));
   }
 }

@@ -8,6 +8,9 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
@@ -20,17 +23,27 @@ public final class ChosenGuidance implements WaypointGuidance {
   private static final String LINE = "LINE";
   private static final String DIRECT = "DIRECT";
 
+  private static final String ILOS = "ILOS";
+
+  private record Integral(
+      @Variable(unit = "m/s", min = 0, max = 10, ifAbsent = 0.1)
+          @Description(
+              "Gain of the integral of ILOS; about a quarter of the usual speed at most.")
+          double crossTrackGain) {}
+
   private final Supplier<String> name;
   private final Map<String, GuidanceLaw> laws = new LinkedHashMap<>();
   private final WaypointGuidance lines;
   private final WaypointGuidance direct = new DirectGuidance();
 
   /**
-   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT or an
-   *     extension's law
+   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT, ILOS or
+   *     an extension's law
    */
   public ChosenGuidance(Configurator configuration, Supplier<LineSettings> settings) {
     laws.put(LINE, GuidanceLaw.carrot());
+    Settings<Integral> integral = configuration.settings(Integral.class);
+    laws.put(ILOS, new IntegralLineOfSight(() -> integral.get().crossTrackGain()));
     for (GuidanceLawProvider provider : ServiceLoader.load(GuidanceLawProvider.class)) {
       laws.putIfAbsent(provider.name(), provider.law(configuration));
     }
@@ -41,12 +54,42 @@ public final class ChosenGuidance implements WaypointGuidance {
             .oneOf(names.toArray(new String[0]))
             .ifAbsent(LINE)
             .describedAs(
-                "LINE follows the lines between waypoints; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); others are laws of extensions.");
+                "LINE follows the lines between waypoints; ILOS too, and learns the drift of a boat by wind and current; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); others are laws of extensions.");
     name = () -> configuration.getVariable(guidance);
     name.get(); // an invalid value must fail before the vehicle moves
-    lines =
-        new LineGuidance(
-            settings, (leg, lookAheadM) -> laws.get(lawName()).pointAhead(leg, lookAheadM));
+    lines = new LineGuidance(settings, new ChosenLaw());
+  }
+
+  /** The configured law; all begin together, because another can be chosen en route. */
+  private final class ChosenLaw implements GuidanceLaw {
+    private GuidanceLaw law() {
+      return laws.get(lawName());
+    }
+
+    @Override
+    public Point pointAhead(Leg leg, double lookAheadM) {
+      return law().pointAhead(leg, lookAheadM);
+    }
+
+    @Override
+    public void begin() {
+      laws.values().forEach(GuidanceLaw::begin);
+    }
+
+    @Override
+    public void advance(Leg leg, double lookAheadM, double stepS) {
+      law().advance(leg, lookAheadM, stepS);
+    }
+
+    @Override
+    public void handOver(HandOver state) {
+      law().handOver(state);
+    }
+
+    @Override
+    public void takeOver(HandOver state) {
+      law().takeOver(state);
+    }
   }
 
   /** Line law used for legs and turns, even while DIRECT is selected: that can change en route. */

@@ -2,6 +2,7 @@ package org.u2sa.planning.guidance;
 
 import java.util.function.DoubleSupplier;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Law that guides a vehicle onto a line and along it. Extensions supply their own through a {@link
@@ -15,6 +16,22 @@ public interface GuidanceLaw {
    * @param lookAheadM look-ahead distance [m], positive
    */
   Point pointAhead(Leg leg, double lookAheadM);
+
+  /** Starts on another line: laws with a memory drop it. */
+  default void begin() {}
+
+  /**
+   * Lets time pass on a line, before {@link #pointAhead}.
+   *
+   * @param stepS time since the previous call on this line [s], above 0
+   */
+  default void advance(Leg leg, double lookAheadM, double stepS) {}
+
+  /** Saves the memory of the current line for the planner that takes over. */
+  default void handOver(HandOver state) {}
+
+  /** Resumes the line of the previous planner; missing values are reset. */
+  default void takeOver(HandOver state) {}
 
   /**
    * Law that aims at a point on the line, one look-ahead ahead of the vehicle's projection (after

@@ -1,7 +1,9 @@
 package org.u2sa.planning.guidance;
 
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.service.handover.HandOver;
@@ -35,6 +37,9 @@ public final class LineGuidance implements WaypointGuidance {
   /** Growth of the distance beyond noise: the closest approach is past [m]. */
   private static final double GROWN_M = 1.0;
 
+  /** Longer gaps between states do not count for a law with a memory [s]. */
+  private static final double LONGEST_STEP_S = 1.0;
+
   private final Supplier<LineSettings> settings;
   private final GuidanceLaw law;
   private Optional<Place> start = Optional.empty();
@@ -43,6 +48,7 @@ public final class LineGuidance implements WaypointGuidance {
   private double nearestM; // to the target, since heading for it or turning at it
   private double distanceM; // to the target
   private boolean passed;
+  private OptionalLong steppedMicros = OptionalLong.empty(); // last step on this line
 
   public LineGuidance(Supplier<LineSettings> settings) {
     this(settings, GuidanceLaw.carrot());
@@ -61,6 +67,12 @@ public final class LineGuidance implements WaypointGuidance {
     nearestM = Double.POSITIVE_INFINITY;
     distanceM = Double.POSITIVE_INFINITY;
     passed = false;
+    beginLine();
+  }
+
+  private void beginLine() {
+    law.begin();
+    steppedMicros = OptionalLong.empty();
   }
 
   @Override
@@ -72,6 +84,7 @@ public final class LineGuidance implements WaypointGuidance {
         .flag("PASSED", passed)
         .number("NEAREST ON LEG", nearestM)
         .number("DISTANCE", distanceM);
+    law.handOver(state);
   }
 
   @Override
@@ -82,6 +95,7 @@ public final class LineGuidance implements WaypointGuidance {
     passed = state.flag("PASSED");
     nearestM = state.number("NEAREST ON LEG").orElse(Double.POSITIVE_INFINITY);
     distanceM = state.number("DISTANCE").orElse(Double.POSITIVE_INFINITY);
+    law.takeOver(state);
   }
 
   @Override
@@ -179,6 +193,7 @@ public final class LineGuidance implements WaypointGuidance {
     double distance = settings.get().turns().distanceM(vehicle.speedMps(), turn, inside, threshold);
     if (remaining <= distance && Math.abs(inside) <= threshold) {
       turning = true;
+      beginLine();
       nearestM = distanceM; // a wide turn into the leg may have come nearer than this
     }
   }
@@ -195,8 +210,18 @@ public final class LineGuidance implements WaypointGuidance {
     if (along > limit(leg)) {
       return Point.of(leg.northAtM(leg.lengthM()), leg.eastAtM(leg.lengthM()), down);
     }
+    advance(vehicle, leg, lookAhead);
     Point ahead = law.pointAhead(leg, lookAhead);
     return Point.of(ahead.x(), ahead.y(), down);
+  }
+
+  private void advance(Vehicle vehicle, Leg leg, double lookAheadM) {
+    long now = vehicle.timestampMicros();
+    double stepS = Clock.seconds(now - steppedMicros.orElse(now));
+    if (stepS > 0.0 && stepS <= LONGEST_STEP_S) {
+      law.advance(leg, lookAheadM, stepS);
+    }
+    steppedMicros = OptionalLong.of(now);
   }
 
   /** Maximum along-track distance of the target point [m]. */

@@ -15,12 +15,14 @@ import org.u2sa.sim.marine.Vessel;
 import org.u2sa.sim.marine.VesselActuator;
 import org.u2sa.sim.marine.VesselThruster;
 import org.u2sa.sim.marine.Waterplane;
+import org.u2sa.sim.marine.Windage;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /** A hull with any number of thrusters, propellers and fins, on or under water, after Fossen. */
-record VesselModel(Hull hull, List<VesselActuator> parts, Footprint footprint)
+record VesselModel(
+    Hull hull, List<VesselActuator> parts, Footprint footprint, Optional<Windage> windage)
     implements VehicleModel {
   private static final double LARGEST = 1e9;
   private static final double FAR_M = 1_000.0;
@@ -59,11 +61,23 @@ record VesselModel(Hull hull, List<VesselActuator> parts, Footprint footprint)
             coefficients(file, "dragFade", "s/m"),
             !file.has("munkMoment")
                 || file.choice("munkMoment", MunkMoment.class) == MunkMoment.INCLUDED);
-    return new VesselModel(hull, actuators(file), body.footprint());
+    Optional<Windage> windage = file.optionalPart("windage").map(VesselModel::windage);
+    return new VesselModel(hull, actuators(file), body.footprint(), windage);
   }
 
   private static Point coefficients(FileElement file, String name, String unit) {
     return file.vector(name, unit, 0.0, LARGEST, Point.ORIGIN);
+  }
+
+  private static Windage windage(FileElement file) {
+    return file.complete(
+        () ->
+            new Windage(
+                file.number("ahead", "kg/m", 0.0, LARGEST),
+                file.number("aside", "kg/m", 0.0, LARGEST),
+                file.number("turning", "kg", -LARGEST, LARGEST, 0.0),
+                file.has("axes") ? file.choice("axes", Windage.Axes.class) : Windage.Axes.BODY,
+                file.number("height", "m", 0.0, FAR_M, 1.0)));
   }
 
   private static Waterplane waterplane(FileElement file) {
@@ -228,6 +242,8 @@ record VesselModel(Hull hull, List<VesselActuator> parts, Footprint footprint)
 
   @Override
   public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    return new Vessel(hull, parts, footprint, world, start, headingRad).moored();
+    Vessel vessel = new Vessel(hull, parts, footprint, world, start, headingRad).moored();
+    windage.ifPresent(vessel::inWind);
+    return vessel;
   }
 }

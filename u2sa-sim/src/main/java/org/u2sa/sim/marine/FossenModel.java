@@ -30,6 +30,7 @@ final class FossenModel implements RungeKutta.Motion {
   private double currentNorth;
   private double currentEast;
   private Optional<Sea> sea = Optional.empty();
+  private Point wind = Point.ORIGIN; // X, Y [N], N [N m]
   private final double surfaceDown; // down coordinate of the water surface [m]
   private final double[] force = new double[6];
 
@@ -96,6 +97,11 @@ final class FossenModel implements RungeKutta.Motion {
     sea = Optional.of(around);
   }
 
+  /** Sets the force of the wind: X, Y [N], N [N m]. */
+  void wind(Point forceAndMoment) {
+    wind = forceAndMoment;
+  }
+
   int size() {
     return LEVELS + actuators.size();
   }
@@ -146,6 +152,9 @@ final class FossenModel implements RungeKutta.Motion {
     rigidBody(u, v, w, p, q, r);
     addedMass(u, v, w, p, q, r);
     restore(s);
+    force[0] += wind.x();
+    force[1] += wind.y();
+    force[5] += wind.z();
     for (int i = 0; i < 6; i++) {
       double sum = 0.0;
       for (int j = 0; j < 6; j++) {

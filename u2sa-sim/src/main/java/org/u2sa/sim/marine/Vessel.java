@@ -1,9 +1,11 @@
 package org.u2sa.sim.marine;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.atmosphere.WindField;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.motion.RungeKutta;
 import org.u2sa.sim.vehicle.BodyState;
@@ -16,8 +18,8 @@ import org.u2sa.sim.world.Waves;
 import org.u2sa.sim.world.World;
 
 /**
- * A simulated vessel with thrusters, on or under water, drifting with the world's current and moved
- * by its waves. Integrates internally at 200 Hz. Not thread-safe.
+ * A simulated vessel with thrusters, on or under water, drifting with the world's current, moved by
+ * its waves and, if it has {@link Windage}, by its wind. Integrates internally at 200 Hz. Not thread-safe.
  */
 public final class Vessel implements SimulatedVehicle {
   /** Internal integration rate [1/s]. */
@@ -35,6 +37,8 @@ public final class Vessel implements SimulatedVehicle {
   private final boolean powerIsKnown;
   private double energyJ;
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
+  private Optional<Windage> windage = Optional.empty();
+  private final WindField air;
 
   /**
    * Creates a vessel that drifts with the water.
@@ -66,6 +70,26 @@ public final class Vessel implements SimulatedVehicle {
     floats = hull.waterplane().isPresent();
     surround();
     powerIsKnown = model.powerW(state).isPresent();
+    air = world.windAround(footprint.lengthM());
+  }
+
+  /** Lets the wind of the world push the hull; call before any step. */
+  public Vessel inWind(Windage area) {
+    windage = Optional.of(area);
+    return this;
+  }
+
+  /** Moves the air by one step and takes its force from the motion at the beginning. */
+  private void blow(Windage area) {
+    double heading = BodyState.attitude(state).psi();
+    double cos = StrictMath.cos(heading);
+    double sin = StrictMath.sin(heading);
+    Point through = BodyState.at(state, BodyState.VELOCITY);
+    double north = through.x() * cos - through.y() * sin + model.drift().y();
+    double east = through.x() * sin + through.y() * cos + model.drift().x();
+    double airspeed = StrictMath.hypot(air.northMps() - north, air.eastMps() - east);
+    air.step(1.0 / TICKS_PER_SECOND, area.heightM(), airspeed, cos, sin);
+    model.wind(area.on(heading, air.northMps() - north, air.eastMps() - east));
   }
 
   /** Starts at rest over ground instead of drifting with the current; call before any step. */
@@ -144,6 +168,7 @@ public final class Vessel implements SimulatedVehicle {
 
   private void tick() {
     surround();
+    windage.ifPresent(this::blow);
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
     BodyState.normalize(state);
     if (powerIsKnown) {

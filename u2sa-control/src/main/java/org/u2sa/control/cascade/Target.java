@@ -1,0 +1,27 @@
+package org.u2sa.control.cascade;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
+
+/**
+ * Where a vehicle is to go, and how.
+ *
+ * @param way vector to the place: north, east, down [m]; empty to stop and hold the heading
+ * @param speedMps speed on the way [m/s]; empty for the configured one
+ * @param headingRad heading to hold, clockwise from north [rad]; empty if control chooses it
+ * @param isBackwards whether a vehicle that faces its way turns its stern to it
+ */
+record Target(
+    Optional<Point> way,
+    Optional<Double> speedMps,
+    OptionalDouble headingRad,
+    boolean isBackwards) {
+  private static final Target NONE =
+      new Target(Optional.empty(), Optional.empty(), OptionalDouble.empty(), false);
+
+  /** Stops and holds the heading. */
+  static Target none() {
+    return NONE;
+  }
+}

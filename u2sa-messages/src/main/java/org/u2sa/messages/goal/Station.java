@@ -1,0 +1,74 @@
+package org.u2sa.messages.goal;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * A position to keep, with a heading if {@link #psi} is given: station keeping, or a berth that is
+ * entered along its axis. It is reached when the vehicle has stayed within the horizontal threshold
+ * and on its heading for the {@link #duration}.
+ */
+public class Station extends Waypoint {
+  private static final Schema<Station> SCHEMA =
+      Schema.of(Station.class, Station::new, Waypoint.TYPE).since(3);
+  private static final NumberField<Station> DURATION =
+      SCHEMA.optionalNumber("duration", "s", 0.0);
+  private static final NumberField<Station> APPROACH = SCHEMA.optionalNumber("approach", "m", 0.0);
+  private static final ValueField<Station, Boolean> BACKWARDS = SCHEMA.optionalFlag("backwards");
+
+  public static final MessageType<Station> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends Station> type() {
+    return TYPE;
+  }
+
+  /** Time to stay there [s]; empty: until the mission changes. */
+  public OptionalDouble duration() {
+    return get(DURATION);
+  }
+
+  public Station duration(double seconds) {
+    return put(DURATION, seconds);
+  }
+
+  /**
+   * Length of the straight way that ends at the position, along {@link #psi} [m]; empty: the
+   * position is approached from any side. Ignored without psi.
+   */
+  public OptionalDouble approach() {
+    return get(APPROACH);
+  }
+
+  public Station approach(double metres) {
+    return put(APPROACH, metres);
+  }
+
+  /** Whether the straight way is travelled in reverse, the stern ahead; defaults to false. */
+  public boolean backwards() {
+    return Boolean.TRUE.equals(get(BACKWARDS));
+  }
+
+  public Station backwards(boolean value) {
+    return put(BACKWARDS, value);
+  }
+
+  @Override
+  public Station uid(String uid) {
+    return (Station) super.uid(uid);
+  }
+
+  @Override
+  public Station next(List<String> uids) {
+    return (Station) super.next(uids);
+  }
+
+  @Override
+  public Station copy() {
+    return (Station) super.copy();
+  }
+}

@@ -1,0 +1,188 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Station;
+import org.u2sa.planning.guidance.Leg;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.guidance.WaypointGuidance;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Keeps the vehicle at a {@link Station}: to the place, or to the start of its straight way and
+ * along it, then there until its time is over. The time starts anew when the vehicle leaves the
+ * threshold or the heading.
+ */
+final class StationState implements PlannerState {
+  private enum Phase {
+    /** To the station, or to the start of the straight way. */
+    TRANSIT,
+    /** Along the straight way. */
+    BERTHING,
+    /** At the station. */
+    THERE
+  }
+
+  private final WaypointGuidance guidance;
+  private final Supplier<StationVariables> settings;
+  private Phase phase = Phase.TRANSIT;
+  private long sinceMicros = Long.MIN_VALUE; // on station
+
+  StationState(WaypointGuidance guidance, Supplier<StationVariables> settings) {
+    this.guidance = guidance;
+    this.settings = settings;
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return Station.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    return length(Vehicle.of(state).orElseThrow().nedOf(Place.of((Station) goal)));
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    guidance.begin(WaypointState.placeOf(pursuit.before()));
+    phase = Phase.TRANSIT;
+    sinceMicros = Long.MIN_VALUE;
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state.text("STATION PHASE", phase.name());
+    if (sinceMicros != Long.MIN_VALUE) {
+      state.number("STATION SINCE", Clock.seconds(sinceMicros));
+    }
+    guidance.handOver(state);
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    if (state.text("STATION PHASE").isEmpty()) {
+      return false;
+    }
+    guidance.begin(Optional.empty());
+    guidance.takeOver(state);
+    phase = Phase.valueOf(state.text("STATION PHASE").get());
+    OptionalDouble since = state.number("STATION SINCE");
+    sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
+    return true;
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    Station station = (Station) pursuit.goal();
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    Place place = Place.of(station);
+    Point to = vehicle.nedOf(place);
+    boolean isBerth = station.approach().isPresent() && station.psi().isPresent();
+    Point start = isBerth ? to.plus(entrance(station)) : to;
+    if (phase == Phase.TRANSIT && isAt(start, isBerth, station, vehicle)) {
+      phase = isBerth ? Phase.BERTHING : Phase.THERE;
+    }
+    if (phase == Phase.BERTHING && length(to) <= station.horizontalThreshold()) {
+      phase = Phase.THERE;
+    }
+    NavigationPoint point;
+    if (phase == Phase.BERTHING) {
+      point = along(start, to, station, vehicle);
+    } else {
+      Point target = phase == Phase.TRANSIT ? start : to;
+      point = towards(target, isBerth ? Optional.empty() : Optional.of(place), station, vehicle);
+    }
+    return progress(station, vehicle, to, List.of(point));
+  }
+
+  /** From the station to the start of its straight way: north, east [m]. */
+  private static Point entrance(Station station) {
+    double sign = station.backwards() ? 1.0 : -1.0;
+    double length = sign * station.approach().getAsDouble();
+    double psi = station.psi().getAsDouble();
+    return Point.of(length * Math.cos(psi), length * Math.sin(psi), 0.0);
+  }
+
+  private boolean isAt(Point start, boolean isBerth, Station station, Vehicle vehicle) {
+    double within = isBerth ? settings.get().berthAccuracy() : station.horizontalThreshold();
+    return length(start) <= within && (!isBerth || isOnHeading(station, vehicle));
+  }
+
+  private boolean isOnHeading(Station station, Vehicle vehicle) {
+    return station.psi().isEmpty()
+        || Math.abs(turn(station, vehicle)) <= Math.toRadians(settings.get().stationAngle());
+  }
+
+  private static double turn(Station station, Vehicle vehicle) {
+    return Leg.wrapped(station.psi().getAsDouble() - vehicle.headingRad());
+  }
+
+  /** To a point; from afar on a line, if it is the station itself. */
+  private NavigationPoint towards(
+      Point ned, Optional<Place> place, Station station, Vehicle vehicle) {
+    boolean isNear = length(ned) <= settings.get().stationTurnWithin();
+    Point body =
+        isNear || place.isEmpty()
+            ? vehicle.body(ned)
+            : guidance.towards(
+                vehicle, place.get(), station.horizontalThreshold(), Optional.empty());
+    NavigationPoint point = NavigationPoint.at(body);
+    if (phase == Phase.TRANSIT && station.approach().isEmpty()) {
+      station.speed().ifPresent(point::speed);
+    }
+    if (isNear && station.psi().isPresent()) {
+      point.turn(turn(station, vehicle));
+    }
+    return point;
+  }
+
+  /** On the straight way: a point ahead on its line, or beside the vehicle while it is off it. */
+  private NavigationPoint along(Point start, Point to, Station station, Vehicle vehicle) {
+    StationVariables now = settings.get();
+    Leg leg = new Leg(start.x(), start.y(), to.x(), to.y());
+    boolean isOff = Math.abs(leg.acrossM(0.0, 0.0)) > now.berthAccuracy();
+    double ahead = leg.alongM(0.0, 0.0) + (isOff ? 0.0 : now.berthLookAhead());
+    double along = Math.min(leg.lengthM(), ahead);
+    Point ned = Point.of(leg.northAtM(along), leg.eastAtM(along), to.z());
+    return NavigationPoint.at(vehicle.body(ned))
+        .speed(station.speed().orElse(now.berthSpeed()))
+        .backwards(station.backwards())
+        .turn(turn(station, vehicle));
+  }
+
+  private Plan progress(
+      Station station, Vehicle vehicle, Point to, List<NavigationPoint> points) {
+    long now = vehicle.timestampMicros();
+    boolean isThere =
+        phase == Phase.THERE
+            && length(to) <= station.horizontalThreshold()
+            && isOnHeading(station, vehicle);
+    if (!isThere) {
+      sinceMicros = Long.MIN_VALUE;
+      return Plan.underWay(points);
+    }
+    if (sinceMicros == Long.MIN_VALUE) {
+      sinceMicros = now;
+    }
+    double keptS = Clock.seconds(now - sinceMicros);
+    if (station.duration().isEmpty() || keptS < station.duration().getAsDouble()) {
+      return Plan.underWay(points);
+    }
+    String remark = String.format(Locale.ROOT, "kept for %.1f s", keptS);
+    return new Plan(points, Plan.Progress.COMPLETED, remark);
+  }
+
+  private static double length(Point ned) {
+    return Math.hypot(ned.x(), ned.y());
+  }
+}
