@@ -12,7 +12,6 @@ import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Rectangle;
-import org.u2sa.messages.shape.ShapeDescription;
 import org.u2sa.messages.shape.Sphere;
 
 /** Collision shape of an object in world axes, for rays and footprints. */
@@ -60,7 +59,7 @@ sealed interface Obstacle
       return new Wire(inWorld(line.points(), c, earth, plane), true);
     } else if (placed instanceof PointCloud cloud) {
       return new Wire(inWorld(cloud.points(), c, earth, plane), false);
-    } else if (!(placed instanceof ShapeDescription)) {
+    } else if (placed.getClass() == ObjectDescription.class) {
       return new Wire(List.of(c), false);
     }
     throw new IllegalArgumentException(
