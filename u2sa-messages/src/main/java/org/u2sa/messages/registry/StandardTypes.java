@@ -42,6 +42,15 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.marine.Bin;
+import org.u2sa.messages.marine.Buoy;
+import org.u2sa.messages.marine.Button;
+import org.u2sa.messages.marine.Dock;
+import org.u2sa.messages.marine.Hoop;
+import org.u2sa.messages.marine.HotTarget;
+import org.u2sa.messages.marine.PathMarker;
+import org.u2sa.messages.marine.Pole;
+import org.u2sa.messages.marine.Puck;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
@@ -134,7 +143,16 @@ public final class StandardTypes implements MessageTypeProvider {
           SpeedCommand.TYPE,
           ForceCommand.TYPE,
           CameraImage.TYPE,
-          AircraftState.TYPE);
+          AircraftState.TYPE,
+          Buoy.TYPE,
+          Hoop.TYPE,
+          HotTarget.TYPE,
+          Puck.TYPE,
+          Button.TYPE,
+          Dock.TYPE,
+          Bin.TYPE,
+          PathMarker.TYPE,
+          Pole.TYPE);
 
   /** For {@link java.util.ServiceLoader}. */
   public StandardTypes() {}

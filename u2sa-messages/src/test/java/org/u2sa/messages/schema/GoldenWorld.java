@@ -43,6 +43,7 @@ final class GoldenWorld {
     golden.add("Sphere-seen", seen(new Sphere()));
     golden.add("Cylinder-seen", seen(new Cylinder()));
     golden.add("Box-seen", seen(new Box()));
+    GoldenMarine.addTo(golden);
     golden.add("HealthReport-remarks", remarking(new HealthReport()));
     golden.add("ConnectionLost-remarks", remarking(new ConnectionLost()));
     golden.add(
@@ -77,7 +78,7 @@ final class GoldenWorld {
         .remarks(List.of("GRID: 12 scans", "OBJECTS: 3 objects"));
   }
 
-  private static ObjectDescription seen(ObjectDescription object) {
+  static ObjectDescription seen(ObjectDescription object) {
     object
         .uid("Track 7")
         .objectType("buoy")

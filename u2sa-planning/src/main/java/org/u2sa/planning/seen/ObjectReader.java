@@ -7,6 +7,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.marine.Dock;
+import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
@@ -27,6 +29,7 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
   /** Radius of an object that is only a point [m]. */
   private static final double POINT_RADIUS_M = 0.1;
 
+  private static final int HOOP_SIDES = 16;
   private static final double SKY = Double.POSITIVE_INFINITY;
 
   /** Converts an object to a frame of the plane. */
@@ -109,6 +112,11 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
       return turned(object, box.length(), box.width(), box.psi(), box.height(), centre);
     } else if (object instanceof Rectangle flat) {
       return turned(object, flat.length(), flat.width(), flat.psi(), 0.0, centre);
+    } else if (object instanceof Hoop hoop) {
+      return hoop(hoop, centre);
+    } else if (object instanceof Dock dock) {
+      double radius = 0.5 * dock.thickness();
+      return joined(dock, PlanarShape.Kind.CHAIN, dock.outline(), radius, dock.height(), centre);
     } else if (object instanceof Polygon polygon) {
       return joined(object, PlanarShape.Kind.AREA, polygon.points(), 0.0, polygon.height(), centre);
     } else if (object instanceof PolyLine band) {
@@ -120,6 +128,20 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
       return points(object, cloud.points(), 0.0, 0.0, centre);
     }
     return points(object, middle, POINT_RADIUS_M, 0.0, centre);
+  }
+
+  /** An upright hoop is passable between its two sides. */
+  private PlanarShape hoop(Hoop hoop, Point centre) {
+    double radius = 0.5 * hoop.thickness();
+    List<Point> ring = hoop.outline(HOOP_SIDES);
+    return hoop.lying()
+        ? joined(hoop, PlanarShape.Kind.CHAIN, ring, radius, hoop.thickness(), centre)
+        : points(
+            hoop,
+            List.of(ring.get(0), ring.get(HOOP_SIDES / 2)),
+            radius,
+            2.0 * hoop.radius() + hoop.thickness(),
+            centre);
   }
 
   private PlanarShape points(

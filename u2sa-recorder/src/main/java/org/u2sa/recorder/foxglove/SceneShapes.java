@@ -7,6 +7,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.marine.Dock;
+import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
@@ -17,6 +19,7 @@ import org.u2sa.messages.shape.Sphere;
 
 /** Objects and paths as entities of a {@code foxglove.SceneUpdate}. */
 final class SceneShapes {
+  private static final int HOOP_SIDES = 24;
   private static final int CUBES = 8;
   private static final int SPHERES = 9;
   private static final int CYLINDERS = 10;
@@ -76,6 +79,10 @@ final class SceneShapes {
     } else if (object instanceof Rectangle rectangle) {
       Point size = Point.of(rectangle.length(), rectangle.width(), FLAT_M);
       entity.message(CUBES, primitive(at, turn(object, rectangle.psi()), size, colour));
+    } else if (object instanceof Hoop hoop) {
+      entity.message(LINES, outline(object, hoop.outline(HOOP_SIDES), 0, colour));
+    } else if (object instanceof Dock dock) {
+      entity.message(LINES, outline(object, dock.outline(), 0, colour));
     } else if (object instanceof Polygon polygon) {
       entity.message(LINES, outline(object, polygon.points(), LINE_LOOP, colour));
     } else if (object instanceof Line line) {

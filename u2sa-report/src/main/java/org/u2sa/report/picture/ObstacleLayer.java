@@ -11,6 +11,8 @@ import org.u2sa.messages.Metric;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.marine.Dock;
+import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
@@ -130,6 +132,8 @@ final class ObstacleLayer {
       area.points().forEach(point -> points.add(place(object, point)));
     } else if (object instanceof Box box) {
       corners(points, object, box.length(), box.width(), box.psi());
+    } else if (object instanceof Dock dock) {
+      corners(points, object, dock.length(), dock.width(), dock.psi());
     } else if (object instanceof Rectangle flat) {
       corners(points, object, flat.length(), flat.width(), flat.psi());
     } else {
@@ -162,6 +166,8 @@ final class ObstacleLayer {
       radius = sphere.radius();
     } else if (object instanceof Circle circle) {
       radius = circle.radius();
+    } else if (object instanceof Hoop hoop) {
+      radius = hoop.radius();
     }
     return Math.max(MIN_RADIUS_M, radius);
   }

@@ -5,6 +5,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.marine.Dock;
+import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
@@ -16,7 +18,7 @@ import org.u2sa.messages.shape.Sphere;
 
 /** Collision shape of an object in world axes, for rays and footprints. */
 sealed interface Obstacle
-    permits Obstacle.Block, Obstacle.Pillar, Obstacle.Ball, Obstacle.Wire, Tower {
+    permits Obstacle.Block, Obstacle.Pillar, Obstacle.Ball, Obstacle.Wire, Tower, Ring, Several {
   double NEVER = Double.POSITIVE_INFINITY;
 
   Bounds bounds();
@@ -55,6 +57,11 @@ sealed interface Obstacle
       return new Ball(c.x(), c.y(), c.z(), ball.radius());
     } else if (placed instanceof Polygon area && area.points().size() > 2) {
       return Tower.of(inWorld(area.points(), c, earth, plane), c.z(), area.height());
+    } else if (placed instanceof Hoop hoop) {
+      double psi = earth ? Math.PI / 2.0 - hoop.psi() : hoop.psi();
+      return Ring.of(c, psi, hoop);
+    } else if (placed instanceof Dock dock) {
+      return new Several(dock.walls().stream().map(wall -> Obstacle.of(wall, plane)).toList());
     } else if (placed instanceof Line line) {
       return new Wire(inWorld(line.points(), c, earth, plane), true);
     } else if (placed instanceof PointCloud cloud) {

@@ -4,6 +4,8 @@ import java.util.List;
 import org.u2sa.messages.Metric;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.marine.Dock;
+import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
 import org.u2sa.messages.shape.Cylinder;
@@ -30,6 +32,10 @@ final class Extent {
       return Math.hypot(rectangle.length(), rectangle.width()) / 2.0;
     } else if (object instanceof Box box) {
       return Math.hypot(box.length(), box.width()) / 2.0;
+    } else if (object instanceof Hoop hoop) {
+      return hoop.radius() + hoop.thickness() / 2.0;
+    } else if (object instanceof Dock dock) {
+      return Math.hypot(dock.length(), dock.width()) / 2.0;
     } else if (object instanceof PolyLine band) {
       return farthest(band, band.points()) + band.width() / 2.0;
     } else if (object instanceof Line line) {
