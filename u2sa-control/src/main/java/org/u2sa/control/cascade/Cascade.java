@@ -34,7 +34,7 @@ final class Cascade {
   private boolean turnsFirst; // turns first, without moving sideways
   private final Lean lean = new Lean(); // level unless the vehicle leans
   private final GroundWatch ground = new GroundWatch();
-  private final DriftAngle drift = new DriftAngle();
+  private final Drift drift = new Drift();
   private Attitude attitude = new Attitude(0.0, 0.0, 0.0); // of the last step
 
   Cascade(CascadeVariables settings) {
@@ -57,7 +57,7 @@ final class Cascade {
    * Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call.
    */
   double[] step(BodyMotion motion, Target target, double stepS) {
-    drift.step(motion.velocity(), stepS);
+    drift.step(motion.velocity(), motion.rates().z(), stepS);
     weatherVane(target, stepS);
     aim(motion, target);
     boolean leans = settings.leans();
@@ -109,8 +109,9 @@ final class Cascade {
     } else if (settings.way().facesTheWay()
         && distanceM(target) >= settings.way().facingDistance()) {
       double astern = target.isBackwards() ? Math.PI : 0.0;
-      double crab = settings.way().countersDrift() && !target.isBackwards() ? drift.rad() : 0.0;
-      headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()) + astern - crab);
+      double crab =
+          settings.way().countersDrift() && !target.isBackwards() ? -drift.rad() : 0.0;
+      headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()) + astern + crab);
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(motion.attitude().psi());
     }

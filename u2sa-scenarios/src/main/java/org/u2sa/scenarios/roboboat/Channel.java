@@ -18,7 +18,7 @@ public final class Channel extends BoatTask {
       SCHEMA.requiredChoice("left", Colour.class);
   private static final ValueField<Channel, Colour> RIGHT =
       SCHEMA.requiredChoice("right", Colour.class);
-  private static final ValueField<Channel, Colour> END = SCHEMA.optionalChoice("end", Colour.class);
+  private static final ValueField<Channel, Colour> END = SCHEMA.optionalChoice("endBuoy", Colour.class);
   private static final ValueField<Channel, Long> GATES = SCHEMA.optionalCount("gates", "");
   private static final NumberField<Channel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
   private static final ValueField<Channel, Long> PASSED = SCHEMA.optionalCount("passed", "");
@@ -46,7 +46,7 @@ public final class Channel extends BoatTask {
   }
 
   /** Colour of the buoy at its end. */
-  public Colour end() {
+  public Colour endBuoy() {
     return require(END);
   }
 
@@ -55,9 +55,9 @@ public final class Channel extends BoatTask {
     return optionalCount(GATES);
   }
 
-  /** Speed in the channel through the water [m/s]; 1 if unset. */
+  /** Speed in the channel [m/s]; 1.5 if unset. */
   public double speed() {
-    return get(SPEED).orElse(1.0);
+    return get(SPEED).orElse(1.5);
   }
 
   /** Gates passed so far, reported back. */

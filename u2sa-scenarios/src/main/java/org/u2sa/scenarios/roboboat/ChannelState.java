@@ -14,24 +14,29 @@ import org.u2sa.planning.Surroundings;
 
 /**
  * Passes the gates of a {@link Channel} in order: always the nearest one ahead that has not been
- * passed. Far from a gate's axis it goes around obstacles to a place before the gate; on the axis it
- * steers through.
+ * passed. Far from it, it goes around obstacles to a place before the gate; otherwise it follows the
+ * line through the middles of the gates.
  */
 final class ChannelState extends TaskState {
-  private static final double BEFORE_M = 4.0; // place before a gate at which it is on the axis
-  private static final double ON_AXIS_M = 1.2; // from the axis, plus a share of the way to go
-  private static final double ON_AXIS_SHARE = 0.25;
-  private static final double AHEAD_M = 3.0; // of the point on the axis to steer to
+  private static final double BEFORE_M = 5.0; // place before a gate at which it is on the axis
+  private static final double READY_M = 2.5; // nearest to the gate at which it lines up
+  private static final double LINED_UP_M = 0.5; // from the axis
+  private static final double OFF_M = 2.0; // from the line between two gates
+  private static final double FULL_SPEED_M = 8.0; // distance of a point at which control does not slow down
+  private static final double AHEAD_M = 2.2; // of the point on the line to steer to
   private static final double SAME_M = 2.0; // a gate this near one that was passed is the same
   private static final double BEHIND_M = 1.0; // a gate is still ahead
   private static final double REACH_M = 30.0; // to the next gate
   private static final double BLIND_M = 25.0; // straight on without a gate in sight
-  private static final double AT_END_M = 4.0; // from the buoy at the end
+  private static final double AT_END_M = 5.0; // from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
+  private static final double APPROACH_MPS = 0.9; // to a gate's axis, and to the buoy at the end
+  private static final double ALIGNED_RAD = Math.toRadians(50.0); // includes a crab angle
 
   private final List<Point> passed = new ArrayList<>();
   private Optional<Point> before = Optional.empty(); // place at the last state
   private Optional<Gate> last = Optional.empty();
+  private boolean linedUp; // with the first gate
 
   ChannelState(Surroundings surroundings) {
     super(surroundings);
@@ -48,6 +53,7 @@ final class ChannelState extends TaskState {
     passed.clear();
     before = Optional.empty();
     last = Optional.empty();
+    linedUp = false;
   }
 
   @Override
@@ -64,15 +70,15 @@ final class ChannelState extends TaskState {
     if (goal.gates().isPresent() && passed.size() >= goal.gates().getAsLong()) {
       return done(pursuit, now);
     }
-    Optional<Gate> next = next(gates, here);
+    Optional<Gate> next = next(gates, here, last);
     Optional<Point> end = goal.endsAtBuoy() ? end(goal, state, here) : Optional.empty();
     if (end.isPresent() && !passed.isEmpty() && isBefore(end.get(), next, here)) {
       return away(end.get(), state) < AT_END_M
           ? done(pursuit, now)
-          : step(pursuit, towards(pursuit, end.get(), AT_END_M, goal.speed()), now);
+          : step(pursuit, towards(pursuit, end.get(), AT_END_M, APPROACH_MPS), now);
     }
     if (next.isPresent()) {
-      return through(next.get(), here, pursuit, now);
+      return through(next.get(), gates, here, pursuit, now);
     }
     return search(pursuit, here, now);
   }
@@ -103,14 +109,15 @@ final class ChannelState extends TaskState {
         .anyMatch(old -> Math.hypot(old.x() - middle.x(), old.y() - middle.y()) < SAME_M);
   }
 
-  private Optional<Gate> next(List<Gate> gates, Point here) {
+  private Optional<Gate> next(List<Gate> gates, Point here, Optional<Gate> behind) {
     Gate nearest = null;
     double least = REACH_M;
     for (Gate gate : gates) {
       Point middle = gate.middle();
       double away = Math.hypot(middle.x() - here.x(), middle.y() - here.y());
       boolean isAhead =
-          gate.aheadM(here) > -BEHIND_M && last.map(old -> old.aheadM(middle) < 0.0).orElse(true);
+          gate.aheadM(here) > -BEHIND_M
+              && behind.map(old -> old.aheadM(middle) < -SAME_M).orElse(true);
       if (isAhead && !isKnown(gate) && away < least) {
         nearest = gate;
         least = away;
@@ -120,7 +127,7 @@ final class ChannelState extends TaskState {
   }
 
   private Optional<Point> end(Channel goal, StateInformation state, Point here) {
-    return places(name(goal.end(), "buoy"), state).stream()
+    return places(name(goal.endBuoy(), "buoy"), state).stream()
         .min((a, b) -> Double.compare(distance(a, here), distance(b, here)));
   }
 
@@ -132,15 +139,59 @@ final class ChannelState extends TaskState {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
-  private Plan through(Gate gate, Point here, Pursuit pursuit, Channel now) {
+  private Plan through(Gate gate, List<Gate> gates, Point here, Pursuit pursuit, Channel now) {
     double ahead = gate.aheadM(here);
-    double aside = Math.abs(gate.asideM(here));
-    if (ahead > BEFORE_M / 2.0 && aside > ON_AXIS_M + ON_AXIS_SHARE * ahead || ahead > 3 * BEFORE_M) {
-      return step(pursuit, towards(pursuit, gate.beyond(-BEFORE_M), 1.0, now.speed()), now);
+    Point from = last.map(Gate::middle).orElse(gate.beyond(-BEFORE_M));
+    double aside = Math.abs(asideM(from, gate.middle(), here));
+    linedUp |= last.isPresent() || isLinedUp(gate, here, pursuit.state());
+    if (!linedUp || ahead > BEFORE_M / 2.0 && aside > OFF_M) {
+      return step(pursuit, towards(pursuit, gate.beyond(-BEFORE_M), LINED_UP_M, APPROACH_MPS), now);
     }
-    NavigationPoint point =
-        surroundings.straight(pursuit.state(), gate.beyond(AHEAD_M - Math.max(0.0, ahead)));
+    Point after =
+        next(gates, gate.middle(), Optional.of(gate))
+            .filter(other -> !other.equals(gate))
+            .map(Gate::middle)
+            .orElse(gate.beyond(BEFORE_M));
+    Point aim = along(from, gate.middle(), after, here);
+    Point farther = between(here, aim, FULL_SPEED_M / Math.max(0.1, distance(here, aim)));
+    NavigationPoint point = surroundings.straight(pursuit.state(), farther);
     return Plan.underWay(List.of(point.speed(now.speed()))).changing(now);
+  }
+
+  private static boolean isLinedUp(Gate gate, Point here, StateInformation state) {
+    Point way = gate.way();
+    double off = state.psi().orElseThrow() - Math.atan2(way.y(), way.x());
+    double ahead = gate.aheadM(here);
+    return ahead > READY_M
+        && ahead < BEFORE_M + 1.0
+        && Math.abs(gate.asideM(here)) < LINED_UP_M
+        && Math.abs(Math.IEEEremainder(off, 2.0 * Math.PI)) < ALIGNED_RAD;
+  }
+
+  /** Distance from the line between two places, positive to the right [m]. */
+  private static double asideM(Point from, Point to, Point here) {
+    double length = Math.max(1e-6, distance(from, to));
+    double north = (to.x() - from.x()) / length;
+    double east = (to.y() - from.y()) / length;
+    return (here.y() - from.y()) * north - (here.x() - from.x()) * east;
+  }
+
+  /** Place ahead of the vehicle on the line through three places. */
+  private static Point along(Point from, Point over, Point to, Point here) {
+    double length = Math.max(1e-6, distance(from, over));
+    double share =
+        ((here.x() - from.x()) * (over.x() - from.x())
+                + (here.y() - from.y()) * (over.y() - from.y()))
+            / (length * length);
+    double metres = share * length + AHEAD_M;
+    return metres <= length
+        ? between(from, over, metres / length)
+        : between(over, to, (metres - length) / Math.max(1e-6, distance(over, to)));
+  }
+
+  private static Point between(Point from, Point to, double share) {
+    return Point.of(
+        from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.0);
   }
 
   /** To the entrance; from there, or from the last gate, straight on until a gate is seen. */

@@ -1,0 +1,134 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.report.ReportFile;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/**
+ * Scores a run by the truth: speed gates, channel out and back in order, each in its direction;
+ * contacts; and the time limit.
+ */
+final class BoatJudge implements TruthObserver.Scorer {
+  /** Time limit of a run [s]. */
+  static final double RUN_S = 20.0 * 60.0;
+
+  private final RunningVehicle run;
+  private final Leg speed;
+  private final Leg out;
+  private final Leg back;
+  private final Path directory;
+  private final List<String> log = new ArrayList<>();
+  private Point before; // null at the start
+  private volatile boolean over;
+
+  /** Gates to be passed in order. */
+  private static final class Leg {
+    private final String name;
+    private final List<Gate> gates;
+    private int passed;
+    private double firstS = Double.NaN;
+    private double lastS = Double.NaN;
+
+    Leg(String name, List<Gate> gates) {
+      this.name = name;
+      this.gates = gates;
+    }
+
+    boolean isDone() {
+      return passed == gates.size();
+    }
+
+    /** Returns a line for the log if the move leads through the next gate; else null. */
+    String move(Point from, Point to, double headingRad, double timeS) {
+      if (isDone() || !gates.get(passed).isPassed(from, to)) {
+        return null;
+      }
+      Gate gate = gates.get(passed);
+      Point way = gate.way();
+      double turnRad = headingRad - Math.atan2(way.y(), way.x());
+      firstS = passed == 0 ? timeS : firstS;
+      lastS = timeS;
+      passed++;
+      return String.format(
+          Locale.ROOT,
+          "%s: gate %d of %d passed, %+.2f m from its middle, bow at %+.0f deg",
+          name,
+          passed,
+          gates.size(),
+          gate.asideM(to),
+          Math.toDegrees(Math.IEEEremainder(turnRad, 2.0 * Math.PI)));
+    }
+  }
+
+  BoatJudge(BoatCourse course, RunningVehicle run, Path directory) {
+    this.run = run;
+    this.directory = directory;
+    speed = new Leg("speed gates", course.speedGates());
+    out = new Leg("channel", course.channel());
+    List<Gate> reversed = new ArrayList<>();
+    course.channel().forEach(gate -> reversed.add(new Gate(gate.right(), gate.left())));
+    Collections.reverse(reversed);
+    back = new Leg("return channel", reversed);
+  }
+
+  @Override
+  public void see(VehicleTruth truth) {
+    Point now = Point.of(truth.position().y(), truth.position().x(), 0.0);
+    if (before != null) {
+      Leg leg = !speed.isDone() ? speed : !out.isDone() ? out : back;
+      say(truth.timeS(), leg.move(before, now, truth.headingRad(), truth.timeS()));
+    }
+    before = now;
+    over |= truth.timeS() >= RUN_S;
+  }
+
+  private void say(double timeS, String line) {
+    if (line != null) {
+      log.add(String.format(Locale.ROOT, "%6.1f s  %s", timeS, line));
+    }
+  }
+
+  @Override
+  public boolean isOver() {
+    return over;
+  }
+
+  @Override
+  public String phase(boolean moves) {
+    return moves ? "SAILS" : "STANDS";
+  }
+
+  @Override
+  public RunOutcome outcome() {
+    run.contacts().forEach(each -> say(each.timeS(), "touches " + each.object().uid()));
+    Collections.sort(log);
+    ReportFile.writeText(
+        directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
+    List<String> violations = new ArrayList<>();
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    for (Leg leg : List.of(speed, out, back)) {
+      if (!leg.isDone()) {
+        violations.add(
+            leg.name + ": " + leg.passed + " of " + leg.gates.size() + " gates passed in order");
+      }
+    }
+    counts.put("speedGatesPassed", speed.passed);
+    counts.put("channelGatesPassed", out.passed);
+    counts.put("returnGatesPassed", back.passed);
+    Map<String, Double> figures = new LinkedHashMap<>();
+    if (speed.isDone()) {
+      figures.put("speedGateSeconds", speed.lastS - speed.firstS);
+    }
+    return new RunOutcome(run.contacts().size(), false, violations, counts, figures);
+  }
+}

@@ -1,0 +1,83 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.mission.Mission;
+import org.u2sa.report.score.Domain;
+import org.u2sa.report.score.RunPlan;
+import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.run.Demo;
+import org.u2sa.scenarios.run.DemoFrame;
+import org.u2sa.scenarios.run.SimulatedWorld;
+import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.file.VehicleFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code u2sa demo roboboat}: a course of the competition (thesis 4.2). */
+@Command(
+    name = "roboboat",
+    description = {
+      "Sail a RoboBoat course: speed gates, a channel of buoys, and back.",
+      "",
+      "Course, wind, current, waves and all noise follow from the seed. A judge with ground truth "
+          + "counts gates and contacts by the rules."
+    })
+final class RoboBoatDemo implements Callable<Integer>, Demo {
+  @Mixin private DemoFrame frame;
+
+  @Option(
+      names = "--change",
+      paramLabel = "PATH=VALUE",
+      description =
+          "Another value than the vehicle file's, such as body/mass=40 or detector/failsAt=60. May be given several times.")
+  private Map<String, String> changes = new LinkedHashMap<>();
+
+  private BoatCourse course; // of the newest run
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    return frame.run(this);
+  }
+
+  @Override
+  public Profile profile() {
+    return new Profile("roboboat", "roboboat", "course.xml", Domain.WATER, 60.0, 0.1);
+  }
+
+  @Override
+  public double limitS(RunPlan plan) {
+    return BoatJudge.RUN_S;
+  }
+
+  @Override
+  public Surroundings surroundings() {
+    return course == null
+        ? Surroundings.none()
+        : SimulatedWorld.surroundings(course.world(), BoatJudge.RUN_S);
+  }
+
+  @Override
+  public Trial trial(Mission given, Path directory, long seed) {
+    course = BoatCourseGenerator.course(seed);
+    BoatCourse sailed = course;
+    Mission mission =
+        frame.isOwnMission()
+            ? BoatMission.write(sailed, directory.resolve("mission.xml"))
+            : given;
+    VehicleTrial placed =
+        VehicleTrial.of(
+            VehicleFile.load(system().resolveSibling("vehicle.xml"), changes),
+            sailed.world(),
+            Point.ORIGIN,
+            0.0,
+            seed);
+    return placed.trial(
+        mission, placed.name(), clock -> new BoatJudge(sailed, placed.run(), directory), launch -> {});
+  }
+}
