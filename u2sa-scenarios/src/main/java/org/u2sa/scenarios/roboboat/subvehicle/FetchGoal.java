@@ -1,0 +1,65 @@
+package org.u2sa.scenarios.roboboat.subvehicle;
+
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+
+/**
+ * An object to be fetched by a hovering aircraft: fly there, grip it, and land where the aircraft
+ * stood (thesis 4.2.1.3). The position is the one of the aircraft when it grips, z included; both
+ * thresholds apply to it. {@link #arrivedAt} is when the gripper was first at the object.
+ */
+public final class FetchGoal extends Waypoint {
+  private static final Schema<FetchGoal> SCHEMA =
+      Schema.of(FetchGoal.class, FetchGoal::new, Waypoint.TYPE);
+  private static final NumberField<FetchGoal> HEIGHT = SCHEMA.optionalNumber("height", "m", 0.0);
+  private static final NumberField<FetchGoal> GRIP_TIME =
+      SCHEMA.optionalNumber("gripTime", "s", 0.0);
+  private static final NumberField<FetchGoal> LIMIT = SCHEMA.optionalNumber("limit", "s", 0.0);
+
+  private static final double USUAL_HEIGHT_M = 2.0;
+  private static final double USUAL_GRIP_S = 2.0;
+  private static final double USUAL_LIMIT_S = 60.0;
+
+  public static final MessageType<FetchGoal> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<FetchGoal> type() {
+    return TYPE;
+  }
+
+  /** Height of the flight above the higher one of start and object [m]; defaults to 2. */
+  public double height() {
+    return get(HEIGHT).orElse(USUAL_HEIGHT_M);
+  }
+
+  public FetchGoal height(double metres) {
+    return put(HEIGHT, metres);
+  }
+
+  /** Time that the gripper has to stay at the object [s]; defaults to 2. */
+  public double gripTime() {
+    return get(GRIP_TIME).orElse(USUAL_GRIP_S);
+  }
+
+  public FetchGoal gripTime(double seconds) {
+    return put(GRIP_TIME, seconds);
+  }
+
+  /**
+   * Time from the take-off after which the aircraft returns without the object [s]; defaults to 60.
+   */
+  public double limit() {
+    return get(LIMIT).orElse(USUAL_LIMIT_S);
+  }
+
+  public FetchGoal limit(double seconds) {
+    return put(LIMIT, seconds);
+  }
+
+  @Override
+  public FetchGoal copy() {
+    return (FetchGoal) super.copy();
+  }
+}

@@ -1,0 +1,209 @@
+package org.u2sa.scenarios.roboboat.subvehicle;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Fetches an object with a hovering aircraft: straight up, above the object, straight down, grip,
+ * and the same way back to where the aircraft stood. It begins to descend within the horizontal
+ * threshold of the vertical line, and climbs again beyond twice the threshold.
+ */
+final class FetchState implements PlannerState {
+  private static final double NEAR_ALTITUDE_M = 0.3; // of the flight's
+  private static final double SETTLED_S = 3.0; // time on the deck until the goal is completed
+  private static final double BELOW_DECK_M = 1.0; // aim of a landing, for control to stop rotors
+  private static final double USUAL_VERTICAL_M = 0.15; // without a vertical threshold
+  private static final double BREAK_OFF = 2.0; // off the line to break off a descent [thresholds]
+
+  private enum Phase {
+    CLIMB,
+    CROSS,
+    DESCEND,
+    CLIMB_BACK,
+    RETURN,
+    LAND
+  }
+
+  private Phase phase = Phase.CLIMB;
+  private Place deck;
+  private FetchGoal goal;
+  private long beganMicros;
+  private long thereMicros; // since when at the object or on the deck; Long.MIN_VALUE: not there
+  private boolean gripped;
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return FetchGoal.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation candidate, StateInformation state) {
+    return levelM(Vehicle.of(state).orElseThrow().nedOf(Place.of((FetchGoal) candidate)));
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    phase = Phase.CLIMB;
+    deck = vehicle.place();
+    goal = (FetchGoal) pursuit.goal().copy();
+    beganMicros = vehicle.timestampMicros();
+    thereMicros = Long.MIN_VALUE;
+    gripped = false;
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    FetchGoal wanted = (FetchGoal) pursuit.goal();
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    Place object = Place.of(wanted);
+    if (object.upM().isEmpty() || !object.isHorizontal() || vehicle.place().upM().isEmpty()) {
+      return new Plan(
+          List.of(), Plan.Progress.ABANDONED, "given up: goal and state need x, y and z");
+    }
+    String remark = proceed(wanted, object, vehicle);
+    Place next = target(wanted, object);
+    NavigationPoint point = NavigationPoint.at(vehicle.body(vehicle.nedOf(next)));
+    boolean isBack = phase == Phase.LAND && isThereFor(SETTLED_S, vehicle);
+    Plan.Progress progress =
+        !isBack
+            ? Plan.Progress.UNDER_WAY
+            : gripped ? Plan.Progress.COMPLETED : Plan.Progress.ABANDONED;
+    if (isBack) {
+      remark = gripped ? "back with the object" : "given up: back without the object, out of time";
+    }
+    return new Plan(List.of(point), progress, remark).changing(goal.copy());
+  }
+
+  /** Changes the phase when its end is reached. Returns a remark for the log, empty if none. */
+  private String proceed(FetchGoal wanted, Place object, Vehicle vehicle) {
+    double vertical = wanted.verticalThreshold().orElse(USUAL_VERTICAL_M);
+    Point off = vehicle.nedOf(target(wanted, object));
+    boolean isAbove = levelM(off) <= wanted.horizontalThreshold();
+    boolean isOff = levelM(off) > BREAK_OFF * wanted.horizontalThreshold();
+    boolean isLevel = Math.abs(off.z()) <= NEAR_ALTITUDE_M;
+    if (isGoing() && secondsSince(beganMicros, vehicle) > wanted.limit()) {
+      return begin(Phase.CLIMB_BACK, "returns without the object, out of time");
+    }
+    switch (phase) {
+      case CLIMB:
+        return isLevel ? begin(Phase.CROSS, "") : "";
+      case CROSS:
+        return isAbove && isLevel ? begin(Phase.DESCEND, "") : "";
+      case DESCEND:
+        stay(isAbove && Math.abs(off.z()) <= vertical, vehicle);
+        return isOff
+            ? begin(Phase.CROSS, "drifted from above the object")
+            : grip(wanted, off, vehicle);
+      case CLIMB_BACK:
+        return isLevel ? begin(Phase.RETURN, "") : "";
+      case RETURN:
+        return isAbove && isLevel ? begin(Phase.LAND, "") : "";
+      default:
+        boolean isDown = Math.abs(vehicle.nedOf(deck).z()) <= vertical;
+        stay(isDown, vehicle);
+        return isOff && !isDown ? begin(Phase.RETURN, "drifted from above the deck") : "";
+    }
+  }
+
+  private boolean isGoing() {
+    return phase == Phase.CLIMB || phase == Phase.CROSS || phase == Phase.DESCEND;
+  }
+
+  private String grip(FetchGoal wanted, Point off, Vehicle vehicle) {
+    if (thereMicros != Long.MIN_VALUE && goal.arrivedAt().isEmpty()) {
+      goal.arrivedAt(thereMicros);
+    }
+    if (!isThereFor(wanted.gripTime(), vehicle)) {
+      return "";
+    }
+    gripped = true;
+    return begin(
+        Phase.CLIMB_BACK,
+        String.format(Locale.ROOT, "gripped, %.2f m beside it by the estimate", levelM(off)));
+  }
+
+  private String begin(Phase next, String remark) {
+    phase = next;
+    thereMicros = Long.MIN_VALUE;
+    return remark;
+  }
+
+  private void stay(boolean isThere, Vehicle vehicle) {
+    if (!isThere) {
+      thereMicros = Long.MIN_VALUE;
+    } else if (thereMicros == Long.MIN_VALUE) {
+      thereMicros = vehicle.timestampMicros();
+    }
+  }
+
+  private boolean isThereFor(double seconds, Vehicle vehicle) {
+    return thereMicros != Long.MIN_VALUE && secondsSince(thereMicros, vehicle) >= seconds;
+  }
+
+  private static double secondsSince(long micros, Vehicle vehicle) {
+    return Clock.seconds(vehicle.timestampMicros() - micros);
+  }
+
+  /** Where the aircraft is to be in this phase. */
+  private Place target(FetchGoal wanted, Place object) {
+    double flight =
+        Math.max(deck.upM().orElseThrow(), object.upM().orElseThrow()) + wanted.height();
+    switch (phase) {
+      case CLIMB:
+      case RETURN:
+        return at(deck, flight);
+      case CROSS:
+      case CLIMB_BACK:
+        return at(object, flight);
+      case DESCEND:
+        return object;
+      default:
+        return at(deck, deck.upM().orElseThrow() - BELOW_DECK_M);
+    }
+  }
+
+  private static Place at(Place below, double upM) {
+    return new Place(below.onEarth(), below.x(), below.y(), OptionalDouble.of(upM));
+  }
+
+  private static double levelM(Point ned) {
+    return Math.hypot(ned.x(), ned.y());
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    state.text("FETCH PHASE", phase.name()).flag("GRIPPED", gripped).message("FETCHED", goal);
+    state.number("FETCH BEGAN", Clock.seconds(beganMicros));
+    deck.handOver(state, "DECK");
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    Optional<Place> from = Place.takenOver(state, "DECK");
+    Optional<FetchGoal> saved = state.message("FETCHED", FetchGoal.class);
+    if (from.isEmpty() || saved.isEmpty()) {
+      return false;
+    }
+    deck = from.get();
+    goal = saved.get().copy();
+    phase = Phase.valueOf(state.text("FETCH PHASE").orElseThrow());
+    gripped = state.flag("GRIPPED");
+    beganMicros = Clock.micros(state.number("FETCH BEGAN").orElseThrow());
+    thereMicros = Long.MIN_VALUE;
+    return true;
+  }
+}
