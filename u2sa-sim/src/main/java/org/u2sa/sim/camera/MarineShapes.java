@@ -33,8 +33,7 @@ final class MarineShapes {
       solids.add(
           new Post(object.center(), (float) post.radius(), 0.5f * (float) post.height(), colour));
     } else if (object instanceof Hoop hoop) {
-      solids.add(
-          new Rim(hoop, (float) hoop.radius(), 0.5f * (float) hoop.thickness(), colour));
+      solids.add(new Rim(hoop, (float) hoop.radius(), 0.5f * (float) hoop.thickness(), colour));
     } else if (object instanceof Dock dock) {
       dock.walls().forEach(wall -> solids.add(Slab.of(wall, colour)));
     } else if (object instanceof Bin bin) {
@@ -261,8 +260,6 @@ final class MarineShapes {
   }
 
   private static float[] column(Point centre, float radius, float half) {
-    return new float[] {
-      (float) centre.x(), (float) centre.y(), (float) centre.z(), radius, half
-    };
+    return new float[] {(float) centre.x(), (float) centre.y(), (float) centre.z(), radius, half};
   }
 }

@@ -134,8 +134,7 @@ final class WaterRays {
   }
 
   /** What is seen through the surface, into {@link #found}; false if nothing but water. */
-  private boolean through(
-      float x, float y, float dx, float dy, float dz, float sx, float sy) {
+  private boolean through(float x, float y, float dx, float dy, float dz, float sx, float sy) {
     float rx = dx / INDEX - 0.25f * sx;
     float ry = dy / INDEX - 0.25f * sy;
     float flat = Math.min(0.98f, rx * rx + ry * ry);
@@ -282,8 +281,7 @@ final class WaterRays {
   }
 
   /** Distance to the nearest solid, whose hit is in {@link #touch}. */
-  private float nearest(
-      float x, float y, float z, float dx, float dy, float dz, float farthest) {
+  private float nearest(float x, float y, float z, float dx, float dy, float dz, float farthest) {
     float best = farthest;
     int colour = 0;
     float nx = 0.0f;

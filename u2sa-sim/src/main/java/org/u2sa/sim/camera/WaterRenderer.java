@@ -22,15 +22,17 @@ public final class WaterRenderer {
   private final Development development;
   private final Development.Bath[] baths = new Development.Bath[BANDS];
   private final WaterRays[] tracers = new WaterRays[BANDS];
+  private final int seed;
   private int pictures;
 
-  /** Uses the random stream {@code camera}. */
+  /** Uses the random streams {@code camera} and {@code particles}. */
   public WaterRenderer(ColourLens lens, WaterScenery scenery, NoiseStreams streams) {
     this.lens = lens;
     this.scenery = scenery;
     rays = new RayTable(lens);
     light = new float[3 * lens.width() * lens.height()];
     development = new Development(lens, scenery.light, streams.of("camera"));
+    seed = streams.of("particles").nextInt();
     Arrays.setAll(baths, band -> development.bath());
     float pixel = 0.5f / (float) lens.intrinsics().focalX();
     Arrays.setAll(tracers, band -> new WaterRays(scenery, pixel));
@@ -82,7 +84,7 @@ public final class WaterRenderer {
   /** Lit particles close to the lens, blurred discs at new places in every picture. */
   private void particles(WaterRays rays) {
     for (int k = 0; k < scenery.look.particles(); k++) {
-      int hash = ValueNoise.mix(pictures * 7919 + k * 104_729 + 1);
+      int hash = ValueNoise.mix(seed + pictures * 7919 + k * 104_729);
       int x = (hash & 0xFFFF) * lens.width() >> 16;
       int y = (hash >>> 16) * lens.height() >> 16;
       int more = ValueNoise.mix(hash);
