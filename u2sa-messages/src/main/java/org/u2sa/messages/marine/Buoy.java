@@ -19,6 +19,7 @@ public class Buoy extends Sphere implements Coloured {
     return TYPE;
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

@@ -23,6 +23,7 @@ public class Button extends Box implements Coloured {
     return TYPE;
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

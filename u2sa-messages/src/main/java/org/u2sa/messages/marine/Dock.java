@@ -79,6 +79,7 @@ public class Dock extends ShapeDescription implements Coloured {
     return put(PSI, value);
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

@@ -71,6 +71,7 @@ public class Hoop extends ShapeDescription implements Coloured {
     return put(LYING, value);
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

@@ -23,6 +23,7 @@ public class PathMarker extends Rectangle implements Coloured {
     return TYPE;
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

@@ -20,6 +20,7 @@ public class Pole extends Cylinder implements Coloured {
     return TYPE;
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

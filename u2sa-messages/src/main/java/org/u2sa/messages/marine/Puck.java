@@ -22,6 +22,7 @@ public class Puck extends Cylinder implements Coloured {
     return TYPE;
   }
 
+  /** The colour; empty if unknown. */
   @Override
   public Optional<Colour> colour() {
     return Optional.ofNullable(get(COLOUR));

@@ -19,6 +19,20 @@ final class Colour {
 
   private Colour() {}
 
+  /** Reflectance of paint. */
+  static int of(org.u2sa.messages.marine.Colour paint) {
+    return switch (paint) {
+      case RED -> rgb(0.55, 0.03, 0.03);
+      case ORANGE -> rgb(0.80, 0.20, 0.02);
+      case YELLOW -> rgb(0.75, 0.55, 0.03);
+      case GREEN -> rgb(0.03, 0.30, 0.06);
+      case BLUE -> rgb(0.03, 0.07, 0.42);
+      case WHITE -> WHITE;
+      case BLACK -> RUBBER;
+      case PURPLE -> rgb(0.22, 0.04, 0.30);
+    };
+  }
+
   static int rgb(double red, double green, double blue) {
     return byteOf(red) << 16 | byteOf(green) << 8 | byteOf(blue);
   }

@@ -20,7 +20,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param blurPixels blur radius [px]: 0 sharp, 1 soft
  * @param forwardM position ahead of the vehicle's reference point [m]
  * @param leftM position left of it [m]
- * @param upM height above it [m]
+ * @param upM height above it [m]; negative below, as on a submarine
  * @param downRad downward tilt of the optical axis [rad]
  */
 public record ColourLens(
@@ -53,7 +53,7 @@ public record ColourLens(
     Arguments.requireInside("blur", blurPixels, 0.0, 3.0);
     Arguments.requireInside("camera forward", forwardM, -100.0, 100.0);
     Arguments.requireInside("camera left", leftM, -100.0, 100.0);
-    Arguments.requireInside("camera up", upM, 0.05, 1000.0);
+    Arguments.requireInside("camera up", upM, -100.0, 1000.0);
     Arguments.requireInside("camera down", downRad, -1.57, 1.57);
   }
 

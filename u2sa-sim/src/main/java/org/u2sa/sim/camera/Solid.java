@@ -9,6 +9,8 @@ interface Solid {
     float ny;
     float nz;
     boolean isGround; // coloured by the lawn map
+    float cover; // share of the pixel, set by solids thinner than a pixel
+    float pixel; // half the width of a pixel at distance 1, for such solids
   }
 
   /** Bounding column: centre east, north and up, radius, half height [m]. */

@@ -258,6 +258,10 @@ final class SightSensors {
   }
 
   static SensorKinds.Reader camera(FileElement file) {
+    if (file.has("picture")) {
+      Mount mount = Mount.pose(file);
+      return RenderedCameras.read(file, mounted(mount), mount);
+    }
     SimulatedCamera.Lens lens =
         new SimulatedCamera.Lens(
             file.number("rate", "Hz", 0.1, 120.0),

@@ -12,6 +12,8 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.payload.Gimbal;
 import org.u2sa.device.payload.LoadCell;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.device.port.LaserScanner;
@@ -26,10 +28,13 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.marine.Buoy;
+import org.u2sa.messages.marine.Colour;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
 class VehicleDevicesTest {
@@ -129,6 +134,39 @@ class VehicleDevicesTest {
         0.0,
         false,
         hasTransponder);
+  }
+
+  @Test
+  void device_renderedCameras_showColourAndTemperature() {
+    for (String picture : new String[] {"COLOUR", "THERMAL"}) {
+      VehicleFile file =
+          Vehicles.parse(
+              Vehicles.sixWheels()
+                  .replace(
+                      "</vehicle>",
+                      "<camera><rate>5</rate><width>32</width><height>24</height><view>1</view><sigma>0.01</sigma><picture>"
+                          + picture
+                          + "</picture>"
+                          + (picture.equals("THERMAL")
+                              ? "<coldest>260</coldest><hottest>330</hottest>"
+                              : "<waterType>IB</waterType>")
+                          + "<position>0 0 -1</position></camera></vehicle>"));
+      World sea = file.emptyWorld().with(new Water(0.0, 0.0, 0.0));
+      Buoy buoy = new Buoy().radius(0.4).colour(Colour.RED);
+      buoy.uid("1").referenceFrame(ReferenceFrame.LOCAL_ENU).x(0.0).y(6.0);
+      World world = sea.with(List.of(buoy));
+      VehicleDevices devices =
+          new VehicleDevices(file, new VehicleRun(file.make(world, Point.ORIGIN, 0.0, 1)), 1);
+      Camera camera = devices.device(Camera.class, "Eye", variables(), clock).orElseThrow();
+      CameraFrame frame = camera.read(0L).orElseThrow();
+
+      assertThat(frame.format())
+          .isEqualTo(
+              picture.equals("COLOUR")
+                  ? CameraFrame.PixelFormat.RGB24
+                  : CameraFrame.PixelFormat.GREY8);
+      assertThat(frame.intrinsics()).isPresent();
+    }
   }
 
   @Test
