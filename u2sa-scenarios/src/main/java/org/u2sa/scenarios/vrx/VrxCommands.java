@@ -7,6 +7,7 @@ import org.u2sa.cli.command.CommandProvider;
 public final class VrxCommands implements CommandProvider {
   @Override
   public List<Contribution> commands() {
-    return List.of(new Contribution(Group.DEMO, new VrxDemo()));
+    return List.of(
+        new Contribution(Group.DEMO, new VrxDemo()), new Contribution(Group.DEMO, new VrxTable()));
   }
 }

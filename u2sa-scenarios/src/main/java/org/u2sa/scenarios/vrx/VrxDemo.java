@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
@@ -94,9 +95,15 @@ final class VrxDemo implements Callable<Integer>, Demo {
     return READY_S + world.times().readyS() + world.times().runningS();
   }
 
+  /** {@inheritDoc} Of gates, half the width of the narrowest. */
+  @Override
+  public OptionalDouble captureRadiusM() {
+    return world.gates().stream().mapToDouble(gate -> gate.widthM() / 2.0).min();
+  }
+
   @Override
   public Surroundings surroundings() {
-    return new Surroundings(world.buoys(), 0.0);
+    return new Surroundings(world.buoysFromStart(), 0.0);
   }
 
   @Override

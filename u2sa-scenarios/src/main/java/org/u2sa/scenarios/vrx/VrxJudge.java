@@ -24,6 +24,7 @@ abstract class VrxJudge implements TruthObserver.Scorer {
   private final Path directory;
   private final List<String> log = new ArrayList<>();
   private double runsFromS = NEVER;
+  private double lastS; // of the running state
   private volatile boolean over;
 
   /**
@@ -68,6 +69,7 @@ abstract class VrxJudge implements TruthObserver.Scorer {
       finish();
       return;
     }
+    lastS = sinceS;
     score(truth, sinceS);
   }
 
@@ -103,8 +105,9 @@ abstract class VrxJudge implements TruthObserver.Scorer {
   public final RunOutcome outcome() {
     Map<String, Double> figures = new LinkedHashMap<>();
     figures.put("score", score());
+    figures.put("scoredSeconds", lastS);
     figures.putAll(figures());
-    say(world.times().runningS(), String.format(Locale.ROOT, "score %.4f", score()));
+    say(lastS, String.format(Locale.ROOT, "score %.4f", score()));
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
     List<String> violations =

@@ -12,6 +12,7 @@ import org.u2sa.report.ReportFile;
 /** The mission that a world's task gives the vehicle. */
 final class VrxMission {
   private static final double WITHIN_M = 0.15; // of the place, while the smallest error counts
+  private static final double START_WITHIN_M = 1.0;
   private static final double STAY_S = 4.0;
 
   private VrxMission() {}
@@ -23,10 +24,12 @@ final class VrxMission {
     text.append("  <home>").append(place(world, VrxWorld.START));
     text.append(degrees("<psi>", VrxWorld.START_HEADING_RAD)).append("</home>\n");
     switch (world.task()) {
-      case STATIONKEEPING -> text.append(station("station", world.goals().get(0), false));
+      case STATIONKEEPING -> text.append(station("station", world.goals().get(0), WITHIN_M, 0.0));
       case WAYFINDING -> {
+        double stayS = STAY_S + world.times().readyS(); // at the first, which may be near
         for (int i : order(world)) {
-          text.append(station("waypoint " + (i + 1), world.goals().get(i), true));
+          text.append(station("waypoint " + (i + 1), world.goals().get(i), WITHIN_M, stayS));
+          stayS = STAY_S;
         }
       }
       case PATH -> gates(world, text);
@@ -35,7 +38,11 @@ final class VrxMission {
     return Mission.load(file);
   }
 
-  private static String station(String name, VrxWorld.Goal goal, boolean leaves) {
+  /**
+   * @param stayS how long to stay [s]; 0: to the end
+   */
+  private static String station(
+      String name, VrxWorld.Goal goal, double withinM, double stayS) {
     String where =
         String.format(
             Locale.ROOT, "<x>%.9f</x><y>%.9f</y>", goal.longitudeDeg(), goal.latitudeDeg());
@@ -45,13 +52,22 @@ final class VrxMission {
         + where
         + degrees("<psi unit=\"deg\">", goal.headingRad())
         + "<horizontalThreshold>"
-        + WITHIN_M
+        + withinM
         + "</horizontalThreshold>"
-        + (leaves ? "<duration>" + STAY_S + "</duration>" : "")
+        + (stayS > 0.0 ? "<duration>" + stayS + "</duration>" : "")
         + "</Station>\n";
   }
 
+  /**
+   * The gates, once the running state has begun: one crossed before does not count. VRX publishes
+   * the state of the task; here the wait stands for it.
+   */
   private static void gates(VrxWorld world, StringBuilder text) {
+    Geodetic start = world.plane().at(VrxWorld.START.x(), VrxWorld.START.y(), 0.0);
+    VrxWorld.Goal here =
+        new VrxWorld.Goal(
+            start.longitudeDeg(), start.latitudeDeg(), VrxWorld.START_HEADING_RAD);
+    text.append(station("start", here, START_WITHIN_M, world.times().readyS()));
     for (int i = 0; i < world.gates().size(); i++) {
       VrxWorld.Gate gate = world.gates().get(i);
       boolean isLast = i == world.gates().size() - 1;

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.vrx;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.ObjectDescription;
@@ -103,6 +104,17 @@ record VrxWorld(
   /** Clockwise from north, of an angle anticlockwise from east [rad]. */
   static double headingOf(double yawRad) {
     return Math.IEEEremainder(0.5 * Math.PI - yawRad, 2.0 * Math.PI);
+  }
+
+  /** Buoys relative to the start instead of the origin, for maps of a run. */
+  List<ObjectDescription> buoysFromStart() {
+    List<ObjectDescription> moved = new ArrayList<>();
+    for (ObjectDescription buoy : buoys) {
+      ObjectDescription copy = (ObjectDescription) buoy.copy();
+      copy.x(buoy.x() - START.x()).y(buoy.y() - START.y()).freeze();
+      moved.add(copy);
+    }
+    return moved;
   }
 
   LocalPlane plane() {
