@@ -70,7 +70,7 @@ final class VrxDemo implements Callable<Integer>, Demo {
 
   @Override
   public Profile profile() {
-    return new Profile("vrx", "vrx", "stationkeeping.xml", Domain.WATER, READY_S, 1.0);
+    return new Profile("vrx", "vrx", "berths.xml", Domain.WATER, READY_S, 1.0);
   }
 
   @Override

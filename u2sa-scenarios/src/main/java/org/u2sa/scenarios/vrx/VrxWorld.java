@@ -84,7 +84,10 @@ record VrxWorld(
    */
   record Goal(double longitudeDeg, double latitudeDeg, double headingRad) {}
 
-  /** Two markers to pass between: east, north, up [m]; left and right as seen on the way in. */
+  /**
+   * Two markers to pass between: east, north, up [m]. What VRX calls the left marker is passed to
+   * starboard (NavigationScoringPlugin.cc: the way is up × (left − right)).
+   */
   record Gate(Point left, Point right) {
     Point centre() {
       return left.plus(right).times(0.5);
