@@ -160,8 +160,7 @@ final class StationState implements PlannerState {
         .turn(turn(station, vehicle));
   }
 
-  private Plan progress(
-      Station station, Vehicle vehicle, Point to, List<NavigationPoint> points) {
+  private Plan progress(Station station, Vehicle vehicle, Point to, List<NavigationPoint> points) {
     long now = vehicle.timestampMicros();
     boolean isThere =
         phase == Phase.THERE

@@ -52,9 +52,7 @@ final class Cascade {
     }
   }
 
-  /**
-   * Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call.
-   */
+  /** Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call. */
   double[] step(BodyMotion motion, Target target, double stepS) {
     weatherVane(target, stepS);
     aim(motion, target);

@@ -26,7 +26,9 @@ final class StationJudge extends VrxJudge {
   void score(VehicleTruth truth, double sinceS) {
     double distance = error.distanceM(truth);
     if (count % 200 == 0) {
-      say(sinceS, String.format(Locale.ROOT, "%.3f m, %.4f rad off", distance, error.turnRad(truth)));
+      say(
+          sinceS,
+          String.format(Locale.ROOT, "%.3f m, %.4f rad off", distance, error.turnRad(truth)));
     }
     sum += error.of(truth);
     distances += distance;

@@ -109,9 +109,7 @@ final class VrxDemo implements Callable<Integer>, Demo {
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
     Mission mission =
-        frame.isOwnMission()
-            ? VrxMission.write(world, directory.resolve("mission.xml"))
-            : given;
+        frame.isOwnMission() ? VrxMission.write(world, directory.resolve("mission.xml")) : given;
     VehicleFile file = VehicleFile.load(system().resolveSibling("vehicle.xml"), Map.of());
     VehicleTrial placed =
         VehicleTrial.of(

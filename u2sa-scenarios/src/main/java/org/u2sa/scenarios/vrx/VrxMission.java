@@ -41,8 +41,7 @@ final class VrxMission {
   /**
    * @param stayS how long to stay [s]; 0: to the end
    */
-  private static String station(
-      String name, VrxWorld.Goal goal, double withinM, double stayS) {
+  private static String station(String name, VrxWorld.Goal goal, double withinM, double stayS) {
     String where =
         String.format(
             Locale.ROOT, "<x>%.9f</x><y>%.9f</y>", goal.longitudeDeg(), goal.latitudeDeg());
@@ -65,8 +64,7 @@ final class VrxMission {
   private static void gates(VrxWorld world, StringBuilder text) {
     Geodetic start = world.plane().at(VrxWorld.START.x(), VrxWorld.START.y(), 0.0);
     VrxWorld.Goal here =
-        new VrxWorld.Goal(
-            start.longitudeDeg(), start.latitudeDeg(), VrxWorld.START_HEADING_RAD);
+        new VrxWorld.Goal(start.longitudeDeg(), start.latitudeDeg(), VrxWorld.START_HEADING_RAD);
     text.append(station("start", here, START_WITHIN_M, world.times().readyS()));
     for (int i = 0; i < world.gates().size(); i++) {
       VrxWorld.Gate gate = world.gates().get(i);
@@ -86,8 +84,7 @@ final class VrxMission {
   private static List<Integer> order(VrxWorld world) {
     List<Point> places = new ArrayList<>();
     for (VrxWorld.Goal goal : world.goals()) {
-      places.add(
-          world.plane().point(new Geodetic(goal.longitudeDeg(), goal.latitudeDeg(), 0.0)));
+      places.add(world.plane().point(new Geodetic(goal.longitudeDeg(), goal.latitudeDeg(), 0.0)));
     }
     List<Integer> best = new ArrayList<>();
     search(places, new ArrayList<>(), 0.0, new double[] {Double.POSITIVE_INFINITY}, best);

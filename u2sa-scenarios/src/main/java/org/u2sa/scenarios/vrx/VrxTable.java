@@ -44,7 +44,9 @@ final class VrxTable implements Callable<Integer> {
         wayfinding      0     0.03  0.18  0.03   0.03  0.03
         path            finished by two teams""";
 
-  @Parameters(paramLabel = "FOLDER", description = "Folder with worlds of VRX, searched to any depth.")
+  @Parameters(
+      paramLabel = "FOLDER",
+      description = "Folder with worlds of VRX, searched to any depth.")
   private Path folder;
 
   @Option(
@@ -58,7 +60,11 @@ final class VrxTable implements Callable<Integer> {
   @Option(names = "--seed", paramLabel = "N", description = "Seed of the first run. Default: 1.")
   private long seed = 1;
 
-  @Option(names = "--out", paramLabel = "DIR", required = true, description = "Folder for the runs.")
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      required = true,
+      description = "Folder for the runs.")
   private Path out;
 
   @Spec private CommandSpec command;
@@ -68,7 +74,8 @@ final class VrxTable implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     if (runs < 1) {
-      throw new ParameterException(command.commandLine(), "--runs " + runs + ": expected 1 or more");
+      throw new ParameterException(
+          command.commandLine(), "--runs " + runs + ": expected 1 or more");
     }
     PrintWriter to = command.commandLine().getOut();
     List<Score> all = new ArrayList<>();
@@ -93,7 +100,7 @@ final class VrxTable implements Callable<Integer> {
     for (VrxTask task : VrxTask.values()) {
       total(task, all).ifPresent(to::println);
     }
-    to.println(PUBLISHED);
+    PUBLISHED.lines().forEach(to::println);
     to.flush();
     return ExitCode.DONE;
   }
@@ -114,7 +121,15 @@ final class VrxTable implements Callable<Integer> {
   private static Score run(Path world, VrxTask task, long seed, Path directory) throws IOException {
     StringWriter said = new StringWriter();
     String[] arguments = {
-      "demo", "vrx", "--port", "0", "--world", world.toString(), "--seed", "" + seed, "--out",
+      "demo",
+      "vrx",
+      "--port",
+      "0",
+      "--world",
+      world.toString(),
+      "--seed",
+      "" + seed,
+      "--out",
       directory.toString()
     };
     Main.run(new PrintWriter(said), new PrintWriter(said), arguments);
@@ -128,8 +143,7 @@ final class VrxTable implements Callable<Integer> {
     if (!score.find() || !contacts.find()) {
       throw new RunFailedException(summary + ": has no score");
     }
-    return new Score(
-        task, Double.parseDouble(score.group(1)), Integer.parseInt(contacts.group(1)));
+    return new Score(task, Double.parseDouble(score.group(1)), Integer.parseInt(contacts.group(1)));
   }
 
   private static String line(String name, VrxTask task, List<Score> scores) {

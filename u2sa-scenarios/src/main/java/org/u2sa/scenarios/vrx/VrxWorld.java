@@ -138,9 +138,7 @@ record VrxWorld(
             new Water(
                 0.0,
                 CurrentField.uniform(0.0, 0.0),
-                sea.heightM() > 0.0
-                    ? Optional.of(waves(seed))
-                    : Optional.empty()));
+                sea.heightM() > 0.0 ? Optional.of(waves(seed)) : Optional.empty()));
     return wet.with(
         Wind.constant(wind.fromRad(), wind.meanMps())
             .withGusts(VERTICAL_SHARE * wind.sigmaMps(), seed));

@@ -29,12 +29,7 @@ class VrxJudgeTest {
 
   private VehicleTruth at(Point place, double headingRad) {
     return new VehicleTruth(
-        timeS,
-        place,
-        new Attitude(0.0, 0.0, headingRad),
-        Point.ORIGIN,
-        Point.ORIGIN,
-        Point.ORIGIN);
+        timeS, place, new Attitude(0.0, 0.0, headingRad), Point.ORIGIN, Point.ORIGIN, Point.ORIGIN);
   }
 
   private void sail(VrxJudge judge, double fromNorth, double toNorth, double east) {
@@ -54,10 +49,7 @@ class VrxJudgeTest {
     VrxJudge judge = judge("station.sdf");
     VrxWorld.Goal goal = judge.world().goals().get(0);
     Point place =
-        judge
-            .world()
-            .plane()
-            .point(new Geodetic(goal.longitudeDeg(), goal.latitudeDeg(), 0.0));
+        judge.world().plane().point(new Geodetic(goal.longitudeDeg(), goal.latitudeDeg(), 0.0));
     timeS = 5.0; // ready: does not count
     judge.see(at(VrxWorld.START, 0.0));
     timeS = 11.0;

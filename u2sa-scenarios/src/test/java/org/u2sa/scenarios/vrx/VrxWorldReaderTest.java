@@ -59,7 +59,9 @@ class VrxWorldReaderTest {
     String text = Files.readString(WORLDS.resolve("gates.sdf"));
     Files.writeString(
         world,
-        text.replaceFirst("(?s)<include>.*</include>", "<include><uri>model://course</uri><pose>100 50 0 0 0 1.5707963267948966</pose></include>")
+        text.replaceFirst(
+                "(?s)<include>.*</include>",
+                "<include><uri>model://course</uri><pose>100 50 0 0 0 1.5707963267948966</pose></include>")
             .replaceFirst(
                 "(?s)<gates>.*</gates>",
                 "<gates><gate><left_marker>left</left_marker><right_marker>right</right_marker></gate></gates>"));
@@ -67,8 +69,7 @@ class VrxWorldReaderTest {
     VrxWorld read = VrxWorldReader.read(world);
 
     assertThat(read.gates().get(0).left().distanceTo(Point.of(95.0, 50.0, 0.0))).isLessThan(1e-9);
-    assertThat(read.gates().get(0).right().distanceTo(Point.of(105.0, 50.0, 0.0)))
-        .isLessThan(1e-9);
+    assertThat(read.gates().get(0).right().distanceTo(Point.of(105.0, 50.0, 0.0))).isLessThan(1e-9);
   }
 
   private static String marker(String name, String place) {

@@ -51,8 +51,7 @@ class WamVTest {
     double relative = wind - speed;
 
     assertThat(speed).isPositive();
-    assertThat(100.0 * speed + 150.0 * speed * speed)
-        .isCloseTo(0.5 * relative * relative, CLOSE);
+    assertThat(100.0 * speed + 150.0 * speed * speed).isCloseTo(0.5 * relative * relative, CLOSE);
     assertThat(Math.sin(truth.headingRad())).isCloseTo(0.0, within(1e-6));
   }
 

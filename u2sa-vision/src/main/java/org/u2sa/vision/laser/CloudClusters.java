@@ -87,8 +87,7 @@ public final class CloudClusters extends EventDrivenService {
         group.add(at);
         left.removeIf(
             each -> {
-              boolean isNear =
-                  Math.hypot(each.x() - at.x(), each.y() - at.y()) <= settings.gap();
+              boolean isNear = Math.hypot(each.x() - at.x(), each.y() - at.y()) <= settings.gap();
               if (isNear) {
                 open.add(each);
               }
