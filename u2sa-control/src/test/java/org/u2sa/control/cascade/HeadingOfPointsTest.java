@@ -59,7 +59,7 @@ class HeadingOfPointsTest {
     kit.publish(Channels.STATE, state);
     kit.publish(Channels.NAVIGATION, point);
     kit.advance(0.1);
-    StateInformation later = (StateInformation) state.copy();
+    StateInformation later = state.copy();
     later.timestamp(kit.clock().micros());
     kit.publish(Channels.STATE, later);
   }

@@ -113,7 +113,7 @@ record VrxWorld(
   List<ObjectDescription> buoysFromStart() {
     List<ObjectDescription> moved = new ArrayList<>();
     for (ObjectDescription buoy : buoys) {
-      ObjectDescription copy = (ObjectDescription) buoy.copy();
+      ObjectDescription copy = buoy.copy();
       copy.x(buoy.x() - START.x()).y(buoy.y() - START.y()).freeze();
       moved.add(copy);
     }
