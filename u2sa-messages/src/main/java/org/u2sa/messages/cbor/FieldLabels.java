@@ -48,7 +48,9 @@ public final class FieldLabels {
       pointed mission finished sequence failsafe elapsed began resumable file now outcome
       angle format data heightAboveGround calibratedAirspeed engineRpm weightOnWheels
       engineStarting crashed phase navigating bank pitch altitude airspeed awaited landmarkX
-      landmarkY range rangeSigma bearing bearingSigma
+      landmarkY range rangeSigma bearing bearingSigma colour thickness lying
+      excessTemperature
+      turn duration approach
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");
