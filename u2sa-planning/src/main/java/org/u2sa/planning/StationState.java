@@ -19,7 +19,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the vehicle at a {@link Station}: to the place, or to the start of its straight way and
- * along it, then there until its time is over. The time starts anew when the vehicle leaves the
+ * along it, then there until its time is over. The time starts again when the vehicle leaves the
  * threshold or the heading.
  */
 final class StationState implements PlannerState {
@@ -160,8 +160,7 @@ final class StationState implements PlannerState {
         .turn(turn(station, vehicle));
   }
 
-  private Plan progress(
-      Station station, Vehicle vehicle, Point to, List<NavigationPoint> points) {
+  private Plan progress(Station station, Vehicle vehicle, Point to, List<NavigationPoint> points) {
     long now = vehicle.timestampMicros();
     boolean isThere =
         phase == Phase.THERE

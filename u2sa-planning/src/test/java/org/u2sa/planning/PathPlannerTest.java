@@ -179,7 +179,7 @@ class PathPlannerTest extends PlannedVehicle {
     kit.with("GUIDANCE", "OFSET");
     assertThatThrownBy(() -> kit.start(PathPlanner::new))
         .hasMessageContaining("GUIDANCE")
-        .hasMessageContaining("\"OFSET\" is not one of \"LINE\", \"DIRECT\", \"OFFSET\"");
+        .hasMessageContaining("\"OFSET\" is not one of \"LINE\", \"DIRECT\", \"ILOS\", \"OFFSET\"");
   }
 
   private void change(String variable, String value) {

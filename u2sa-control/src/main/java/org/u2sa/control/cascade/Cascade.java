@@ -53,9 +53,7 @@ final class Cascade {
     }
   }
 
-  /**
-   * Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call.
-   */
+  /** Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call. */
   double[] step(BodyMotion motion, Target target, double stepS) {
     drift.step(motion.velocity(), motion.rates().z(), stepS);
     weatherVane(target, stepS);

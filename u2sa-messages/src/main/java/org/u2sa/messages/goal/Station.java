@@ -15,8 +15,7 @@ import org.u2sa.messages.schema.ValueField;
 public class Station extends Waypoint {
   private static final Schema<Station> SCHEMA =
       Schema.of(Station.class, Station::new, Waypoint.TYPE).since(3);
-  private static final NumberField<Station> DURATION =
-      SCHEMA.optionalNumber("duration", "s", 0.0);
+  private static final NumberField<Station> DURATION = SCHEMA.optionalNumber("duration", "s", 0.0);
   private static final NumberField<Station> APPROACH = SCHEMA.optionalNumber("approach", "m", 0.0);
   private static final ValueField<Station, Boolean> BACKWARDS = SCHEMA.optionalFlag("backwards");
 

@@ -36,8 +36,7 @@ final class GoldenPlans {
     golden.add(
         "NavigationPoint-backwards",
         NavigationPoint.at(Point.of(-1.5, 0.25, 0.0)).speed(0.5).backwards(true));
-    golden.add(
-        "NavigationPoint-turn", NavigationPoint.at(Point.of(0.5, 0.25, 0.0)).turn(-0.75));
+    golden.add("NavigationPoint-turn", NavigationPoint.at(Point.of(0.5, 0.25, 0.0)).turn(-0.75));
     golden.add(
         "Station",
         new Station()

@@ -27,8 +27,7 @@ public final class ChosenGuidance implements WaypointGuidance {
 
   private record Integral(
       @Variable(unit = "m/s", min = 0, max = 10, ifAbsent = 0.1)
-          @Description(
-              "Gain of the integral of ILOS; about a quarter of the usual speed at most.")
+          @Description("Gain of the integral of ILOS; about a quarter of the usual speed at most.")
           double crossTrackGain) {}
 
   private final Supplier<String> name;
@@ -37,8 +36,8 @@ public final class ChosenGuidance implements WaypointGuidance {
   private final WaypointGuidance direct = new DirectGuidance();
 
   /**
-   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT, ILOS or
-   *     an extension's law
+   * @param configuration configuration of the planner, in which GUIDANCE names LINE, DIRECT, ILOS
+   *     or an extension's law
    */
   public ChosenGuidance(Configurator configuration, Supplier<LineSettings> settings) {
     laws.put(LINE, GuidanceLaw.carrot());

@@ -43,8 +43,7 @@ final class IntegralLineOfSight implements GuidanceLaw {
   public void advance(Leg leg, double lookAheadM, double stepS) {
     double across = leg.acrossM(0.0, 0.0);
     double corrected = across + gainMps.getAsDouble() * integralS;
-    integralS +=
-        stepS * lookAheadM * across / (corrected * corrected + lookAheadM * lookAheadM);
+    integralS += stepS * lookAheadM * across / (corrected * corrected + lookAheadM * lookAheadM);
   }
 
   @Override

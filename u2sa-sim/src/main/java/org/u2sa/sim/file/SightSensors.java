@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.function.ToDoubleBiFunction;
 import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
@@ -20,6 +21,7 @@ import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /** Sensors of the surroundings. */
@@ -51,7 +53,7 @@ final class SightSensors {
                 optics,
                 faults,
                 vehicle.streams(),
-                sight(vehicle.world(), vehicle.at(mount), farthest)));
+                sight(light(vehicle.world(), vehicle.at(mount), farthest))));
   }
 
   /** The services' MOUNTED variables, whose y, roll and yaw are positive to the left. */
@@ -73,16 +75,43 @@ final class SightSensors {
 
   private static Supplier<SimulatedLaser.Sight> sight(
       World world, Supplier<VehicleTruth> sensor, double rangeM) {
-    Supplier<ToDoubleFunction<Point>> space = view(world, sensor, rangeM);
+    return sight(view(world, sensor, rangeM));
+  }
+
+  private static Supplier<SimulatedLaser.Sight> sight(Supplier<ToDoubleFunction<Point>> space) {
     return () -> {
       ToDoubleFunction<Point> now = space.get();
       return (angleRad, cos, sin) -> now.applyAsDouble(Point.of(cos, sin, 0.0));
     };
   }
 
+  /**
+   * Ranges of light along unit vectors ahead, left and down. Open water gives no echo: it reflects
+   * a beam away at a grazing angle and absorbs it otherwise.
+   */
+  private static Supplier<ToDoubleFunction<Point>> light(
+      World world, Supplier<VehicleTruth> sensor, double rangeM) {
+    boolean isOpenWater = world.water().isPresent() && world.terrain() == Terrain.flat();
+    return isOpenWater
+        ? view(sensor, world, (seen, ray) -> ofObject(seen, ray, rangeM))
+        : view(world, sensor, rangeM);
+  }
+
+  private static double ofObject(World seen, Ray ray, double rangeM) {
+    return seen.cast(ray, rangeM)
+        .filter(hit -> hit.object().isPresent())
+        .map(World.Hit::distanceM)
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+
   /** Ranges along unit vectors ahead, left and down. */
   private static Supplier<ToDoubleFunction<Point>> view(
       World world, Supplier<VehicleTruth> sensor, double rangeM) {
+    return view(sensor, world, (seen, ray) -> seen.distanceM(ray, rangeM));
+  }
+
+  private static Supplier<ToDoubleFunction<Point>> view(
+      Supplier<VehicleTruth> sensor, World world, ToDoubleBiFunction<World, Ray> range) {
     return () -> {
       VehicleTruth now = sensor.get();
       Rotation nedFromFrd = now.attitude().nedFromFrd();
@@ -91,7 +120,7 @@ final class SightSensors {
       return direction -> {
         Point way = nedFromFrd.times(Point.of(direction.x(), -direction.y(), direction.z()));
         Ray ray = new Ray(from.x(), from.y(), from.z(), way.y(), way.x(), -way.z());
-        return seen.distanceM(ray, rangeM);
+        return range.applyAsDouble(seen, ray);
       };
     };
   }
@@ -113,7 +142,7 @@ final class SightSensors {
         mounted(mount),
         vehicle ->
             new SimulatedPointScanner(
-                optics, vehicle.streams(), view(vehicle.world(), vehicle.at(mount), farthest)));
+                optics, vehicle.streams(), light(vehicle.world(), vehicle.at(mount), farthest)));
   }
 
   static SensorKinds.Reader sonar(FileElement file) {

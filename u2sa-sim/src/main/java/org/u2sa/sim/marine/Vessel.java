@@ -19,7 +19,8 @@ import org.u2sa.sim.world.World;
 
 /**
  * A simulated vessel with thrusters, on or under water, drifting with the world's current, moved by
- * its waves and, if it has {@link Windage}, by its wind. Integrates internally at 200 Hz. Not thread-safe.
+ * its waves and, if it has {@link Windage}, by its wind. Integrates internally at 200 Hz. Not
+ * thread-safe.
  */
 public final class Vessel implements SimulatedVehicle {
   /** Internal integration rate [1/s]. */

@@ -13,6 +13,7 @@ final class Vehicles {
   static final Path MINI_MOLLE = Path.of("../config/ugv/vehicle.xml");
   static final Path BLUEROV2 = Path.of("../config/vehicles/bluerov2.xml");
   static final Path OTTER = Path.of("../config/vehicles/otter.xml");
+  static final Path WAMV = Path.of("../config/vehicles/wamv.xml");
   static final Path REMUS_100 = Path.of("../config/vehicles/remus100.xml");
 
   static final Path TRUCK = Path.of("../config/ugv/vehicle-ackermann.xml");

@@ -1,0 +1,125 @@
+package org.u2sa.scenarios.vrx;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.mission.Mission;
+import org.u2sa.report.ReportFile;
+
+/** The mission that a world's task gives the vehicle. */
+final class VrxMission {
+  private static final double WITHIN_M = 0.15; // of the place, while the smallest error counts
+  private static final double START_WITHIN_M = 1.0;
+  private static final double STAY_S = 4.0;
+
+  private VrxMission() {}
+
+  /** Writes the mission of a world. */
+  static Mission write(VrxWorld world, Path file) {
+    StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    text.append("<!-- ").append(world.file().getFileName()).append(" of VRX. -->\n<mission>\n");
+    text.append("  <home>").append(place(world, VrxWorld.START));
+    text.append(degrees("<psi>", VrxWorld.START_HEADING_RAD)).append("</home>\n");
+    switch (world.task()) {
+      case STATIONKEEPING -> text.append(station("station", world.goals().get(0), WITHIN_M, 0.0));
+      case WAYFINDING -> {
+        double stayS = STAY_S + world.times().readyS(); // at the first, which may be near
+        for (int i : order(world)) {
+          text.append(station("waypoint " + (i + 1), world.goals().get(i), WITHIN_M, stayS));
+          stayS = STAY_S;
+        }
+      }
+      case PATH -> gates(world, text);
+    }
+    ReportFile.writeText(file, out -> out.write(text.append("</mission>\n").toString()));
+    return Mission.load(file);
+  }
+
+  /**
+   * @param stayS how long to stay [s]; 0: to the end
+   */
+  private static String station(String name, VrxWorld.Goal goal, double withinM, double stayS) {
+    String where =
+        String.format(
+            Locale.ROOT, "<x>%.9f</x><y>%.9f</y>", goal.longitudeDeg(), goal.latitudeDeg());
+    return "  <Station><name>"
+        + name
+        + "</name>"
+        + where
+        + degrees("<psi unit=\"deg\">", goal.headingRad())
+        + "<horizontalThreshold>"
+        + withinM
+        + "</horizontalThreshold>"
+        + (stayS > 0.0 ? "<duration>" + stayS + "</duration>" : "")
+        + "</Station>\n";
+  }
+
+  /**
+   * The gates, once the running state has begun: one crossed before does not count. VRX publishes
+   * the state of the task; here the wait stands for it.
+   */
+  private static void gates(VrxWorld world, StringBuilder text) {
+    Geodetic start = world.plane().at(VrxWorld.START.x(), VrxWorld.START.y(), 0.0);
+    VrxWorld.Goal here =
+        new VrxWorld.Goal(start.longitudeDeg(), start.latitudeDeg(), VrxWorld.START_HEADING_RAD);
+    text.append(station("start", here, START_WITHIN_M, world.times().readyS()));
+    for (int i = 0; i < world.gates().size(); i++) {
+      VrxWorld.Gate gate = world.gates().get(i);
+      boolean isLast = i == world.gates().size() - 1;
+      double beyondM = isLast ? 6.0 : 0.0;
+      double heading = gate.headingRad();
+      Point to =
+          gate.centre()
+              .plus(Point.of(beyondM * Math.sin(heading), beyondM * Math.cos(heading), 0.0));
+      text.append("  <waypoint><name>gate ").append(i + 1).append("</name>");
+      text.append(place(world, to));
+      text.append("<horizontalThreshold>2</horizontalThreshold></waypoint>\n");
+    }
+  }
+
+  /** Shortest order of the goals from the start, by trying all: VRX has five at most. */
+  private static List<Integer> order(VrxWorld world) {
+    List<Point> places = new ArrayList<>();
+    for (VrxWorld.Goal goal : world.goals()) {
+      places.add(world.plane().point(new Geodetic(goal.longitudeDeg(), goal.latitudeDeg(), 0.0)));
+    }
+    List<Integer> best = new ArrayList<>();
+    search(places, new ArrayList<>(), 0.0, new double[] {Double.POSITIVE_INFINITY}, best);
+    return best;
+  }
+
+  private static void search(
+      List<Point> places, List<Integer> sofar, double lengthM, double[] least, List<Integer> best) {
+    if (lengthM >= least[0]) {
+      return;
+    }
+    if (sofar.size() == places.size()) {
+      least[0] = lengthM;
+      best.clear();
+      best.addAll(sofar);
+      return;
+    }
+    Point from = sofar.isEmpty() ? VrxWorld.START : places.get(sofar.get(sofar.size() - 1));
+    for (int i = 0; i < places.size(); i++) {
+      if (!sofar.contains(i)) {
+        sofar.add(i);
+        double leg = places.get(i).minus(from).distance();
+        search(places, sofar, lengthM + leg, least, best);
+        sofar.remove(sofar.size() - 1);
+      }
+    }
+  }
+
+  private static String place(VrxWorld world, Point at) {
+    Geodetic place = world.plane().at(at.x(), at.y(), 0.0);
+    return String.format(
+        Locale.ROOT, "<x>%.9f</x><y>%.9f</y>", place.longitudeDeg(), place.latitudeDeg());
+  }
+
+  private static String degrees(String tag, double angleRad) {
+    return String.format(Locale.ROOT, "%s%.6f</psi>", tag, Math.toDegrees(angleRad));
+  }
+}

@@ -1,0 +1,29 @@
+package org.u2sa.scenarios.vrx;
+
+/** Tasks of VRX that the demo runs, each with the scoring plugin that names it in a world. */
+enum VrxTask {
+  /** Keep a place and a heading. */
+  STATIONKEEPING("StationkeepingScoringPlugin", false),
+  /** Visit places with headings. */
+  WAYFINDING("WayfindingScoringPlugin", false),
+  /** Pass gates in order, among obstacles. */
+  PATH("NavigationScoringPlugin", true);
+
+  private final String plugin;
+  private final boolean isMoreBetter;
+
+  VrxTask(String plugin, boolean isMoreBetter) {
+    this.plugin = plugin;
+    this.isMoreBetter = isMoreBetter;
+  }
+
+  /** Last part of the name of its scoring plugin. */
+  String plugin() {
+    return plugin;
+  }
+
+  /** Whether a higher score is better. */
+  boolean isMoreBetter() {
+    return isMoreBetter;
+  }
+}

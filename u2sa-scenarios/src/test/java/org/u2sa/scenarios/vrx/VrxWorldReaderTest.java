@@ -1,0 +1,105 @@
+package org.u2sa.scenarios.vrx;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.frame.Point;
+
+class VrxWorldReaderTest {
+  static final Path WORLDS = Path.of("../missions/vrx");
+
+  @TempDir private Path folder;
+
+  @Test
+  void read_station_hasGoalWindAndWaves() {
+    VrxWorld world = VrxWorldReader.read(WORLDS.resolve("station.sdf"));
+
+    assertThat(world.task()).isEqualTo(VrxTask.STATIONKEEPING);
+    assertThat(world.goals()).hasSize(1);
+    assertThat(world.goals().get(0).latitudeDeg()).isEqualTo(-33.722750);
+    assertThat(world.goals().get(0).headingRad()).isCloseTo(Math.PI / 2 - 2.5, within(1e-12));
+    assertThat(world.wind().meanMps()).isEqualTo(6.0);
+    assertThat(world.wind().sigmaMps()).isCloseTo(0.75, within(1e-12));
+    double from = Math.toDegrees(world.wind().fromRad()); // it blows to 200° anticlockwise of east
+    assertThat(Math.IEEEremainder(from - 70.0, 360.0)).isCloseTo(0.0, within(1e-9));
+    assertThat(world.sea().periodS()).isEqualTo(5.0);
+    assertThat(world.sea().heightM()).isBetween(0.3, 0.5);
+    assertThat(world.times()).isEqualTo(new VrxWorld.Times(10.0, 40.0));
+  }
+
+  @Test
+  void read_gates_leadUpwardsTimesLeftMinusRight() {
+    VrxWorld world = VrxWorldReader.read(WORLDS.resolve("gates.sdf"));
+
+    assertThat(world.gates()).hasSize(3);
+    VrxWorld.Gate first = world.gates().get(0);
+    assertThat(first.centre()).isEqualTo(Point.of(-532.0, 185.0, 0.0));
+    assertThat(first.widthM()).isEqualTo(16.0);
+    assertThat(first.headingRad()).isCloseTo(0.0, within(1e-9)); // north
+    assertThat(world.buoys()).hasSize(8);
+  }
+
+  @Test
+  void read_courseInAModel_placesItsMarkersByItsPose() throws IOException {
+    Path model = Files.createDirectories(folder.resolve("models/course")).resolve("model.sdf");
+    Files.writeString(
+        model,
+        "<sdf version=\"1.6\"><model name=\"course\">"
+            + marker("left", "0 5")
+            + marker("right", "0 -5")
+            + "</model></sdf>");
+    Path world = Files.createDirectories(folder.resolve("worlds/2023")).resolve("path.sdf");
+    String text = Files.readString(WORLDS.resolve("gates.sdf"));
+    Files.writeString(
+        world,
+        text.replaceFirst(
+                "(?s)<include>.*</include>",
+                "<include><uri>model://course</uri><pose>100 50 0 0 0 1.5707963267948966</pose></include>")
+            .replaceFirst(
+                "(?s)<gates>.*</gates>",
+                "<gates><gate><left_marker>left</left_marker><right_marker>right</right_marker></gate></gates>"));
+
+    VrxWorld read = VrxWorldReader.read(world);
+
+    assertThat(read.gates().get(0).left().distanceTo(Point.of(95.0, 50.0, 0.0))).isLessThan(1e-9);
+    assertThat(read.gates().get(0).right().distanceTo(Point.of(105.0, 50.0, 0.0))).isLessThan(1e-9);
+  }
+
+  private static String marker(String name, String place) {
+    return "<include><name>"
+        + name
+        + "</name><pose>"
+        + place
+        + " 0 0 0 0</pose><uri>model://mb_marker_buoy_red</uri></include>";
+  }
+
+  @Test
+  void read_wrongGoal_namesFileLineAndValue() throws IOException {
+    Path world = folder.resolve("wrong.sdf");
+    String text = Files.readString(WORLDS.resolve("station.sdf"));
+    Files.writeString(world, text.replace("-33.722750 150.674060 2.5", "-33.7 east 2.5"));
+
+    assertThatThrownBy(() -> VrxWorldReader.read(world))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("wrong.sdf, line")
+        .hasMessageContaining("<goal_pose>")
+        .hasMessageContaining("\"east\" is not a number");
+  }
+
+  @Test
+  void read_worldWithoutATask_saysWhatIsExpected() throws IOException {
+    Path world = folder.resolve("none.sdf");
+    String text = Files.readString(WORLDS.resolve("station.sdf"));
+    Files.writeString(world, text.replace("vrx::Stationkeeping", "vrx::Perception"));
+
+    assertThatThrownBy(() -> VrxWorldReader.read(world))
+        .hasMessageContaining("expected a StationkeepingScoringPlugin");
+  }
+}
