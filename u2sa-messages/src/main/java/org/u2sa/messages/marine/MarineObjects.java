@@ -22,18 +22,20 @@ public final class MarineObjects {
     int space = name.lastIndexOf(' ');
     Colour colour = colour(space < 0 ? "" : name.substring(0, space));
     String kind = name.substring(space + 1);
+    double width = 2.0 * radiusM;
     if (name.equals("hot target")) {
-      return new HotTarget();
+      return new HotTarget().length(width).width(width);
+    } else if (kind.equals("button")) {
+      Button button = new Button().length(width).width(width);
+      return colour == null ? button : button.colour(colour);
+    } else if (kind.equals("puck")) {
+      return new Puck().radius(radiusM);
+    } else if (kind.equals("dock")) {
+      return new Dock().width(width);
     } else if (colour != null && kind.equals("buoy")) {
       return new Buoy().colour(colour).radius(radiusM);
     } else if (colour != null && kind.equals("hoop")) {
       return new Hoop().colour(colour).radius(radiusM);
-    } else if (kind.equals("button")) {
-      return new Button().radius(radiusM);
-    } else if (kind.equals("puck")) {
-      return new Puck().radius(radiusM);
-    } else if (kind.equals("dock")) {
-      return new Dock().width(2.0 * radiusM);
     }
     return new ObjectDescription();
   }
