@@ -50,7 +50,7 @@ final class GateState extends SightState {
     Point way = middle.minus(surroundings.here(state));
     Point through = Point.of(-across.y() / width, across.x() / width, 0.0);
     boolean isAhead = through.x() * way.x() + through.y() * way.y() > 0.0;
-    if (axis.isEmpty() || isStateless(state)) {
+    if (axis.isEmpty()) {
       axis = Optional.of(isAhead ? through : through.times(-1.0));
     }
     return Optional.of(middle);
@@ -61,7 +61,7 @@ final class GateState extends SightState {
     Point through = axis.orElse(Point.of(1.0, 0.0, 0.0));
     double along = through.x() * way.x() + through.y() * way.y();
     double aside = through.x() * way.y() - through.y() * way.x();
-    if (along < (isStateless(state) ? 0.1 : -BEYOND_M)) {
+    if (along < -BEYOND_M) {
       return completed(String.format(Locale.ROOT, "passed, %.2f m from its middle", aside));
     }
     isThrough |= along < BEFORE_M && Math.abs(aside) < ON_AXIS_M;

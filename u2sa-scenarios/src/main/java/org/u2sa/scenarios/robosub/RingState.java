@@ -1,20 +1,19 @@
 package org.u2sa.scenarios.robosub;
 
 import java.util.Optional;
-import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.Surroundings;
 
-/** {@link SurfaceInRing}: below the middle of a floating ring at the present depth, then up. */
+/** {@link SurfaceInRing}: below the middle of a floating ring well under it, then up. */
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
+  private static final double DEPTH_M = 1.5; // below the ring on the way there
   private static final double SURFACE_M = 0.15;
-  private static final double RISE_S = 20.0; // rising without a depth
 
-  private long risingMicros = Long.MIN_VALUE;
+  private boolean isRising;
 
   RingState(Surroundings surroundings) {
     super(surroundings);
@@ -27,7 +26,7 @@ final class RingState extends SightState {
 
   @Override
   void begin() {
-    risingMicros = Long.MIN_VALUE;
+    isRising = false;
   }
 
   @Override
@@ -37,19 +36,12 @@ final class RingState extends SightState {
 
   @Override
   Plan approach(SubTask task, StateInformation state, Point way) {
-    long now = state.timestamp().orElseThrow();
-    if (risingMicros == Long.MIN_VALUE) {
+    if (!isRising) {
       if (Math.hypot(way.x(), way.y()) > BELOW_M) {
-        return to(task, state, Point.of(way.x(), way.y(), 0.0));
+        return to(task, state, Point.of(way.x(), way.y(), way.z() + DEPTH_M));
       }
-      risingMicros = now;
+      isRising = true;
     }
-    boolean isUp =
-        isStateless(state)
-            ? Clock.seconds(now - risingMicros) > RISE_S
-            : way.z() > -SURFACE_M;
-    return isUp
-        ? completed("at the surface")
-        : to(task, state, isStateless(state) ? Point.of(0.0, 0.0, -1.0) : way);
+    return way.z() > -SURFACE_M ? completed("at the surface") : to(task, state, way);
   }
 }

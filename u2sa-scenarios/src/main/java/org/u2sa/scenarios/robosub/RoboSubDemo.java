@@ -35,11 +35,6 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   @Mixin private DemoFrame frame;
 
   @Option(
-      names = "--without-state",
-      description = "Run without a State Estimator, by sight alone.")
-  private boolean isStateless;
-
-  @Option(
       names = "--change",
       paramLabel = "PATH=VALUE",
       description =
@@ -56,11 +51,6 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   @Override
   public Profile profile() {
     return new Profile("robosub", "robosub", "course.xml", Domain.WATER, 60.0, 0.1);
-  }
-
-  @Override
-  public String systemFile() {
-    return isStateless ? "system-without-state.xml" : "system.xml";
   }
 
   @Override

@@ -8,7 +8,6 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
@@ -16,20 +15,18 @@ import org.u2sa.planning.Pursuit;
 import org.u2sa.planning.Surroundings;
 
 /**
- * Approaches a place that objects in sight define, as far as its task wants. Without a State
- * Estimator (thesis 4.3.2), a place out of sight is assumed to come nearer at the speed commanded.
+ * Approaches a place that objects of the world model define, as far as its task wants; searches
+ * ahead and then around while they are unknown, and gives up after a while.
  */
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
-  private static final double LOST_S = 10.0; // without sight, when not near
   private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
 
   final Surroundings surroundings;
-  private Optional<Point> aim = Optional.empty(); // on the plane; without state: from the vehicle
+  private Optional<Point> aim = Optional.empty(); // on the planner's plane
   private long enteredMicros;
   private long seenMicros;
-  private long lastMicros;
 
   SightState(Surroundings surroundings) {
     this.surroundings = surroundings;
@@ -42,17 +39,11 @@ abstract class SightState implements PlannerState {
   abstract Plan approach(SubTask task, StateInformation state, Point way);
 
   @Override
-  public final boolean needsNoState() {
-    return true;
-  }
-
-  @Override
   public final void enter(Pursuit pursuit) {
     surroundings.begin();
     aim = Optional.empty();
     enteredMicros = micros(pursuit.state());
     seenMicros = enteredMicros;
-    lastMicros = enteredMicros;
     begin();
   }
 
@@ -75,31 +66,16 @@ abstract class SightState implements PlannerState {
     SubTask task = (SubTask) pursuit.goal();
     StateInformation state = pursuit.state();
     long now = micros(state);
-    double stepS = Clock.seconds(now - lastMicros);
-    lastMicros = now;
     Optional<Point> seen = aim(task, state);
     if (seen.isPresent()) {
       aim = seen;
       seenMicros = now;
-    } else if (isStateless(state)) {
-      aim = aim.map(place -> nearer(place, task.speed() * stepS));
     }
     double unseenS = Clock.seconds(now - seenMicros);
-    if (aim.isEmpty() || (unseenS > LOST_S && isStateless(state))) {
+    if (aim.isEmpty()) {
       return search(task, unseenS, Clock.seconds(now - enteredMicros));
     }
     return approach(task, state, aim.get().minus(surroundings.here(state)));
-  }
-
-  /** Whether the planner was given the vehicle's own axes instead of a state. */
-  static boolean isStateless(StateInformation state) {
-    return state.referenceFrame().equals(ReferenceFrame.LOCAL_NED)
-        && state.sensorName().isEmpty();
-  }
-
-  private static Point nearer(Point place, double byM) {
-    double distance = place.distance();
-    return distance <= byM ? Point.ORIGIN : place.times(1.0 - byM / distance);
   }
 
   private static Plan search(SubTask task, double unseenS, double sinceS) {

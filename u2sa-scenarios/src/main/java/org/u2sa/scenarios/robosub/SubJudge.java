@@ -167,6 +167,7 @@ final class SubJudge implements TruthObserver.Scorer {
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
     Map<String, Integer> counts = new LinkedHashMap<>();
+    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, wanted.size() + 2);
     counts.put("gatesPassed", isGatePassed ? 1 : 0);
     counts.put("buoysBumpedInOrder", inOrder);
     counts.put("surfacedInRing", isInRing ? 1 : 0);
