@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.robosub;
 
 import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -11,9 +12,13 @@ import org.u2sa.planning.Surroundings;
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
   private static final double DEPTH_M = 1.5; // below the ring on the way there
-  private static final double SURFACE_M = 0.15;
+  private static final double ABOVE_M = 1.0; // the ring's height is known roughly: rise until it ends
+  private static final double STEP_M = 0.05; // a smaller rise is none
+  private static final double AT_TOP_S = 3.0; // without a rise
 
   private boolean isRising;
+  private double highestDownM;
+  private long highestMicros;
 
   RingState(Surroundings surroundings) {
     super(surroundings);
@@ -41,7 +46,16 @@ final class RingState extends SightState {
         return to(task, state, Point.of(way.x(), way.y(), way.z() + DEPTH_M));
       }
       isRising = true;
+      highestDownM = Double.POSITIVE_INFINITY;
     }
-    return way.z() > -SURFACE_M ? completed("at the surface") : to(task, state, way);
+    double downM = surroundings.here(state).z();
+    long now = state.timestamp().orElseThrow();
+    if (downM < highestDownM - STEP_M) {
+      highestDownM = downM;
+      highestMicros = now;
+    }
+    return Clock.seconds(now - highestMicros) > AT_TOP_S
+        ? completed("at the surface")
+        : to(task, state, Point.of(way.x(), way.y(), way.z() - ABOVE_M));
   }
 }
