@@ -92,7 +92,10 @@ public final class FusingStateEstimator extends StateEstimator {
     return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
   }
 
-  /** Feeds the surveyed start heading and, once a receiver is near it, the surveyed position. */
+  /**
+   * Feeds the surveyed start heading and, once a receiver is near it or if there is none, the
+   * surveyed position.
+   */
   private void tellStart() {
     if (!isHeadingTold && variables.startPsiSigma() > 0.0) {
       isHeadingTold = true;
@@ -100,7 +103,8 @@ public final class FusingStateEstimator extends StateEstimator {
       measurement.begin(START, filter.micros());
       filter.add(measurement.heading(Math.toRadians(variables.startPsi()), sigma));
     }
-    if (!isStartTold && variables.startSigma() > 0.0 && filter.at(filter.micros()).isOnEarth()) {
+    boolean isPlaced = variables.startWithoutReceiver() || filter.at(filter.micros()).isOnEarth();
+    if (!isStartTold && variables.startSigma() > 0.0 && isPlaced) {
       isStartTold = true;
       double sigma = variables.startSigma();
       measurement.begin(START, filter.micros());

@@ -98,6 +98,10 @@ record FusionVariables(
         @Description(
             "Accuracy of START PSI, 1 sigma; 0: it is unknown and, without a compass, found from the first motion.")
         double startPsiSigma,
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "Whether START X and START Y hold without any receiver of positions, as for a submarine that dead-reckons.")
+        boolean startWithoutReceiver,
     @Variable(ifAbsentText = "")
         @Description(
             "Positions of sensors away from the vehicle's reference point: \"SENSOR NAME = FORWARD LEFT DOWN; …\" in metres, like MOUNTED X, Y, Z of other sensors.")

@@ -1,0 +1,36 @@
+package org.u2sa.scenarios.robosub;
+
+import java.util.Optional;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.Surroundings;
+
+/** {@link BumpBuoy}: straight into a buoy. */
+final class BuoyState extends SightState {
+  private static final double TOUCHED_M = 0.25; // from centre to centre, inside of both hulls
+
+  BuoyState(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return BumpBuoy.class;
+  }
+
+  @Override
+  Optional<Point> aim(SubTask task, StateInformation state) {
+    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
+  }
+
+  @Override
+  Plan approach(SubTask task, StateInformation state, Point way) {
+    double distance = way.distance();
+    if (distance < TOUCHED_M) {
+      return completed("bumped");
+    }
+    return to(task, state, way.times((distance + 1.0) / distance));
+  }
+}

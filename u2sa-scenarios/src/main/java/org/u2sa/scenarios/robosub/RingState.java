@@ -1,0 +1,61 @@
+package org.u2sa.scenarios.robosub;
+
+import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.Surroundings;
+
+/** {@link SurfaceInRing}: below the middle of a floating ring well under it, then up. */
+final class RingState extends SightState {
+  private static final double BELOW_M = 0.25; // level distance from the middle
+  private static final double DEPTH_M = 1.5; // below the ring on the way there
+  private static final double ABOVE_M = 1.0; // the ring's height is known roughly: rise until it ends
+  private static final double STEP_M = 0.05; // a smaller rise is none
+  private static final double AT_TOP_S = 3.0; // without a rise
+
+  private boolean isRising;
+  private double highestDownM;
+  private long highestMicros;
+
+  RingState(Surroundings surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return SurfaceInRing.class;
+  }
+
+  @Override
+  void begin() {
+    isRising = false;
+  }
+
+  @Override
+  Optional<Point> aim(SubTask task, StateInformation state) {
+    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
+  }
+
+  @Override
+  Plan approach(SubTask task, StateInformation state, Point way) {
+    if (!isRising) {
+      if (Math.hypot(way.x(), way.y()) > BELOW_M) {
+        return to(task, state, Point.of(way.x(), way.y(), way.z() + DEPTH_M));
+      }
+      isRising = true;
+      highestDownM = Double.POSITIVE_INFINITY;
+    }
+    double downM = surroundings.here(state).z();
+    long now = state.timestamp().orElseThrow();
+    if (downM < highestDownM - STEP_M) {
+      highestDownM = downM;
+      highestMicros = now;
+    }
+    return Clock.seconds(now - highestMicros) > AT_TOP_S
+        ? completed("at the surface")
+        : to(task, state, Point.of(way.x(), way.y(), way.z() - ABOVE_M));
+  }
+}

@@ -1,0 +1,111 @@
+package org.u2sa.scenarios.robosub;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.Surroundings;
+
+/**
+ * Approaches a place that objects of the world model define, as far as its task wants; searches
+ * ahead and then around while they are unknown, and gives up after a while.
+ */
+abstract class SightState implements PlannerState {
+  private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
+  private static final double GIVE_UP_S = 60.0; // without sight of the objects
+  private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
+
+  final Surroundings surroundings;
+  private Optional<Point> aim = Optional.empty(); // on the planner's plane
+  private long enteredMicros;
+  private long seenMicros;
+
+  SightState(Surroundings surroundings) {
+    this.surroundings = surroundings;
+  }
+
+  /** Where to go, on the planner's plane; empty while it is out of sight. */
+  abstract Optional<Point> aim(SubTask task, StateInformation state);
+
+  /** Next step towards the place. */
+  abstract Plan approach(SubTask task, StateInformation state, Point way);
+
+  @Override
+  public final void enter(Pursuit pursuit) {
+    surroundings.begin();
+    aim = Optional.empty();
+    enteredMicros = micros(pursuit.state());
+    seenMicros = enteredMicros;
+    begin();
+  }
+
+  /** Resets what a task remembers. */
+  void begin() {}
+
+  private static long micros(StateInformation state) {
+    return state.timestamp().orElseThrow();
+  }
+
+  @Override
+  public final double distanceM(GoalInformation goal, StateInformation state) {
+    return aim((SubTask) goal, state)
+        .map(place -> place.minus(surroundings.here(state)).distance())
+        .orElse(UNKNOWN_M);
+  }
+
+  @Override
+  public final Plan plan(Pursuit pursuit) {
+    SubTask task = (SubTask) pursuit.goal();
+    StateInformation state = pursuit.state();
+    long now = micros(state);
+    Optional<Point> seen = aim(task, state);
+    if (seen.isPresent()) {
+      aim = seen;
+      seenMicros = now;
+    }
+    double unseenS = Clock.seconds(now - seenMicros);
+    if (aim.isEmpty()) {
+      return search(task, unseenS, Clock.seconds(now - enteredMicros));
+    }
+    return approach(task, state, aim.get().minus(surroundings.here(state)));
+  }
+
+  private static Plan search(SubTask task, double unseenS, double sinceS) {
+    if (unseenS > GIVE_UP_S) {
+      return new Plan(
+          List.of(),
+          Plan.Progress.ABANDONED,
+          String.format(
+              Locale.ROOT, "abandoned: %s unseen for %.0f s", task.objectTypes(), unseenS));
+    }
+    Point ahead = sinceS < STRAIGHT_S ? Point.of(2.0, 0.0, 0.0) : Point.of(0.2, 0.4, 0.0);
+    return Plan.underWay(List.of(NavigationPoint.at(ahead).speed(task.speed())));
+  }
+
+  /** The nearest object of a type, on the planner's plane. */
+  final Optional<Point> nearest(String type, StateInformation state) {
+    Point here = surroundings.here(state);
+    return surroundings.objects().stream()
+        .filter(object -> object.objectType().equals(type))
+        .map(object -> surroundings.centre(object, state))
+        .min(Comparator.comparingDouble(place -> place.minus(here).distance()));
+  }
+
+  /** Straight to a place that lies in a direction from the vehicle: north, east, down [m]. */
+  final Plan to(SubTask task, StateInformation state, Point way) {
+    Point place = surroundings.here(state).plus(way);
+    return Plan.underWay(List.of(surroundings.straight(state, place).speed(task.speed())));
+  }
+
+  static Plan completed(String remark) {
+    return new Plan(List.of(), Plan.Progress.COMPLETED, remark);
+  }
+}

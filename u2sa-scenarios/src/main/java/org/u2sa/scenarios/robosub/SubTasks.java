@@ -1,0 +1,25 @@
+package org.u2sa.scenarios.robosub;
+
+import java.util.Collection;
+import java.util.List;
+import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.MessageTypeProvider;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.PlannerStateProvider;
+import org.u2sa.planning.Surroundings;
+
+/** Registers RoboSub's goal classes and their planner states. */
+public final class SubTasks implements MessageTypeProvider, PlannerStateProvider {
+  @Override
+  public Collection<MessageType<?>> messageTypes() {
+    return List.of(SubTask.TYPE, PassGate.TYPE, BumpBuoy.TYPE, SurfaceInRing.TYPE);
+  }
+
+  @Override
+  public Collection<PlannerState> plannerStates(
+      Configurator configuration, Surroundings surroundings) {
+    return List.of(
+        new GateState(surroundings), new BuoyState(surroundings), new RingState(surroundings));
+  }
+}

@@ -1,0 +1,18 @@
+package org.u2sa.scenarios.robosub;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SubCourseTest {
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 77, 4711})
+  void of_anySeed_isTheSameAgainAndAllObjectsAreUnderWater(long seed) {
+    SubCourse course = SubCourse.of(seed);
+
+    assertThat(SubCourse.of(seed)).isEqualTo(course);
+    assertThat(course.objects()).hasSize(6).allMatch(object -> object.z() <= 0.0);
+    assertThat(course.buoys().get(0).distanceTo(course.buoys().get(1))).isGreaterThan(3.0);
+  }
+}
