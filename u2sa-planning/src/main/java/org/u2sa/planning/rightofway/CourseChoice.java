@@ -15,7 +15,7 @@ final class CourseChoice {
   private static final double[] SPEEDS = {1.0, 0.5, 0.0}; // changes large enough to be seen
   private static final double ROOMIER = 1.25; // required distances of a new course
   private static final double RIGHT_ANGLE_RAD = 0.5 * Math.PI;
-  private static final double FREE = 1.1;
+  private static final double FREE = 1.25;
   private static final double KEPT = 1.0;
   private static final double NEAR = 3.0; // required distances; the side of a passage farther off is free
   private static final double SLOWER = 1.0; // costs; an alteration by 90° costs 1

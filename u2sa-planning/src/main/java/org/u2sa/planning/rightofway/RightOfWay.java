@@ -5,7 +5,6 @@ import java.util.Collection;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -81,7 +80,7 @@ public final class RightOfWay {
     } else if (isUnsafe || isDue) {
       manoeuvre = Optional.of(choice.choose(before, reason(own, choice)));
     }
-    manoeuvre.filter(now -> isOther(now, before)).ifPresent(now -> say.accept(words(now)));
+    manoeuvre.filter(now -> isOther(now, before)).ifPresent(now -> say.accept(now.toString()));
     endWhatIsClear(own, choice, nowS);
     return manoeuvre.or(() -> held(own, choice));
   }
@@ -95,26 +94,6 @@ public final class RightOfWay {
     return before.isEmpty()
         || now.courseRad() != before.get().courseRad()
         || now.speedShare() != before.get().speedShare();
-  }
-
-  private static String words(Manoeuvre now) {
-    long change = Math.round(Math.toDegrees(now.changeRad()));
-    String course =
-        change == 0
-            ? "keeps its course"
-            : String.format(
-                Locale.ROOT,
-                "course %03d, %d degrees to %s",
-                Angles.degrees(now.courseRad()),
-                Math.abs(change),
-                change > 0 ? "starboard" : "port");
-    String speed =
-        now.speedShare() == 1.0
-            ? ""
-            : now.speedShare() == 0.0
-                ? ", stops"
-                : String.format(Locale.ROOT, ", %.0f %% of its speed", 100.0 * now.speedShare());
-    return now.reason() + ": " + course + speed;
   }
 
   /** Updates the encounters; returns the targets with those whose tracks were lost just now. */
