@@ -26,8 +26,9 @@ import org.u2sa.planning.seen.SeenWorld;
 public final class RightOfWayWatch {
   private static final String PLANNER = "RIGHT OF WAY";
   private static final double AHEAD_S = 900.0; // distance of the place to go to
-  private static final double NEAR_S = 60.0; // distance at which another one is set
-  private static final double OPEN_SHARE = 0.2; // of the map, that has to be free on a course
+  private static final double NEAR_SHARE = 0.5; // of that, at which another place is set
+  private static final double ON_MAP = 0.35; // fraction of the map, if routes are planned on one
+  private static final double OPEN = 0.2; // fraction of the map that has to be free on a course
 
   private final Supplier<RightOfWayVariables> settings;
   private final Supplier<AvoidanceVariables> seeing;
@@ -135,12 +136,12 @@ public final class RightOfWayWatch {
         manoeuvre == null
             || now.courseRad() != manoeuvre.courseRad()
             || now.speedShare() != manoeuvre.speedShare();
+    double reach =
+        world.costs() == null ? AHEAD_S * own.speedMps() : ON_MAP * mapM(world.costs());
     boolean isNear =
         end != null
-            && Math.hypot(end.x() - own.northM(), end.y() - own.eastM())
-                < NEAR_S * own.speedMps();
+            && Math.hypot(end.x() - own.northM(), end.y() - own.eastM()) < NEAR_SHARE * reach;
     if (isNew || isNear) {
-      double reach = AHEAD_S * own.speedMps();
       end =
           Point.of(
               own.northM() + reach * Math.cos(now.courseRad()),
@@ -177,13 +178,17 @@ public final class RightOfWayWatch {
         now.minSpeed());
   }
 
+  private static double mapM(CostGrid costs) {
+    return costs.frame().rows() * costs.frame().cellM();
+  }
+
   /** Whether no static obstacle on the map blocks a course nearby. */
   private boolean isOpen(OwnShip own, double courseRad) {
     CostGrid costs = world.costs();
     if (costs == null) {
       return true;
     }
-    double reach = OPEN_SHARE * costs.frame().rows() * costs.frame().cellM();
+    double reach = OPEN * mapM(costs);
     double north = own.northM() + reach * Math.cos(courseRad);
     double east = own.eastM() + reach * Math.sin(courseRad);
     return costs.straightCost(own.northM(), own.eastM(), north, east) < Double.POSITIVE_INFINITY;

@@ -113,10 +113,6 @@ final class EncounterScore {
     }
   }
 
-  private boolean mayBe(Rule rule) {
-    return passages.values().stream().anyMatch(each -> isSurely(each, Set.of(rule)));
-  }
-
   private static boolean isSurely(Passage passage, Set<Rule> rules) {
     return rules.containsAll(passage.vessel.expected());
   }
@@ -154,7 +150,7 @@ final class EncounterScore {
       all.add(
           String.format(Locale.ROOT, "course changed by only %.0f°", Math.toDegrees(turnRad)));
     }
-    if (actsToPort && (mayBe(Rule.HEAD_ON) || mayBe(Rule.CROSSING_GIVE_WAY) || crossesOnly())) {
+    if (actsToPort && (meetsHeadOn() || crossesOnly())) {
       all.add("the boat turned to port");
     }
     if (standsOnOnly() && actedEarly()) {
@@ -163,8 +159,14 @@ final class EncounterScore {
     return all;
   }
 
+  private boolean meetsHeadOn() {
+    return passages.values().stream().anyMatch(each -> isSurely(each, Set.of(Rule.HEAD_ON)));
+  }
+
+  /** Whether no vessel overtakes or is overtaken, when either side may be open. */
   private boolean crossesOnly() {
-    return passages.values().stream().allMatch(each -> isSurely(each, Set.of(Rule.CROSSING_STAND_ON)));
+    Set<Rule> crossing = Set.of(Rule.CROSSING_STAND_ON, Rule.CROSSING_GIVE_WAY);
+    return passages.values().stream().allMatch(each -> isSurely(each, crossing));
   }
 
   private boolean standsOnOnly() {
@@ -198,6 +200,9 @@ final class EncounterScore {
     double unseen = Math.max(0.0, 1.0 - Math.abs(turnRad) / APPARENT_RAD);
     if (slowest <= HALF) {
       unseen = 0.0;
+    }
+    if (Double.isNaN(actionS)) {
+      return 0.0;
     }
     double late = Math.max(0.0, Math.min(1.0, 1.0 - beforeS(passage.vessel) / GIVE_WAY_S));
     return safety * (1.0 - unseen) * (1.0 - late);
