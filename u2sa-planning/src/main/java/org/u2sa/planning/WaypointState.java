@@ -234,8 +234,7 @@ final class WaypointState implements PlannerState {
   }
 
   /** Asks whether other vessels leave the way to the waypoint, or the route there, free. */
-  private Optional<Order> order(
-      Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
+  private Optional<Order> order(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
     if (!rightOfWay.isOn() || !target.isHorizontal()) {
       return Optional.empty();
     }

@@ -19,7 +19,8 @@ import org.u2sa.messages.shape.Circle;
 
 /** The planner among other vessels, bound for a place 300 m north. */
 class PlannerRightOfWayTest extends PlannedVehicle {
-  private static ObjectDescription vessel(double north, double east, double northMps, double eastMps) {
+  private static ObjectDescription vessel(
+      double north, double east, double northMps, double eastMps) {
     Circle vessel = new Circle().radius(2.0);
     vessel.uid("ferry").referenceFrame(ReferenceFrame.LOCAL_NED).x(north).y(east);
     vessel.motion().velocity(Point.of(northMps, eastMps, 0.0));

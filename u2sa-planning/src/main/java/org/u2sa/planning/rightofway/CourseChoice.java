@@ -17,7 +17,8 @@ final class CourseChoice {
   private static final double RIGHT_ANGLE_RAD = 0.5 * Math.PI;
   private static final double FREE = 1.25;
   private static final double KEPT = 1.0;
-  private static final double NEAR = 3.0; // required distances; the side of a passage farther off is free
+  private static final double NEAR =
+      3.0; // required distances; the side of a passage farther off is free
   private static final double SLOWER = 1.0; // costs; an alteration by 90° costs 1
   private static final double TO_PORT = 0.1;
   private static final double OTHER_COURSE = 0.5;
@@ -158,7 +159,9 @@ final class CourseChoice {
     double cost = square(changeRad / RIGHT_ANGLE_RAD) + (changeRad < 0.0 ? TO_PORT : 0.0);
     cost += share < 1.0 ? SLOWER + 1.0 - share : 0.0;
     if (now.isPresent()) {
-      cost += OTHER_COURSE * square(Angles.wrapped(courseRad - now.get().courseRad()) / RIGHT_ANGLE_RAD);
+      cost +=
+          OTHER_COURSE
+              * square(Angles.wrapped(courseRad - now.get().courseRad()) / RIGHT_ANGLE_RAD);
     }
     if (!isToTheRightSide(changeRad) || !passesByRule(courseRad, speed)) {
       cost += AGAINST_RULE;

@@ -29,7 +29,10 @@ public record Manoeuvre(double courseRad, double speedShare, double fromRad, Str
                 Angles.degrees(courseRad),
                 Math.abs(change),
                 change > 0 ? "starboard" : "port");
-    String speed = speedShare > 0.0 ? String.format(Locale.ROOT, ", %.0f %% of its speed", 100.0 * speedShare) : ", stops";
+    String speed =
+        speedShare > 0.0
+            ? String.format(Locale.ROOT, ", %.0f %% of its speed", 100.0 * speedShare)
+            : ", stops";
     return reason + ": " + course + (speedShare == 1.0 ? "" : speed);
   }
 }

@@ -53,8 +53,7 @@ public record OwnShip(
     double turn = Math.abs(Angles.wrapped(newCourseRad - presentCourseRad()));
     double slower = Math.max(0.0, Math.hypot(northMps, eastMps) - newMps);
     double changeS =
-        limits.reactionS
-            + Math.max(turn / limits.turnRadPerS, slower / limits.brakingMps2);
+        limits.reactionS + Math.max(turn / limits.turnRadPerS, slower / limits.brakingMps2);
     double laggedNorth = 0.5 * changeS * (northMps - north);
     double laggedEast = 0.5 * changeS * (eastMps - east);
     return new Approach(

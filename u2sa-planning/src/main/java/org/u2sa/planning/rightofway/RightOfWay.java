@@ -24,6 +24,7 @@ import java.util.stream.Collectors;
 public final class RightOfWay {
   private static final double LOST_S = 20.0; // age of a track at which its encounter ends
   private static final double SURE_S = 2.0;
+
   /** Ranges at which slowly approaching vessels are kept clear of [required distances]. */
   private static final double GIVE_WAY_RANGES = 3.0;
 
@@ -60,18 +61,15 @@ public final class RightOfWay {
       OwnShip own, List<Target> targets, DoublePredicate isOpen, double nowS) {
     settings = variables.get();
     List<Target> all = follow(targets, nowS);
-    CourseChoice choice =
-        new CourseChoice(own, encounters.values(), all, settings, isOpen);
+    CourseChoice choice = new CourseChoice(own, encounters.values(), all, settings, isOpen);
     all.forEach(target -> beginIfAtRisk(target, own, choice, nowS));
     boolean acts = false;
     for (Encounter each : encounters.values()) {
       acts |= isDue(each, own, choice);
     }
     Optional<Manoeuvre> before = manoeuvre;
-    boolean isFree =
-        free.lasts(before.isPresent() && choice.isFree(own.courseRad()), nowS);
-    boolean isUnsafe =
-        unsafe.lasts(before.filter(now -> !choice.isKept(now)).isPresent(), nowS);
+    boolean isFree = free.lasts(before.isPresent() && choice.isFree(own.courseRad()), nowS);
+    boolean isUnsafe = unsafe.lasts(before.filter(now -> !choice.isKept(now)).isPresent(), nowS);
     boolean isDue = due.lasts(before.isEmpty() && acts, nowS);
     if (isFree) {
       manoeuvre = Optional.empty();
@@ -155,7 +153,8 @@ public final class RightOfWay {
     if (encounter.rule().givesWay()) {
       return time <= settings.giveWayTime() || approach.rangeM() <= GIVE_WAY_RANGES * requiredM;
     }
-    boolean late = time <= settings.standOnTime() || approach.rangeM() <= STAND_ON_RANGES * requiredM;
+    boolean late =
+        time <= settings.standOnTime() || approach.rangeM() <= STAND_ON_RANGES * requiredM;
     if (late && !encounter.actsItself()) {
       encounter.actItself();
       say.accept("right of way: \"" + target.name() + "\" does not give way");
@@ -186,8 +185,7 @@ public final class RightOfWay {
         each -> {
           Approach present = own.presentApproach(each.target());
           boolean isClear =
-              present.closestS() <= 0.0
-                  && present.rangeM() >= choice.requiredM(each.target(), 0.0);
+              present.closestS() <= 0.0 && present.rangeM() >= choice.requiredM(each.target(), 0.0);
           return each.isOver(isClear, nowS);
         });
   }

@@ -75,9 +75,7 @@ public final class RightOfWayWatch {
 
   /** Speed to a waypoint: with right of way it is set, because others' distances depend on it. */
   public OptionalDouble speed(OptionalDouble wanted) {
-    return isOn() && wanted.isEmpty()
-        ? OptionalDouble.of(seeing.get().plannedSpeed())
-        : wanted;
+    return isOn() && wanted.isEmpty() ? OptionalDouble.of(seeing.get().plannedSpeed()) : wanted;
   }
 
   /** Changes for displays, once. */
@@ -136,8 +134,7 @@ public final class RightOfWayWatch {
         manoeuvre == null
             || now.courseRad() != manoeuvre.courseRad()
             || now.speedShare() != manoeuvre.speedShare();
-    double reach =
-        world.costs() == null ? AHEAD_S * own.speedMps() : ON_MAP * mapM(world.costs());
+    double reach = world.costs() == null ? AHEAD_S * own.speedMps() : ON_MAP * mapM(world.costs());
     boolean isNear =
         end != null
             && Math.hypot(end.x() - own.northM(), end.y() - own.eastM()) < NEAR_SHARE * reach;

@@ -47,8 +47,8 @@ public enum Rule {
    * determine_colreg}). In doubt the rules for head-on and for overtaking apply (rules 13(c) and
    * 14(c)).
    *
-   * @param bearingRad bearing of the other vessel relative to the vehicle's course, clockwise
-   *     [rad, any]
+   * @param bearingRad bearing of the other vessel relative to the vehicle's course, clockwise [rad,
+   *     any]
    * @param aspectRad bearing of the vehicle relative to the other vessel's course, clockwise [rad,
    *     any]
    * @param doubtRad uncertainty of both [rad]

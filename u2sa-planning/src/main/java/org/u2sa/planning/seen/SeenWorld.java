@@ -147,7 +147,9 @@ public final class SeenWorld {
     return movers;
   }
 
-  /** Objects in motion now, whether or not {@link #update} has seen them; ignored types excepted. */
+  /**
+   * Objects in motion now, whether or not {@link #update} has seen them; ignored types excepted.
+   */
   public List<Mover> traffic(StateInformation state) {
     List<Mover> moving = new ArrayList<>();
     ObjectReader reader = new ObjectReader(plane(state), state);

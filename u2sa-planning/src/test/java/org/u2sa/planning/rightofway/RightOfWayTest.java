@@ -37,8 +37,7 @@ class RightOfWayTest {
     double course = Math.toRadians(courseDeg);
     double north = mps * Math.cos(course);
     double east = mps * Math.sin(course);
-    return new Target(
-        name, (MPS - north) * afterS, -east * afterS, north, east, 2.0, 0.5, 0.02);
+    return new Target(name, (MPS - north) * afterS, -east * afterS, north, east, 2.0, 0.5, 0.02);
   }
 
   private Optional<Manoeuvre> decide(OwnShip own, Target... targets) {
@@ -159,8 +158,7 @@ class RightOfWayTest {
 
     assertThat(decided.changeRad()).isPositive();
     for (Target each : List.of(one, two)) {
-      Approach after =
-          own.approach(each, decided.courseRad(), MPS * decided.speedShare());
+      Approach after = own.approach(each, decided.courseRad(), MPS * decided.speedShare());
       assertThat(after.distanceM(Math.max(0.0, after.closestS()))).isGreaterThan(23.0);
     }
     assertThat(rules.remark()).contains("\"A\": head-on").contains("\"B\": crossing, gives way");

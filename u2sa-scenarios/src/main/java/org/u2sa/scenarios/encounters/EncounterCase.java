@@ -49,7 +49,12 @@ record EncounterCase(String name, List<Vessel> vessels) {
    * @param expected the boat's rule, or those possible within the accuracy of courses
    */
   record Vessel(
-      String uid, double northM, double eastM, double courseRad, double speedMps, Set<Rule> expected) {
+      String uid,
+      double northM,
+      double eastM,
+      double courseRad,
+      double speedMps,
+      Set<Rule> expected) {
     double northMps() {
       return speedMps * Math.cos(courseRad);
     }
@@ -79,8 +84,7 @@ record EncounterCase(String name, List<Vessel> vessels) {
       double time = closestS();
       double north = (OWN_MPS - speed * Math.cos(course)) * time;
       double east = -speed * Math.sin(course) * time;
-      return new Vessel(
-          uid, north, east, course, speed, expectedRules(north, east, course));
+      return new Vessel(uid, north, east, course, speed, expectedRules(north, east, course));
     }
   }
 
@@ -128,8 +132,8 @@ record EncounterCase(String name, List<Vessel> vessels) {
 
   /**
    * A variation: speeds ±20 % and bearings ±10°, such that each vessel still meets the boat at the
-   * time of the original, and starts at least {@link #LEAST_RANGE_M} away. The expected
-   * rules are those of the sectors within 5°.
+   * time of the original, and starts at least {@link #LEAST_RANGE_M} away. The expected rules are
+   * those of the sectors within 5°.
    */
   EncounterCase varied(long seed) {
     Random random = new Random(seed);

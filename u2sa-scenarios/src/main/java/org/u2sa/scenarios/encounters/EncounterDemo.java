@@ -156,7 +156,8 @@ final class EncounterDemo implements Callable<Integer>, Demo {
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
     Mission mission = frame.isOwnMission() ? mission(given, directory) : given;
-    VehicleFile vehicle = VehicleFile.load(HomeFolder.holding("config/vehicles").resolve(VEHICLE), noise(seed));
+    VehicleFile vehicle =
+        VehicleFile.load(HomeFolder.holding("config/vehicles").resolve(VEHICLE), noise(seed));
     RunPlan.Start start = start(mission);
     VehicleTrial placed =
         VehicleTrial.of(vehicle, world(start, seed), Point.ORIGIN, start.headingRad(), seed);

@@ -40,7 +40,8 @@ final class EncounterScore {
   private final Map<String, Passage> passages = new LinkedHashMap<>();
   private double actionS = Double.NaN;
   private boolean actsToPort;
-  private double turnRad; // largest change of course to the side of the first action, positive to starboard
+  private double
+      turnRad; // largest change of course to the side of the first action, positive to starboard
   private double slowest = 1.0; // share of the speed
 
   /** How one vessel was passed. */
@@ -147,8 +148,7 @@ final class EncounterScore {
     }
     boolean isSeen = Math.abs(turnRad) >= APPARENT_RAD || slowest <= HALF;
     if (mustGiveWay && !isSeen) {
-      all.add(
-          String.format(Locale.ROOT, "course changed by only %.0f°", Math.toDegrees(turnRad)));
+      all.add(String.format(Locale.ROOT, "course changed by only %.0f°", Math.toDegrees(turnRad)));
     }
     if (actsToPort && (meetsHeadOn() || crossesOnly())) {
       all.add("the boat turned to port");
@@ -192,8 +192,7 @@ final class EncounterScore {
         Math.max(
             0.0,
             Math.min(
-                1.0,
-                (passage.nearestM - VESSEL_M - BOAT_M) / (REQUIRED_M - VESSEL_M - BOAT_M)));
+                1.0, (passage.nearestM - VESSEL_M - BOAT_M) / (REQUIRED_M - VESSEL_M - BOAT_M)));
     if (!passage.vessel.expected().stream().allMatch(Rule::givesWay)) {
       return safety;
     }

@@ -22,8 +22,7 @@ final class SteeredBoat {
   private static final double LONGEST_S = 900.0;
   private static final double CORRELATION_S = 5.0; // of errors of tracks
   private static final RightOfWayVariables SETTINGS =
-      new RightOfWayVariables(
-          RightOfWayVariables.Rules.COLREGS, 20.0, 300.0, 120.0, 60.0, 35.0);
+      new RightOfWayVariables(RightOfWayVariables.Rules.COLREGS, 20.0, 300.0, 120.0, 60.0, 35.0);
 
   private final EncounterCase encounter;
   private final double sigmaM;
@@ -63,8 +62,7 @@ final class SteeredBoat {
     for (double now = 0.0; now < LONGEST_S && northM < goalM; now += STEP_S) {
       score.see(now, northM, eastM, courseRad, speedMps);
       double wanted = Math.atan2(-eastM, goalM - northM);
-      Optional<Manoeuvre> decided =
-          rules.decide(own(wanted), targets(now), course -> true, now);
+      Optional<Manoeuvre> decided = rules.decide(own(wanted), targets(now), course -> true, now);
       score.hear(rules.remark());
       Optional<Manoeuvre> last = before;
       boolean isOther =
