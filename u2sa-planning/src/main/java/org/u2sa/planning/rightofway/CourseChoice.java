@@ -138,7 +138,7 @@ final class CourseChoice {
     int count = (int) Math.round(Math.PI / STEP_RAD);
     for (int k = -count + 1; k <= count; k++) {
       double change = k * STEP_RAD;
-      boolean seen = Math.abs(change) >= Math.toRadians(settings.leastAlteration()) - 1.0e-9;
+      boolean seen = Math.abs(change) >= Math.toRadians(settings.minAlteration()) - 1.0e-9;
       for (double share : SPEEDS) {
         boolean possible = share == 1.0 || share * own.speedMps() >= own.limits().slowestMps();
         if (possible && (seen || k == 0 && share < 1.0)) {

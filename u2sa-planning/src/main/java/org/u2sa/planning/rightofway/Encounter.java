@@ -6,8 +6,8 @@ package org.u2sa.planning.rightofway;
  * 13(d)).
  */
 final class Encounter {
-  private static final double MOST_DOUBT_RAD = Math.toRadians(5.0);
-  private static final double LEAST_DOUBT_RAD = Math.toRadians(0.5); // of any course
+  private static final double MAX_DOUBT_RAD = Math.toRadians(5.0);
+  private static final double MIN_DOUBT_RAD = Math.toRadians(0.5); // of any course
 
   private final Rule rule;
   private double courseRad; // of the vehicle when the rule was decided, or resumed later
@@ -39,7 +39,7 @@ final class Encounter {
         Rule.of(
             bearing - courseRad,
             bearing + Math.PI - target.courseRad(),
-            Math.min(MOST_DOUBT_RAD, LEAST_DOUBT_RAD + doubt));
+            Math.min(MAX_DOUBT_RAD, MIN_DOUBT_RAD + doubt));
     return new Encounter(rule, courseRad, target, nowS);
   }
 

@@ -29,7 +29,7 @@ public record RightOfWayVariables(
     @Variable(unit = "deg", min = 5, max = 90, ifAbsent = 35)
         @Description(
             "With RIGHT OF WAY: least alteration of course, large enough to be seen (rule 8).")
-        double leastAlteration) {
+        double minAlteration) {
   /** Rules of right of way. */
   public enum Rules {
     /** No right of way. */

@@ -31,7 +31,7 @@ record EncounterCase(String name, List<Vessel> vessels) {
   static final double FASTER = 6.0;
 
   private static final double DOUBT_RAD = Math.toRadians(5.0);
-  private static final double LEAST_RANGE_M = 60.0;
+  private static final double MIN_RANGE_M = 60.0;
   private static final String RESOURCE = "cases.csv";
   private static final double MPS_PER_KN = 1852.0 / 3600.0;
   private static final double DNV_KN = 10.0;
@@ -132,7 +132,7 @@ record EncounterCase(String name, List<Vessel> vessels) {
 
   /**
    * A variation: speeds ±20 % and bearings ±10°, such that each vessel still meets the boat at the
-   * time of the original, and starts at least {@link #LEAST_RANGE_M} away. The expected rules are
+   * time of the original, and starts at least {@link #MIN_RANGE_M} away. The expected rules are
    * those of the sectors within 5°.
    */
   EncounterCase varied(long seed) {
@@ -140,7 +140,7 @@ record EncounterCase(String name, List<Vessel> vessels) {
     List<Vessel> others = new ArrayList<>();
     for (Vessel each : vessels) {
       Vessel other = each.changed(random);
-      while (Math.hypot(other.northM, other.eastM) < LEAST_RANGE_M) {
+      while (Math.hypot(other.northM, other.eastM) < MIN_RANGE_M) {
         other = each.changed(random);
       }
       others.add(other);
