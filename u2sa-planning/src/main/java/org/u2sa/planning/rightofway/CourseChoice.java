@@ -112,7 +112,7 @@ final class CourseChoice {
   }
 
   /** Whether a manoeuvre may go on: safe still, and past whom it passes on the right side. */
-  boolean isKept(Manoeuvre now) {
+  boolean isKept(CourseOrder now) {
     double speed = now.speedShare() * own.speedMps();
     return leastShare(now.courseRad(), speed, horizonS()) >= KEPT
         && isOpen.test(now.courseRad())
@@ -131,10 +131,10 @@ final class CourseChoice {
    * @param now manoeuvre under way; what replaces it should differ little
    * @param reason of the result
    */
-  Manoeuvre choose(Optional<Manoeuvre> now, String reason) {
-    double from = now.map(Manoeuvre::fromRad).orElse(own.courseRad());
+  CourseOrder choose(Optional<CourseOrder> now, String reason) {
+    double from = now.map(CourseOrder::fromRad).orElse(own.courseRad());
     double least = Double.POSITIVE_INFINITY;
-    Manoeuvre best = null;
+    CourseOrder best = null;
     int count = (int) Math.round(Math.PI / STEP_RAD);
     for (int k = -count + 1; k <= count; k++) {
       double change = k * STEP_RAD;
@@ -145,7 +145,7 @@ final class CourseChoice {
           double cost = cost(from + change, change, share, now);
           if (cost < least) {
             least = cost;
-            best = new Manoeuvre(from + change, share, from, reason);
+            best = new CourseOrder(from + change, share, from, reason);
           }
         }
       }
@@ -153,7 +153,7 @@ final class CourseChoice {
     return best;
   }
 
-  private double cost(double courseRad, double changeRad, double share, Optional<Manoeuvre> now) {
+  private double cost(double courseRad, double changeRad, double share, Optional<CourseOrder> now) {
     double speed = share * own.speedMps();
     double safety = leastShare(courseRad, speed, horizonS());
     double cost = square(changeRad / RIGHT_ANGLE_RAD) + (changeRad < 0.0 ? TO_PORT : 0.0);

@@ -34,7 +34,7 @@ public final class RightOfWay {
   private final Supplier<RightOfWayVariables> variables;
   private final Consumer<String> say;
   private final Map<String, Encounter> encounters = new LinkedHashMap<>();
-  private Optional<Manoeuvre> manoeuvre = Optional.empty();
+  private Optional<CourseOrder> manoeuvre = Optional.empty();
   private final Lasting due = new Lasting(SURE_S);
   private final Lasting free = new Lasting(SURE_S);
   private final Lasting unsafe = new Lasting(SURE_S);
@@ -57,7 +57,7 @@ public final class RightOfWay {
    * @param nowS current time [s]
    * @return course and speed to keep; empty if the vehicle may go to its goal
    */
-  public Optional<Manoeuvre> decide(
+  public Optional<CourseOrder> decide(
       OwnShip own, List<Target> targets, DoublePredicate isOpen, double nowS) {
     settings = variables.get();
     List<Target> all = follow(targets, nowS);
@@ -67,7 +67,7 @@ public final class RightOfWay {
     for (Encounter each : encounters.values()) {
       acts |= isDue(each, own, choice);
     }
-    Optional<Manoeuvre> before = manoeuvre;
+    Optional<CourseOrder> before = manoeuvre;
     boolean isFree = free.lasts(before.isPresent() && choice.isFree(own.courseRad()), nowS);
     boolean isUnsafe = unsafe.lasts(before.filter(now -> !choice.isKept(now)).isPresent(), nowS);
     boolean isDue = due.lasts(before.isEmpty() && acts, nowS);
@@ -88,7 +88,7 @@ public final class RightOfWay {
     return encounters.values().stream().map(Encounter::toString).collect(Collectors.joining("; "));
   }
 
-  private static boolean isOther(Manoeuvre now, Optional<Manoeuvre> before) {
+  private static boolean isOther(CourseOrder now, Optional<CourseOrder> before) {
     return before.isEmpty()
         || now.courseRad() != before.get().courseRad()
         || now.speedShare() != before.get().speedShare();
@@ -191,14 +191,14 @@ public final class RightOfWay {
   }
 
   /** A vessel that stands on does not turn onto another leg before the other one is clear. */
-  private Optional<Manoeuvre> held(OwnShip own, CourseChoice choice) {
+  private Optional<CourseOrder> held(OwnShip own, CourseChoice choice) {
     for (Encounter each : encounters.values()) {
       double course = each.courseRad();
       boolean turns = Math.abs(Angles.wrapped(own.courseRad() - course)) > OTHER_LEG_RAD;
       Approach ahead = own.approach(each.target(), course, own.speedMps());
       if (!each.mustAct() && turns && isRisk(each.target(), ahead, choice)) {
         return Optional.of(
-            new Manoeuvre(
+            new CourseOrder(
                 course,
                 1.0,
                 own.courseRad(),

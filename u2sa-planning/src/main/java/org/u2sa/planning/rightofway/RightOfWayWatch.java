@@ -37,7 +37,7 @@ public final class RightOfWayWatch {
   private final BiConsumer<String, String> remark; // part, words
   private final RightOfWay rules;
   private PlanningPlane plane;
-  private Manoeuvre manoeuvre; // of the last order; null if there was none
+  private CourseOrder manoeuvre; // of the last order; null if there was none
   private Point end; // north, east of the place to go to
   private Optional<PlannedPath> news = Optional.empty();
 
@@ -117,7 +117,7 @@ public final class RightOfWayWatch {
         world.traffic(state).stream()
             .map(mover -> Target.of(mover, micros))
             .collect(Collectors.toList());
-    Optional<Manoeuvre> decided =
+    Optional<CourseOrder> decided =
         rules.decide(own, targets, course -> isOpen(own, course), Clock.seconds(micros));
     remark.accept("right of way", rules.remark());
     return decided.map(now -> order(now, own, at.z(), goal)).or(() -> none());
@@ -128,7 +128,7 @@ public final class RightOfWayWatch {
     return Optional.empty();
   }
 
-  private Order order(Manoeuvre now, OwnShip own, double downM, String goal) {
+  private Order order(CourseOrder now, OwnShip own, double downM, String goal) {
     double speed = now.speedShare() * own.speedMps();
     boolean isNew =
         manoeuvre == null

@@ -40,13 +40,13 @@ class RightOfWayTest {
     return new Target(name, (MPS - north) * afterS, -east * afterS, north, east, 2.0, 0.5, 0.02);
   }
 
-  private Optional<Manoeuvre> decide(OwnShip own, Target... targets) {
+  private Optional<CourseOrder> decide(OwnShip own, Target... targets) {
     return decide(own, course -> true, targets);
   }
 
   /** The decision after the seconds that a condition has to last. */
-  private Optional<Manoeuvre> decide(OwnShip own, DoublePredicate isOpen, Target... targets) {
-    Optional<Manoeuvre> decided = Optional.empty();
+  private Optional<CourseOrder> decide(OwnShip own, DoublePredicate isOpen, Target... targets) {
+    Optional<CourseOrder> decided = Optional.empty();
     for (int i = 0; i < 5; i++) {
       nowS += 0.6;
       decided = rules.decide(own, List.of(targets), isOpen, nowS);
@@ -54,7 +54,7 @@ class RightOfWayTest {
     return decided;
   }
 
-  private static double changeDeg(Optional<Manoeuvre> manoeuvre) {
+  private static double changeDeg(Optional<CourseOrder> manoeuvre) {
     return Math.toDegrees(manoeuvre.orElseThrow().changeRad());
   }
 
@@ -74,7 +74,7 @@ class RightOfWayTest {
 
   @Test
   void decide_headOn_altersClearlyToStarboardAndSaysForWhom() {
-    Optional<Manoeuvre> decided = decide(own(0, 0, 0, 0), meeting("A", 180, MPS, 100));
+    Optional<CourseOrder> decided = decide(own(0, 0, 0, 0), meeting("A", 180, MPS, 100));
 
     assertThat(changeDeg(decided)).isBetween(30.0, 60.0);
     assertThat(rules.remark()).isEqualTo("\"A\": head-on, gives way (rule 14)");
@@ -85,7 +85,7 @@ class RightOfWayTest {
   void decide_crossingFromStarboard_passesAstern() {
     Target target = meeting("A", 270, MPS, 100);
     OwnShip own = own(0, 0, 0, 0);
-    Optional<Manoeuvre> decided = decide(own, target);
+    Optional<CourseOrder> decided = decide(own, target);
 
     assertThat(changeDeg(decided)).isBetween(30.0, 90.0);
     Approach after = own.approach(target, decided.get().courseRad(), MPS);
@@ -98,7 +98,7 @@ class RightOfWayTest {
     assertThat(decide(own(0, 0, 0, 0), meeting("A", 90, MPS, 100))).isEmpty();
     assertThat(rules.remark()).isEqualTo("\"A\": crossing, stands on (rule 15, 17)");
 
-    Optional<Manoeuvre> late = decide(own(0, 0, 0, 0), meeting("A", 90, MPS, 55));
+    Optional<CourseOrder> late = decide(own(0, 0, 0, 0), meeting("A", 90, MPS, 55));
 
     assertThat(changeDeg(late)).isBetween(30.0, 180.0); // not to port: rule 17(c)
     assertThat(said).anyMatch(line -> line.contains("\"A\" does not give way"));
@@ -115,7 +115,7 @@ class RightOfWayTest {
 
   @Test
   void decide_slowVesselAhead_isPassedOnEitherSide() {
-    Optional<Manoeuvre> decided = decide(own(0, 0, 0, 0), meeting("A", 0, 0.6, 100));
+    Optional<CourseOrder> decided = decide(own(0, 0, 0, 0), meeting("A", 0, 0.6, 100));
 
     assertThat(Math.abs(changeDeg(decided))).isBetween(30.0, 60.0);
     assertThat(rules.remark()).contains("overtaking");
@@ -142,8 +142,8 @@ class RightOfWayTest {
     double north = 30.0 * MPS * Math.cos(Math.toRadians(course));
     double east = 30.0 * MPS * Math.sin(Math.toRadians(course));
 
-    Optional<Manoeuvre> later = decide(own(north, east, course, -5), target.after(30.0));
-    Optional<Manoeuvre> past = decide(own(2 * north, 2 * east, course, -5), target.after(130.0));
+    Optional<CourseOrder> later = decide(own(north, east, course, -5), target.after(30.0));
+    Optional<CourseOrder> past = decide(own(2 * north, 2 * east, course, -5), target.after(130.0));
 
     assertThat(Math.toDegrees(later.orElseThrow().courseRad())).isCloseTo(course, within(1.0e-6));
     assertThat(past).isEmpty();
@@ -154,7 +154,7 @@ class RightOfWayTest {
     OwnShip own = own(0, 0, 0, 0);
     Target one = meeting("A", 180, MPS, 100);
     Target two = meeting("B", 225, MPS, 100);
-    Manoeuvre decided = decide(own, one, two).orElseThrow();
+    CourseOrder decided = decide(own, one, two).orElseThrow();
 
     assertThat(decided.changeRad()).isPositive();
     for (Target each : List.of(one, two)) {
@@ -166,7 +166,7 @@ class RightOfWayTest {
 
   @Test
   void decide_noCourseIsOpen_slowsDown() {
-    Optional<Manoeuvre> decided =
+    Optional<CourseOrder> decided =
         decide(
             own(0, 0, 0, 0),
             course -> Math.abs(course) < 0.1, // a channel
@@ -179,7 +179,7 @@ class RightOfWayTest {
   @Test
   void decide_standsOnWhenItsWayTurns_holdsItsCourse() {
     decide(own(0, 0, 0, 0), meeting("A", 90, MPS, 100));
-    Optional<Manoeuvre> held = decide(own(0, 0, 0, 50), meeting("A", 90, MPS, 95));
+    Optional<CourseOrder> held = decide(own(0, 0, 0, 50), meeting("A", 90, MPS, 95));
 
     assertThat(Math.toDegrees(held.orElseThrow().courseRad())).isCloseTo(0.0, within(1.0));
     assertThat(held.get().reason()).contains("stands on for \"A\"");
@@ -198,9 +198,9 @@ class RightOfWayTest {
   @Test
   void decide_sameTracks_decidesTheSame() {
     Target target = meeting("A", 180, MPS, 100);
-    Manoeuvre first = decide(own(0, 0, 0, 0), target).orElseThrow();
+    CourseOrder first = decide(own(0, 0, 0, 0), target).orElseThrow();
     RightOfWay again = new RightOfWay(() -> SETTINGS, line -> {});
-    Optional<Manoeuvre> second = Optional.empty();
+    Optional<CourseOrder> second = Optional.empty();
     for (int i = 1; i <= 5; i++) {
       second = again.decide(own(0, 0, 0, 0), List.of(target), course -> true, 0.6 * i);
     }

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import org.u2sa.planning.rightofway.Manoeuvre;
+import org.u2sa.planning.rightofway.CourseOrder;
 import org.u2sa.planning.rightofway.OwnShip;
 import org.u2sa.planning.rightofway.RightOfWay;
 import org.u2sa.planning.rightofway.RightOfWayVariables;
@@ -58,25 +58,25 @@ final class SteeredBoat {
   EncounterScore run() {
     EncounterScore score = new EncounterScore(encounter);
     double goalM = EncounterCase.OWN_MPS * (encounter.lastClosestS() + RUN_ON_S);
-    Optional<Manoeuvre> before = Optional.empty();
+    Optional<CourseOrder> before = Optional.empty();
     for (double now = 0.0; now < LONGEST_S && northM < goalM; now += STEP_S) {
       score.see(now, northM, eastM, courseRad, speedMps);
       double wanted = Math.atan2(-eastM, goalM - northM);
-      Optional<Manoeuvre> decided = rules.decide(own(wanted), targets(now), course -> true, now);
+      Optional<CourseOrder> decided = rules.decide(own(wanted), targets(now), course -> true, now);
       score.hear(rules.remark());
-      Optional<Manoeuvre> last = before;
+      Optional<CourseOrder> last = before;
       boolean isOther =
           decided.filter(next -> last.isEmpty() || isOther(next, last.get())).isPresent();
       manoeuvres += isOther ? 1 : 0;
       before = decided;
       steer(
-          decided.map(Manoeuvre::courseRad).orElse(wanted),
-          EncounterCase.OWN_MPS * decided.map(Manoeuvre::speedShare).orElse(1.0));
+          decided.map(CourseOrder::courseRad).orElse(wanted),
+          EncounterCase.OWN_MPS * decided.map(CourseOrder::speedShare).orElse(1.0));
     }
     return score;
   }
 
-  private static boolean isOther(Manoeuvre next, Manoeuvre last) {
+  private static boolean isOther(CourseOrder next, CourseOrder last) {
     return next.courseRad() != last.courseRad() || next.speedShare() != last.speedShare();
   }
 

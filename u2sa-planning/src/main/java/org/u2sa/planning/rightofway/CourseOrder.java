@@ -10,7 +10,7 @@ import java.util.Locale;
  * @param fromRad course to the goal when it was chosen [rad]
  * @param reason rule and vessel, for operators
  */
-public record Manoeuvre(double courseRad, double speedShare, double fromRad, String reason) {
+public record CourseOrder(double courseRad, double speedShare, double fromRad, String reason) {
   /** Change of course, positive to starboard [rad, −π…π]. */
   public double changeRad() {
     return Angles.wrapped(courseRad - fromRad);
