@@ -1,6 +1,7 @@
 package org.u2sa.planning;
 
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.safety.FailsafeAction;
@@ -15,12 +16,18 @@ import org.u2sa.service.U2SAService;
 final class BlindStand {
   private final U2SAService planner;
   private final Avoidance avoidance;
+  private final BooleanSupplier looksOut; // needs to know its surroundings
   private final Supplier<AvoidanceVariables> settings;
   private String said = "";
 
-  BlindStand(U2SAService planner, Avoidance avoidance, Supplier<AvoidanceVariables> settings) {
+  BlindStand(
+      U2SAService planner,
+      Avoidance avoidance,
+      BooleanSupplier looksOut,
+      Supplier<AvoidanceVariables> settings) {
     this.planner = planner;
     this.avoidance = avoidance;
+    this.looksOut = looksOut;
     this.settings = settings;
   }
 
@@ -32,7 +39,7 @@ final class BlindStand {
    */
   boolean stands(FailsafeAction failsafe, long nowMicros) {
     Optional<String> trouble =
-        avoidance.isOn()
+        looksOut.getAsBoolean()
             ? avoidance.world().age().trouble(nowMicros, settings.get().worldStaleMicros())
             : Optional.empty();
     boolean goesOn =

@@ -10,6 +10,7 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -24,6 +25,8 @@ import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
+import org.u2sa.planning.rightofway.RightOfWayVariables;
+import org.u2sa.planning.rightofway.RightOfWayWatch;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.ServiceContext;
@@ -44,6 +47,7 @@ public class PathPlanner extends EventDrivenService {
   private final PlannerStates states;
   private final EndOfMission end;
   private final Avoidance avoidance;
+  private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
   private Optional<GoalList> goals = Optional.empty();
   // Goal list transferred by the predecessor; it arrives again because it is retained.
@@ -71,11 +75,19 @@ public class PathPlanner extends EventDrivenService {
     WaypointGuidance guidance = guide.apply(this);
     Settings<AvoidanceVariables> seeing = settings(AvoidanceVariables.class);
     avoidance = new Avoidance(this, seeing, this::lines, this::say);
-    blind = new BlindStand(this, avoidance, seeing);
+    rightOfWay =
+        new RightOfWayWatch(
+            settings(RightOfWayVariables.class),
+            seeing,
+            this::lines,
+            avoidance.world(),
+            this::say,
+            this::remark);
+    blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
     states =
         new PlannerStates(
             List.of(
-                new WaypointState(guidance, settings, avoidance, seeing),
+                new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(guidance, settings(StationVariables.class))));
     states.discover(this, new PlannerSurroundings(avoidance));
@@ -362,14 +374,14 @@ public class PathPlanner extends EventDrivenService {
     if (plan.progress() != Plan.Progress.UNDER_WAY) {
       report(chosen, plan);
     }
-    avoidance
-        .news()
-        .ifPresent(
-            path -> {
-              state.timestamp().ifPresent(path::timestamp);
-              publish(Channels.PLANS, path);
-            });
+    avoidance.news().ifPresent(path -> show(path, state));
+    rightOfWay.news().ifPresent(path -> show(path, state));
     return plan.points();
+  }
+
+  private void show(PlannedPath path, StateInformation state) {
+    state.timestamp().ifPresent(path::timestamp);
+    publish(Channels.PLANS, path);
   }
 
   private static String named(GoalInformation goal) {

@@ -17,6 +17,8 @@ import org.u2sa.planning.guidance.Leg;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
+import org.u2sa.planning.rightofway.RightOfWayWatch;
+import org.u2sa.planning.rightofway.RightOfWayWatch.Order;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -42,11 +44,13 @@ final class WaypointState implements PlannerState {
   private final WaypointGuidance guidance;
   private final Supplier<PlanningVariables> settings;
   private final Avoidance avoidance;
+  private final RightOfWayWatch rightOfWay;
   private final Supplier<AvoidanceVariables> seeing;
   private int attempts;
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
   private boolean reached;
+  private boolean yields; // it follows an order of right of way
   private double nearestM; // in this attempt, while approaching
   private double nowM; // from the waypoint
   private Optional<StateInformation> last = Optional.empty();
@@ -56,10 +60,12 @@ final class WaypointState implements PlannerState {
       WaypointGuidance guidance,
       Supplier<PlanningVariables> settings,
       Avoidance avoidance,
+      RightOfWayWatch rightOfWay,
       Supplier<AvoidanceVariables> seeing) {
     this.guidance = guidance;
     this.settings = settings;
     this.avoidance = avoidance;
+    this.rightOfWay = rightOfWay;
     this.seeing = seeing;
   }
 
@@ -138,6 +144,15 @@ final class WaypointState implements PlannerState {
     Place target = Place.of(waypoint);
     follow(target);
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    Optional<Order> order = order(waypoint, target, vehicle, pursuit);
+    if (order.filter(Order::isNew).isPresent() || yields && order.isEmpty()) {
+      guidance.begin(Optional.empty());
+      avoidance.begin();
+    }
+    yields = order.isPresent();
+    if (order.isPresent()) {
+      return yielding(waypoint, target, vehicle, pursuit, order.get());
+    }
     if (avoidance.isOn() && target.isHorizontal()) {
       return around(waypoint, target, vehicle, pursuit);
     }
@@ -166,7 +181,7 @@ final class WaypointState implements PlannerState {
    */
   private OptionalDouble speed(Waypoint waypoint, double toGoM, Pursuit pursuit) {
     if (waypoint.time().isEmpty()) {
-      return waypoint.speed();
+      return rightOfWay.speed(waypoint.speed());
     }
     AvoidanceVariables now = seeing.get();
     double most = waypoint.speed().orElse(Math.max(now.maxSpeed(), now.plannedSpeed()));
@@ -216,6 +231,50 @@ final class WaypointState implements PlannerState {
     avoidance.begin();
     return new Plan(
         List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: trying again");
+  }
+
+  /** Asks whether other vessels leave the way to the waypoint, or the route there, free. */
+  private Optional<Order> order(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
+    if (!rightOfWay.isOn() || !target.isHorizontal()) {
+      return Optional.empty();
+    }
+    Point way = vehicle.nedOf(target);
+    OptionalDouble speed = speed(waypoint, Math.hypot(way.x(), way.y()), pursuit);
+    return rightOfWay.order(
+        vehicle,
+        pursuit.state(),
+        waypoint.uid(),
+        yields ? way : avoidance.ahead(vehicle).orElse(way),
+        speed.orElseThrow());
+  }
+
+  /** Keeps the course and speed of right of way. */
+  private Plan yielding(
+      Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit, Order order) {
+    double downM = vehicle.nedOf(target).z();
+    look(vehicle, target, waypoint, downM);
+    last = Optional.of(pursuit.state());
+    Place place = order.place().orAltitudeOf(target);
+    OptionalDouble speed = OptionalDouble.of(order.speedMps());
+    NavigationPoint point;
+    if (order.speedMps() == 0.0) {
+      point = NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0);
+    } else if (avoidance.isOn()) {
+      Avoidance.Wanted wanted =
+          new Avoidance.Wanted(
+              waypoint.uid(), place, waypoint.horizontalThreshold(), OptionalDouble.empty(), speed);
+      Avoidance.Step step = avoidance.step(vehicle, pursuit.state(), wanted);
+      step.givenUp().ifPresent(why -> avoidance.begin());
+      point = step.point(vehicle);
+    } else {
+      double threshold = waypoint.horizontalThreshold();
+      point =
+          NavigationPoint.at(guidance.towards(vehicle, place, threshold, Optional.empty()))
+              .speed(order.speedMps());
+    }
+    return reached && waypoint.psi().isEmpty()
+        ? new Plan(List.of(point), Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM))
+        : Plan.underWay(List.of(point));
   }
 
   /** Plans the next step on a route around obstacles. */

@@ -126,6 +126,18 @@ public final class Avoidance {
     return routes.track().stream().mapToDouble(RouteTrack::remainingM).findAny();
   }
 
+  /** Vector to a place ahead on the route: north, east, down [m]; empty without one. */
+  public Optional<Point> ahead(Vehicle vehicle) {
+    if (!isOn() || plane == null) {
+      return Optional.empty();
+    }
+    Point at = vehicle.on(plane);
+    double ahead = lines.get().lookAheadM(vehicle.speedMps());
+    return routes
+        .track()
+        .map(way -> Point.of(way.northAheadM(ahead) - at.x(), way.eastAheadM(ahead) - at.y(), 0.0));
+  }
+
   public void begin() {
     attempt = Optional.empty();
     routes.begin();

@@ -11,6 +11,8 @@ package org.u2sa.planning.seen;
  * @param northMps northward velocity after the last point [m/s]
  * @param eastMps eastward velocity after the last point [m/s]
  * @param radiusM clearance radius around its centre [m]
+ * @param sigmaM standard deviation of its position [m]; 0 if unknown
+ * @param sigmaMps standard deviation of its velocity [m/s]; 0 if unknown
  */
 public record Mover(
     String name,
@@ -20,11 +22,26 @@ public record Mover(
     double[] easts,
     double northMps,
     double eastMps,
-    double radiusM) {
+    double radiusM,
+    double sigmaM,
+    double sigmaMps) {
   private static final double MICROS = 1.0e-6;
 
   /** Below this speed an object counts as stationary [m/s]. */
   private static final double STANDS_MPS = 0.05;
+
+  /** A mover of unknown accuracy. */
+  public Mover(
+      String name,
+      long seenMicros,
+      double stepS,
+      double[] norths,
+      double[] easts,
+      double northMps,
+      double eastMps,
+      double radiusM) {
+    this(name, seenMicros, stepS, norths, easts, northMps, eastMps, radiusM, 0.0, 0.0);
+  }
 
   boolean stands() {
     return Math.hypot(northMps, eastMps) < STANDS_MPS;
@@ -40,7 +57,9 @@ public record Mover(
         new double[] {easts[0]},
         newNorthMps,
         newEastMps,
-        radiusM);
+        radiusM,
+        sigmaM,
+        sigmaMps);
   }
 
   /** Age of the data [s] at a time. */

@@ -77,7 +77,9 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
             points.stream().mapToDouble(Point::y).toArray(),
             northMps,
             eastMps,
-            outerRadiusM(shape, here)));
+            outerRadiusM(shape, here),
+            object.motion().sigma().map(sigma -> Math.max(sigma.x(), sigma.y())).orElse(0.0),
+            object.motion().velocitySigma().orElse(0.0)));
   }
 
   private static double outerRadiusM(PlanarShape shape, Point centre) {

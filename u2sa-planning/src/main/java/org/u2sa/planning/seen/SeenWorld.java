@@ -153,6 +153,21 @@ public final class SeenWorld {
     return movers;
   }
 
+  /**
+   * Objects in motion now, whether or not {@link #update} has seen them; ignored types excepted.
+   */
+  public List<Mover> traffic(StateInformation state) {
+    List<Mover> moving = new ArrayList<>();
+    ObjectReader reader = new ObjectReader(plane(state), state);
+    long micros = objects == null ? 0L : objects.timestamp().orElse(0L);
+    for (ObjectDescription object : objects()) {
+      if (!reading.get().ignoredTypes().contains(object.objectType())) {
+        reader.mover(object, micros).filter(mover -> !mover.stands()).ifPresent(moving::add);
+      }
+    }
+    return moving;
+  }
+
   /** Revision that grows when a cost changes or the window moves. */
   public int revision() {
     return revision;

@@ -11,6 +11,7 @@ import org.u2sa.cli.record.RunRecording;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.summary.RunReport;
@@ -39,6 +40,11 @@ public final class DemoFrame {
   /** Seed of the first run. */
   public long seed() {
     return options.seed();
+  }
+
+  /** Output folder of a command that starts several runs of a demo, as of {@code --out}. */
+  public Path directory(String demo) {
+    return options.outDirectory(demo, new SystemClock().micros());
   }
 
   /** Whether the mission is the demo's default. */

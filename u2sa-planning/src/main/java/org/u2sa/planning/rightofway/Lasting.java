@@ -1,0 +1,21 @@
+package org.u2sa.planning.rightofway;
+
+/** A condition that has to last, because tracks are noisy. */
+final class Lasting {
+  private final double minimumS;
+  private double sinceS = Double.NaN;
+
+  Lasting(double minimumS) {
+    this.minimumS = minimumS;
+  }
+
+  /** Whether it has held without a break for the minimum time. */
+  boolean lasts(boolean holds, double nowS) {
+    if (!holds) {
+      sinceS = Double.NaN;
+    } else if (Double.isNaN(sinceS)) {
+      sinceS = nowS;
+    }
+    return holds && nowS - sinceS >= minimumS;
+  }
+}

@@ -1,0 +1,46 @@
+package org.u2sa.scenarios.encounters;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.cli.command.ExitCode;
+import org.u2sa.scenarios.run.CommandLineRun;
+
+/** All services of a boat with a radar, in one encounter. */
+class EncounterDemoTest {
+  @TempDir private Path folder;
+
+  @Test
+  void demo_crossingVessel_isGivenWayTo() throws IOException {
+    CommandLineRun run =
+        CommandLineRun.of(
+            "demo",
+            "encounters",
+            "--case",
+            "dnv-02",
+            "--seed",
+            "3",
+            "--summary-only",
+            "--port",
+            "0",
+            "--out",
+            folder.toString());
+
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    assertThat(Files.readString(folder.resolve("encounters.txt")))
+        .contains("CROSSING_GIVE_WAY  CROSSING_GIVE_WAY")
+        .doesNotContain("!");
+  }
+
+  @Test
+  void demo_unknownCase_isRefusedWithItsName() {
+    CommandLineRun run = CommandLineRun.of("demo", "encounters", "--case", "dnv-99");
+
+    assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(run.err()).contains("dnv-99").contains("expected all");
+  }
+}
