@@ -61,10 +61,7 @@ public final class ScanMapModeller implements Modeller {
    * @param saves whether SAVE MAP counts
    */
   public ScanMapModeller(
-      Configurator configuration,
-      GridModeller grid,
-      Function<String, Path> files,
-      boolean saves) {
+      Configurator configuration, GridModeller grid, Function<String, Path> files, boolean saves) {
     this.files = files;
     this.saves = saves;
     settings = configuration.settings(ScanMapVariables.class);
