@@ -155,7 +155,8 @@ class ApkTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"classes2.dex", "AndroidManifest.xml", "resources.arsc", "lib/arm64-v8a/x.so"})
+  @ValueSource(
+      strings = {"classes2.dex", "AndroidManifest.xml", "resources.arsc", "lib/arm64-v8a/x.so"})
   void apk_ownJarWithAFileThatAndroidReads_isRefusedBeforeTheBuild(String name) throws Exception {
     Path jar = folder.resolve("my.jar");
     try (ZipOutputStream out = new ZipOutputStream(Files.newOutputStream(jar))) {

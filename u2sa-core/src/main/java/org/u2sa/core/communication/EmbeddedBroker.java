@@ -15,7 +15,6 @@ import java.util.Properties;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.core.communication.limit.BrokerLimits;
-import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
@@ -82,7 +81,8 @@ final class EmbeddedBroker implements AutoCloseable {
           new PermitAllAuthorizatorPolicy()); // the connection filter has checked each packet
       FilterInstaller.install(filter, broker.server);
     } catch (IOException | RuntimeException e) {
-      FilterInstaller.takeDown(broker.server); // another program may have been faster than the probe
+      FilterInstaller.takeDown(
+          broker.server); // another program may have been faster than the probe
       filter.close();
       throw cannotListen(address, e);
     }

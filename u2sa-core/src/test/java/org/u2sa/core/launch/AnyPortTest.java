@@ -54,7 +54,9 @@ class AnyPortTest {
   void write() throws IOException {
     file =
         SystemFile.read(
-            Files.writeString(directory.resolve("system.xml"), "<system id=\"test\"><service class=\"" + Quiet.class.getName() + "\"/></system>"));
+            Files.writeString(
+                directory.resolve("system.xml"),
+                "<system id=\"test\"><service class=\"" + Quiet.class.getName() + "\"/></system>"));
   }
 
   private LaunchOptions options(int port) {

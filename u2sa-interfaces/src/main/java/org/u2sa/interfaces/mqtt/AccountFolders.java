@@ -17,8 +17,9 @@ import org.u2sa.interfaces.BadInputException;
 /**
  * Folders in which programs of one account share files: {@code $XDG_RUNTIME_DIR/u2sa} and {@code
  * ~/.u2sa/run}. Files are written to and searched for in both, because the variable differs between
- * sessions of one account, and its folder is removed with the last session. {@value #VARIABLE} names
- * one folder that replaces both: tests use it, and so can an account with several separate users.
+ * sessions of one account, and its folder is removed with the last session. {@value #VARIABLE}
+ * names one folder that replaces both: tests use it, and so can an account with several separate
+ * users.
  */
 public final class AccountFolders {
   /** Environment variable: absolute path of the folder that replaces the usual ones. */
@@ -55,7 +56,10 @@ public final class AccountFolders {
     String only = environment.getOrDefault(VARIABLE, "");
     if (!only.isEmpty() && !Paths.get(only).isAbsolute()) {
       throw new BadInputException(
-          VARIABLE + ": \"" + only + "\" is not an absolute path; programs that start in different"
+          VARIABLE
+              + ": \""
+              + only
+              + "\" is not an absolute path; programs that start in different"
               + " folders would not find each other's files");
     }
     return new AccountFolders(environment.getOrDefault("XDG_RUNTIME_DIR", ""), home, only);

@@ -24,8 +24,7 @@ class AccountFoldersTest {
   @Test
   void of_folderNamed_onlyThatFolder() {
     Map<String, String> environment =
-        Map.of(
-            AccountFolders.VARIABLE, folder.toString(), "XDG_RUNTIME_DIR", folder.toString());
+        Map.of(AccountFolders.VARIABLE, folder.toString(), "XDG_RUNTIME_DIR", folder.toString());
 
     assertThat(AccountFolders.of(environment, "/home/pat").all()).containsExactly(folder);
   }

@@ -16,7 +16,9 @@ import org.junit.jupiter.api.Timeout;
 class SecuredSocketTest {
   private static final long WITHIN_MS = 500;
   private static final int READ_MS = 20_000;
-  private static final byte[] HANDSHAKE = {22, 3, 3, 16, 0, 2, 0, 15, (byte) 252}; // 4 KiB announced
+  private static final byte[] HANDSHAKE = {
+    22, 3, 3, 16, 0, 2, 0, 15, (byte) 252
+  }; // 4 KiB announced
   private static final long BETWEEN_BYTES_NS = 50_000_000;
 
   /** Sends a handshake message byte by byte, each in time for the socket's time-out. */
@@ -45,8 +47,7 @@ class SecuredSocketTest {
 
       assertThatThrownBy(
               () ->
-                  SecuredSocket.logIn(
-                      access, plain, "127.0.0.1", server.getLocalPort(), WITHIN_MS))
+                  SecuredSocket.logIn(access, plain, "127.0.0.1", server.getLocalPort(), WITHIN_MS))
           .isInstanceOf(IOException.class)
           .hasMessage("the log-in took longer than 500 ms");
     }

@@ -54,7 +54,8 @@ final class CampaignCommand implements Callable<Integer> {
     List<Outcome> outcomes = new ArrayList<>();
     try (Interruption interruption = new Interruption();
         Journal journal =
-            Journal.open(directory.resolve(OutputFolder.JOURNAL), campaign, experiments, outcomes)) {
+            Journal.open(
+                directory.resolve(OutputFolder.JOURNAL), campaign, experiments, outcomes)) {
       RunReport.deleteSummary(directory);
       run(backend, experiments, outcomes, journal, interruption);
       if (outcomes.isEmpty()) {

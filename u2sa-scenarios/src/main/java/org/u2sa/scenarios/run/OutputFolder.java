@@ -19,10 +19,27 @@ public final class OutputFolder {
   private static final int MAX_NAMED = 5;
   private static final Set<String> WRITTEN =
       Set.of(
-          LOGS, "summary.json", "track.csv", "track.kml", "track.svg", "track.png",
-          "recording.mcap", "mission.xml", "known.xml", "course.xml", "course.png", "run.gif",
-          "snapshots", "judge.log", "encounters.txt", "flightgear", "changed-config", JOURNAL,
-          "runs.csv", "campaign.html", "workers.log");
+          LOGS,
+          "summary.json",
+          "track.csv",
+          "track.kml",
+          "track.svg",
+          "track.png",
+          "recording.mcap",
+          "mission.xml",
+          "known.xml",
+          "course.xml",
+          "course.png",
+          "run.gif",
+          "snapshots",
+          "judge.log",
+          "encounters.txt",
+          "flightgear",
+          "changed-config",
+          JOURNAL,
+          "runs.csv",
+          "campaign.html",
+          "workers.log");
 
   private OutputFolder() {}
 
@@ -85,7 +102,6 @@ public final class OutputFolder {
   }
 
   private static BadInputException unreadable(Path folder, IOException cause) {
-    return new BadInputException(
-        "cannot read " + folder + ": " + ReportFile.reason(cause), cause);
+    return new BadInputException("cannot read " + folder + ": " + ReportFile.reason(cause), cause);
   }
 }

@@ -17,7 +17,16 @@ class OutputFolderTest {
 
   private static CommandLineRun campaign(Path out) {
     return CommandLineRun.of(
-        "campaign", "ugv", "--out", out.toString(), "--runs", "1", "--jobs", "1", "--", "--loops",
+        "campaign",
+        "ugv",
+        "--out",
+        out.toString(),
+        "--runs",
+        "1",
+        "--jobs",
+        "1",
+        "--",
+        "--loops",
         "0");
   }
 

@@ -137,8 +137,7 @@ class SdfWorldTest {
         "<sdf version='1.9'><world name='w'><include><uri>model://hut</uri></include></world></sdf>";
 
     assertThat(read(world).objects()).isEmpty();
-    assertThat(read(world).ignored())
-        .containsExactly("hut: model model://hut is not found");
+    assertThat(read(world).ignored()).containsExactly("hut: model model://hut is not found");
 
     Files.delete(place);
     Files.createDirectories(folder.resolve("models/hut"));
