@@ -223,8 +223,7 @@ class AbsurdReadingsTest {
                     each.getKey(), () -> survives(each.getKey(), each.getValue())));
   }
 
-  private static void survives(
-      String name, Function<ServiceContext, U2SAService> service) {
+  private static void survives(String name, Function<ServiceContext, U2SAService> service) {
     try (ServiceKit kit = new ServiceKit()) {
       if (name.equals(LOAD_CELL)) {
         kit.with("MASS", 10.0);

@@ -108,8 +108,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
     if (isPlace) {
       compare(state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(clock.micros()));
       double trueRad = run.at(clock.micros()).headingRad();
-      headingError(state, trueRad, origin)
-          .ifPresent(error -> heading.add(error, state.psiSigma()));
+      headingError(state, trueRad, origin).ifPresent(error -> heading.add(error, state.psiSigma()));
     }
     return true;
   }
