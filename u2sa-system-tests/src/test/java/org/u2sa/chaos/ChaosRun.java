@@ -15,6 +15,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.testkit.Mosquitto;
 
 /** One flight through many faults: takes off, breaks one thing after the other, and judges. */
 final class ChaosRun {
@@ -61,7 +62,7 @@ final class ChaosRun {
   void fly(Path repository, long seed, int faults, List<Fault.Kind> kinds) throws Exception {
     Random random = new Random(seed);
     Vehicle.copyFiles(repository, folder);
-    try (Mosquitto broker = new Mosquitto(folder);
+    try (Mosquitto broker = Mosquitto.withLongQueues(folder);
         TcpProxy network = new TcpProxy(broker.port());
         Watch outsider = new Watch(broker.port(), clock);
         Vehicle flown = new Vehicle(folder, network.port(), Wind.gusty(1.0, 4.0, seed));

@@ -23,6 +23,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.Repository;
 
 /**
@@ -44,7 +45,7 @@ class EachServiceKilledTest {
   void kill_eachServiceOnce_missionIsCompleted() throws Exception {
     Vehicle.copyFiles(Repository.root(), folder);
     shortenMission(folder.resolve("missions/cessna/mission.xml"));
-    try (Mosquitto broker = new Mosquitto(folder);
+    try (Mosquitto broker = Mosquitto.withLongQueues(folder);
         Watch watch = new Watch(broker.port(), clock);
         Gaps gaps = new Gaps(broker.port(), clock);
         Vehicle vehicle = new Vehicle(folder, broker.port(), Wind.gusty(1.0, 4.0, 1));

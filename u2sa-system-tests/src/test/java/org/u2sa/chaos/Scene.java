@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.function.Predicate;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.testkit.Mosquitto;
 
 /** All that can be broken, and the breaking of it. */
 final class Scene {

@@ -35,7 +35,7 @@ final class AwaitedSensors {
 
   private final Map<String, Scans> scanned = new TreeMap<>(); // by scanner, of either kind
   private final Set<String> cloudy = new TreeSet<>(); // of them those of clouds
-  private final Map<String, Long> seen = new TreeMap<>(); // newest sighting of each sensor [us]
+  private final Map<String, Long> seen = new TreeMap<>(); // newest sighting of each sensor [µs]
 
   /** Registers a scan that was placed on the map and ended at a time. */
   void scan(String sensor, long micros) {

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.core.launch.Mosquitto;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
@@ -15,6 +14,7 @@ import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;
 
 /** MQTT through Mosquitto with OpenSSL, by our own client. */

@@ -24,6 +24,7 @@ import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;
 
 /**

@@ -22,6 +22,7 @@ import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;
 
 /** Two vehicles on one broker: neither hears the other unless it asks to. */

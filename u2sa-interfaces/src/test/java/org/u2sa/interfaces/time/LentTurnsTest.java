@@ -70,7 +70,7 @@ class LentTurnsTest {
     return lender;
   }
 
-  /** Records its turns, one per period [us]. */
+  /** Records its turns, one per period [µs]. */
   private Lender periodic(String name, long periodMicros) {
     return lender(
         name,

@@ -214,7 +214,7 @@ public record AvoidanceVariables(
     return stops() ? planningEffort : EFFORTS_IN_FLIGHT * planningEffort;
   }
 
-  /** {@link #worldStaleAfter} [us]. */
+  /** {@link #worldStaleAfter} [µs]. */
   public long worldStaleMicros() {
     return Clock.micros(worldStaleAfter);
   }

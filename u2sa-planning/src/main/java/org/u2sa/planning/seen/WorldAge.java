@@ -33,7 +33,7 @@ public final class WorldAge {
   /**
    * Why the surroundings are unknown.
    *
-   * @param staleMicros age from which a list or grid is too old [us]
+   * @param staleMicros age from which a list or grid is too old [µs]
    * @return empty if they are known
    */
   public Optional<String> trouble(long nowMicros, long staleMicros) {

@@ -9,9 +9,7 @@ import java.util.List;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.Repository;
 
-/**
- * Programs beside the tests' own virtual machine: Python, Mosquitto, and u2sa as a user runs it.
- */
+/** Programs beside the tests' own virtual machine: Python, and u2sa as a user runs it. */
 final class ForeignProgram {
   private ForeignProgram() {}
 
@@ -56,10 +54,5 @@ final class ForeignProgram {
   /** A Python with cbor2 and paho-mqtt. Skips the test where there is none, except under CI. */
   static String python() {
     return ForeignPrograms.ofThisMachine().required("python3", "cbor2", "paho.mqtt.client");
-  }
-
-  /** Mosquitto, the broker. Skips the test where it is not, except under CI. */
-  static String mosquitto() {
-    return ForeignPrograms.ofThisMachine().required("mosquitto");
   }
 }

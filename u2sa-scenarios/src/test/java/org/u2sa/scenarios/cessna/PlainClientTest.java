@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;
 import org.u2sa.testkit.Repository;
 
@@ -35,15 +36,18 @@ class PlainClientTest {
 
   @TempDir private Path directory;
   private Process system;
-  private Process broker;
+  private Mosquitto broker;
   private Process check;
 
   @AfterEach
   void end() {
-    for (Process process : new Process[] {check, system, broker}) {
+    for (Process process : new Process[] {check, system}) {
       if (process != null) {
         process.destroyForcibly();
       }
+    }
+    if (broker != null) {
+      broker.close();
     }
   }
 
@@ -79,10 +83,7 @@ class PlainClientTest {
       throws IOException, InterruptedException {
     String python = ForeignProgram.python();
     int port = FreePort.find();
-    broker =
-        ForeignProgram.start(
-            file("mosquitto.txt"), List.of(ForeignProgram.mosquitto(), "-p", String.valueOf(port)));
-    awaitListener(port);
+    broker = Mosquitto.start(port);
     system =
         ForeignProgram.u2sa(
             file("run.txt"),
