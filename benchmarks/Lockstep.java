@@ -39,14 +39,15 @@ final class Lockstep {
     Path out = Files.createTempDirectory("u2sa-lockstep");
     OperatingSystemMXBean system =
         (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
-    Method run = run();
+    Method program = program();
     for (String line = asked.readLine(); line != null; line = asked.readLine()) {
-      String[] command = (line + " --port 0 --out " + out).split(" ");
+      Path run = Files.createTempDirectory(out, "run"); // a used folder is refused
+      String[] command = (line + " --port 0 --out " + run).split(" ");
       try (Switches switches = new Switches()) {
         long cpu = cpuNanosOfOthers(system);
-        int exit = (Integer) run.invoke(null, nowhere, errors, command);
+        int exit = (Integer) program.invoke(null, nowhere, errors, command);
         double cpuS = (cpuNanosOfOthers(system) - cpu) / 1e9;
-        String summary = Files.readString(out.resolve("summary.json"));
+        String summary = Files.readString(run.resolve("summary.json"));
         System.out.printf(
             Locale.ROOT,
             "{\"exit\": %d, \"simulatedS\": %s, \"wallS\": %s, \"cpuS\": %.3f, \"switches\": %d}%n",
@@ -59,7 +60,7 @@ final class Lockstep {
     }
   }
 
-  private static Method run() throws ReflectiveOperationException {
+  private static Method program() throws ReflectiveOperationException {
     for (String main : MAINS) {
       try {
         return Class.forName(main)

@@ -62,7 +62,7 @@ class TokenTest(unittest.TestCase):
         self.runtime = pathlib.Path(scratch.name, "runtime")
         self.home = pathlib.Path(scratch.name, "home")
         account = types.SimpleNamespace(pw_dir=str(self.home))
-        for each in (mock.patch.dict(os.environ, {"XDG_RUNTIME_DIR": str(self.runtime)}),
+        for each in (mock.patch.dict(os.environ, {"HOME": str(self.home), "XDG_RUNTIME_DIR": str(self.runtime), "U2SA_ACCOUNT_FOLDER": ""}),
                      mock.patch.object(link, "pwd", types.SimpleNamespace(getpwuid=lambda _uid: account))):
             each.start()
             self.addCleanup(each.stop)
@@ -90,6 +90,18 @@ class TokenTest(unittest.TestCase):
         self.runtime.chmod(0o777)
         self.assertNotIn(self.runtime / "u2sa", token_folders())
         self.assertEqual(local_token("127.0.0.1", 1883), (None, None))
+
+    def test_a_named_folder_replaces_the_usual_ones(self):
+        self.write(self.home / ".u2sa" / "run", "home", 1000)
+        named = self.home / "named"
+        named.mkdir(mode=0o700)
+        with mock.patch.dict(os.environ, {"U2SA_ACCOUNT_FOLDER": str(named)}):
+            self.assertEqual(local_token("127.0.0.1", 1883), (None, None))
+            self.write(named, "named", 500)
+            self.assertEqual(local_token("127.0.0.1", 1883), ("local", "named"))
+        with mock.patch.dict(os.environ, {"U2SA_ACCOUNT_FOLDER": "named"}):
+            with self.assertRaisesRegex(ValueError, '"named" is not an absolute path'):
+                token_folders()
 
     def test_a_refused_client_takes_the_token_of_the_broker_that_runs_now(self):
         self.write(self.home / ".u2sa" / "run", "first", 1000)

@@ -57,7 +57,15 @@ def loopback(host: str) -> Optional[str]:
 
 
 def token_folders() -> List[pathlib.Path]:
-    """Where the account's programs leave tokens for each other: every broker writes to all of them, as sessions of one account differ in the variable."""
+    """Where the account's programs leave tokens for each other: every broker writes to all of them, as sessions of one account differ in the variable.
+
+    U2SA_ACCOUNT_FOLDER, an absolute path, replaces them.
+    """
+    only = os.environ.get("U2SA_ACCOUNT_FOLDER", "")
+    if only:
+        if not os.path.isabs(only):
+            raise ValueError(f'U2SA_ACCOUNT_FOLDER: "{only}" is not an absolute path')
+        return [pathlib.Path(only)]
     runtime = os.environ.get("XDG_RUNTIME_DIR", "")
     homes = [pathlib.Path(os.path.expanduser("~"))]
     if pwd is not None:

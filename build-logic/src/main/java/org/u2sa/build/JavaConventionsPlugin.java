@@ -131,6 +131,10 @@ public class JavaConventionsPlugin implements Plugin<Project> {
               TEST_CLASSES.forEach(name -> task.include(name + ".class"));
               task.setMaxParallelForks(TEST_FORKS);
               task.setMaxHeapSize("1g");
+              // Instead of ~/.u2sa/run: tests do not touch the account's real folders.
+              task.environment(
+                  "U2SA_ACCOUNT_FOLDER",
+                  project.getLayout().getBuildDirectory().dir("account").get().getAsFile().getPath());
             });
   }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Range;
@@ -68,6 +69,8 @@ public final class CommandedActuators {
   private final Map<String, ActuatorAnnouncement> announcements = new LinkedHashMap<>();
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
+  private BooleanSupplier deviceStopped = () -> true;
+  private boolean unconfirmed; // stopped, but the device has not shown it yet
   private boolean armed;
   private long armedMicros; // time at which that was last received
   private boolean ignoresArmed; // the last state, for its age
@@ -120,6 +123,16 @@ public final class CommandedActuators {
   }
 
   /**
+   * Delays the confirmation of emergency stops for a device that can show that it has received one.
+   *
+   * @param stopped whether the device has received the newest stop; asked after the stop was
+   *     commanded, and in each {@link #step} until it has
+   */
+  public void confirmStopsWhen(BooleanSupplier stopped) {
+    deviceStopped = stopped;
+  }
+
+  /**
    * Announces the actuators to control systems, now and at the shortest renewal period of any of
    * them, because a late subscriber receives the last announcement only. Commands that were not
    * announced are refused.
@@ -141,6 +154,9 @@ public final class CommandedActuators {
    */
   public void step(double nowS) {
     expireArming();
+    if (unconfirmed) {
+      reportStops();
+    }
     if (nowS >= announceDueS) {
       announceDueS = nowS + announceEveryS;
       announcements.values().forEach(each -> service.publish(Channels.ACTUATORS, each.copy()));
@@ -236,7 +252,10 @@ public final class CommandedActuators {
   }
 
   void reportStops() {
-    service.heedsEmergencyStops(emergency.identities());
+    unconfirmed = emergency.isStopped() && !deviceStopped.getAsBoolean();
+    if (!unconfirmed) {
+      service.heedsEmergencyStops(emergency.identities());
+    }
   }
 
   private void stopUnlessItMayMove() {

@@ -98,6 +98,14 @@ public interface Execution {
     return isWritten.getAsBoolean();
   }
 
+  /**
+   * Whether the service may write the files that its configuration names: not in a re-execution,
+   * whose configuration is the recording's.
+   */
+  default boolean writesNamedFiles() {
+    return true;
+  }
+
   /** Called when the service's loop has ended, before its shutdown. */
   default void ends() {}
 

@@ -18,7 +18,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.u2sa.device.payload.HydrophoneArray;
+import org.u2sa.device.payload.LoadCell;
 import org.u2sa.device.payload.PingerSensor;
+import org.u2sa.device.payload.ThrustSensor;
 import org.u2sa.device.port.Anemometer;
 import org.u2sa.device.port.Device;
 import org.u2sa.device.port.GpsFix;
@@ -63,6 +65,7 @@ class AbsurdReadingsTest {
     Double.MIN_VALUE
   };
   private static final double SECONDS = 30.0;
+  private static final String LOAD_CELL = "load cell"; // the only one that needs a variable
 
   private final Map<String, Function<ServiceContext, U2SAService>> services = new TreeMap<>();
 
@@ -150,6 +153,7 @@ class AbsurdReadingsTest {
         "hydrophones",
         HydrophoneArray.Ping.class,
         (c, device) -> new PingerSensor(c, device::read));
+    add(LOAD_CELL, LoadCell.Load.class, (c, device) -> new ThrustSensor(c, device::read));
     add("anemometer", Anemometer.Wind.class, (c, device) -> new WindSensor(c, device::read));
     add(
         "3-D scanner",
@@ -213,11 +217,17 @@ class AbsurdReadingsTest {
   @TestFactory
   Stream<DynamicTest> step_absurdReadings_areDroppedAndTheServiceGoesOn() {
     return services.entrySet().stream()
-        .map(each -> DynamicTest.dynamicTest(each.getKey(), () -> survives(each.getValue())));
+        .map(
+            each ->
+                DynamicTest.dynamicTest(
+                    each.getKey(), () -> survives(each.getKey(), each.getValue())));
   }
 
-  private static void survives(Function<ServiceContext, U2SAService> service) {
+  private static void survives(String name, Function<ServiceContext, U2SAService> service) {
     try (ServiceKit kit = new ServiceKit()) {
+      if (name.equals(LOAD_CELL)) {
+        kit.with("MASS", 10.0);
+      }
       kit.start(service);
       kit.publish( // a radar places its targets from there
           Channels.STATE,

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -115,6 +116,23 @@ class CommandedActuatorsTest {
     clear("Ann 1");
 
     assertThat(drive.results).containsExactly("stopped", "stopped");
+  }
+
+  @Test
+  void stop_deviceHasNotTakenIt_isNotConfirmedUntilItHas() {
+    AtomicBoolean taken = new AtomicBoolean();
+    Drive drive = start();
+    drive.commands.confirmStopsWhen(taken::get);
+    stop("Ann 1");
+    drive.commands.step(kit.nowS());
+    kit.advance(2.0);
+    assertThat(drive.results).containsExactly("stopped");
+    assertThat(health().emergencyStops()).hasValue(List.of());
+
+    taken.set(true);
+    drive.commands.step(kit.nowS());
+    kit.advance(2.0);
+    assertThat(health().emergencyStops()).hasValue(List.of("Ann 1"));
   }
 
   @Test

@@ -13,9 +13,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
+import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.testkit.NeedsProgram;
 
 /**
@@ -149,6 +152,22 @@ class ApkTest {
     assertThat(none.output()).contains("absent.jar: no such file");
     assertThat(broken.exit()).isEqualTo(BAD_INPUT);
     assertThat(broken.output()).contains("my.jar: is no jar");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"classes2.dex", "AndroidManifest.xml", "resources.arsc", "lib/arm64-v8a/x.so"})
+  void apk_ownJarWithAFileThatAndroidReads_isRefusedBeforeTheBuild(String name) throws Exception {
+    Path jar = folder.resolve("my.jar");
+    try (ZipOutputStream out = new ZipOutputStream(Files.newOutputStream(jar))) {
+      out.putNextEntry(new ZipEntry("mine/Service.class"));
+      out.putNextEntry(new ZipEntry(name));
+    }
+
+    Ended refused = apk("--with", jar.toString());
+
+    assertThat(refused.exit()).isEqualTo(BAD_INPUT);
+    assertThat(refused.output()).contains("my.jar: " + name + " would become part");
   }
 
   @Test

@@ -17,9 +17,10 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** How the script {@code u2sa} starts an emergency stop, with a program in place of Java. */
+/** How the script {@code u2sa} starts Java, with a program in its place. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 @DisabledOnOs(OS.WINDOWS)
 class LauncherTest {
@@ -40,6 +41,10 @@ class LauncherTest {
    * Starts the script; in Java's place, a program runs one command with the archive, else another.
    */
   private Process estop(String withArchive, String without) throws IOException {
+    return start(withArchive, without, "estop", "--reason", "a b");
+  }
+
+  private Process start(String withArchive, String without, String... words) throws IOException {
     Path java = home.resolve("jdk/bin/java");
     Files.writeString(
         java,
@@ -55,7 +60,8 @@ class LauncherTest {
       // A test run under nohup ignores HUP, and a shell cannot trap what it was started ignoring.
       command.addAll(List.of("env", "--default-signal=HUP,INT,TERM"));
     }
-    command.addAll(List.of("/bin/sh", home.resolve("u2sa").toString(), "estop", "--reason", "a b"));
+    command.addAll(List.of("/bin/sh", home.resolve("u2sa").toString()));
+    command.addAll(List.of(words));
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("JAVA_HOME", home.resolve("jdk").toString());
     return builder.redirectErrorStream(true).start();
@@ -113,5 +119,23 @@ class LauncherTest {
       assertThat(out.readLine()).isNull();
     }
     assertThat(process.waitFor()).isEqualTo(Integer.parseInt(words[1]));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "<a class=\"org.u2sa.sensor.Gps\"/>, '', 1",
+    "<a class=\"org.u2sa.sensor.Camera\"/>, '', 4",
+    "<a class=\"org.u2sa.sensor.Gps\"/>, --runs=9, 4"
+  })
+  void simulate_systemFile_secondCompilerOnlyForPicturesOrManyRuns(
+      String system, String option, int level) throws Exception {
+    Path file = Files.writeString(home.resolve("a system.xml"), system);
+    Path java = home.resolve("jdk/bin/java");
+    Files.writeString(home.resolve("target/u2sa/stamp"), java + "\n"); // built, by this Java
+    Process process = start("exit 3", "exit 0", "simulate", file.toString(), option);
+
+    assertThat(output(process)).isEmpty();
+    assertThat(process.waitFor()).isZero();
+    assertThat(Files.readString(runs)).contains("-XX:TieredStopAtLevel=" + level + " ");
   }
 }

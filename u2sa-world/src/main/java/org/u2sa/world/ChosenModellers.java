@@ -35,13 +35,14 @@ final class ChosenModellers {
    * @param configuration configuration of the World Modeler, in which all modellers declare their
    *     variables
    * @param files finds a file named in the configuration
+   * @param saves whether files named in the configuration are written
    */
-  ChosenModellers(Configurator configuration, Function<String, Path> files) {
+  ChosenModellers(Configurator configuration, Function<String, Path> files, boolean saves) {
     all.put(REACTIVE, new ReactiveModeller(configuration));
     all.put(OBJECTS, new ObjectMapModeller(configuration));
     GridModeller grid = new GridModeller(configuration);
     all.put(GRID, grid);
-    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files));
+    all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files, saves));
     all.put(LANDMARKS, new LandmarkModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));

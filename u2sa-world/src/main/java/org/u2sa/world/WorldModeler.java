@@ -64,7 +64,9 @@ public final class WorldModeler extends PeriodicService {
   public WorldModeler(ServiceContext context) {
     super(context, ServiceRole.WORLD_MODELER, "WorldModeler", RATE_HZ);
     this.context = context;
-    modellers = new ChosenModellers(this, context.configuration()::resolve);
+    modellers =
+        new ChosenModellers(
+            this, context.configuration()::resolve, context.execution().writesNamedFiles());
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
     known = known();

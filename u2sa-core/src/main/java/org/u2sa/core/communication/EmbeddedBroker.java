@@ -15,7 +15,6 @@ import java.util.Properties;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.core.communication.limit.BrokerLimits;
-import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
@@ -58,7 +57,7 @@ final class EmbeddedBroker implements AutoCloseable {
    * Starts a broker and bridges it to the bus.
    *
    * @param died called when the broker can no longer serve; must return immediately
-   * @throws CommunicationException if it cannot listen
+   * @throws PortTakenException if it cannot listen
    */
   static EmbeddedBroker start(
       LocalBus bus,
@@ -82,6 +81,8 @@ final class EmbeddedBroker implements AutoCloseable {
           new PermitAllAuthorizatorPolicy()); // the connection filter has checked each packet
       FilterInstaller.install(filter, broker.server);
     } catch (IOException | RuntimeException e) {
+      FilterInstaller.takeDown(
+          broker.server); // another program may have been faster than the probe
       filter.close();
       throw cannotListen(address, e);
     }
@@ -120,8 +121,8 @@ final class EmbeddedBroker implements AutoCloseable {
     }
   }
 
-  private static CommunicationException cannotListen(InetSocketAddress address, Exception e) {
-    return new CommunicationException(
+  private static PortTakenException cannotListen(InetSocketAddress address, Exception e) {
+    return new PortTakenException(
         String.format(
             "the Communication Manager cannot listen on %s:%s: %s; is the port taken by"
                 + " another system or broker? COMMUNICATION MANAGER PORT sets another",

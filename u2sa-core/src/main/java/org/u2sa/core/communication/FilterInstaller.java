@@ -57,6 +57,9 @@ final class FilterInstaller {
   static void takeDown(Server server) {
     try {
       Object acceptor = field(server, "acceptor");
+      if (acceptor == null) {
+        return; // failed before it had threads
+      }
       for (String group : List.of("bossGroup", "workerGroup")) {
         ((EventLoopGroup) field(acceptor, group)).shutdownGracefully(0, END_WITHIN_S, SECONDS);
       }

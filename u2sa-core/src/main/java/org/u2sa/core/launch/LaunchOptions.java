@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.IntConsumer;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
@@ -30,6 +31,7 @@ public final class LaunchOptions {
   boolean restart;
   boolean besideManager;
   boolean throughBroker;
+  Optional<IntConsumer> otherPort = Optional.empty();
   DeviceSource devices = DeviceSource.NONE;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
   private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
@@ -167,6 +169,16 @@ public final class LaunchOptions {
    */
   public LaunchOptions besideManager(boolean value) {
     besideManager = value;
+    return this;
+  }
+
+  /**
+   * Lets the embedded broker listen on any free port if it cannot listen on the configured one.
+   *
+   * @param told called with the port, once the broker listens there
+   */
+  public LaunchOptions anyPortIfTaken(IntConsumer told) {
+    otherPort = Optional.of(told);
     return this;
   }
 

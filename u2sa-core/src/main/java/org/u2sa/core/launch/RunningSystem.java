@@ -1,5 +1,8 @@
 package org.u2sa.core.launch;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,6 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.communication.ManagerVariables;
+import org.u2sa.core.communication.PortTakenException;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -72,7 +77,7 @@ public final class RunningSystem implements AutoCloseable {
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);
     XmlConfiguration communication = options.configuration(MANAGER, file.communication());
-    manager = CommunicationManager.start(file.systemId(), communication, types, options.console);
+    manager = startManager(communication);
     communication.refuseUndeclared();
     maker = new ServiceMaker(file.systemId(), options, types, transport());
     options.companions.forEach(companion -> companions.add(maker.make(companion)));
@@ -80,6 +85,35 @@ public final class RunningSystem implements AutoCloseable {
     hosted.makeAll(file.services());
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
+    }
+  }
+
+  /**
+   * Starts the Communication Manager. The attempt to listen decides whether a port is taken: a test
+   * in advance leaves time in which another program can take it.
+   */
+  private CommunicationManager startManager(XmlConfiguration communication) {
+    try {
+      return CommunicationManager.start(file.systemId(), communication, types, options.console);
+    } catch (PortTakenException e) {
+      if (options.otherPort.isEmpty()) {
+        throw e;
+      }
+      int port = freePort(e);
+      communication.override(ManagerVariables.PORT, port);
+      CommunicationManager started =
+          CommunicationManager.start(file.systemId(), communication, types, options.console);
+      options.otherPort.get().accept(port);
+      return started;
+    }
+  }
+
+  private static int freePort(PortTakenException cause) {
+    try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return free.getLocalPort();
+    } catch (IOException e) {
+      cause.addSuppressed(e);
+      throw cause;
     }
   }
 

@@ -72,9 +72,20 @@ final class Fence {
 
   /** The corners of the keep-in area; empty on a local plane. */
   List<Geodetic> corners() {
+    return corners(keepIn);
+  }
+
+  /** The corners of each keep-out area; without corners on a local plane. */
+  List<List<Geodetic>> keepOutCorners() {
+    List<List<Geodetic>> areas = new ArrayList<>();
+    keepOuts.forEach(area -> areas.add(corners(area)));
+    return areas;
+  }
+
+  private List<Geodetic> corners(Polygon area) {
     List<Geodetic> corners = new ArrayList<>();
     if (origin.isPresent()) {
-      for (Coordinate corner : keepIn.getExteriorRing().getCoordinates()) {
+      for (Coordinate corner : area.getExteriorRing().getCoordinates()) {
         corners.add(origin.get().fromEnu(Point.of(corner.x, corner.y, 0.0)));
       }
     }

@@ -98,6 +98,11 @@ public final class SafetyManager extends PeriodicService {
     return fenceWatch.fence().map(Fence::corners).orElse(List.of());
   }
 
+  /** Corners of each keep-out area, widened by FENCE MARGIN; as {@link #fenceCorners}. */
+  public List<List<Geodetic>> keepOutCorners() {
+    return fenceWatch.fence().map(Fence::keepOutCorners).orElse(List.of());
+  }
+
   /** Rejects an unreadable fence before it replaces a valid one. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {

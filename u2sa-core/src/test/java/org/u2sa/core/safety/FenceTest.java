@@ -1,5 +1,6 @@
 package org.u2sa.core.safety;
 
+import static org.assertj.core.api.Assertions.as;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -7,6 +8,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -93,6 +95,29 @@ class FenceTest {
     assertThat(Math.abs(seen.x())).isCloseTo(100.0, within(0.01));
     assertThat(Math.abs(seen.y())).isCloseTo(100.0, within(0.01));
     assertThat(fence(Optional.empty()).corners()).isEmpty();
+  }
+
+  @Test
+  void keepOutCorners_onTheEarth_areThoseOfEachArea() {
+    Polygon hole = (Polygon) GEOMETRY.toGeometry(new Envelope(-20.0, 20.0, -20.0, 20.0));
+    Polygon around = (Polygon) GEOMETRY.toGeometry(new Envelope(-90.0, 90.0, -90.0, 90.0));
+    Fence fence =
+        new Fence(
+            Optional.of(ZURICH),
+            around,
+            List.of(hole),
+            OptionalDouble.empty(),
+            OptionalDouble.empty());
+
+    assertThat(fence.drawnInBy(0.0).keepOutCorners())
+        .singleElement(as(InstanceOfAssertFactories.list(Geodetic.class)))
+        .hasSize(5)
+        .allSatisfy(
+            corner ->
+                assertThat(
+                        Math.abs(
+                            Fence.plane(ZURICH, corner.longitudeDeg(), corner.latitudeDeg()).x()))
+                    .isCloseTo(20.0, within(0.01)));
   }
 
   private static StateInformation state(ReferenceFrame frame, double x, double y) {

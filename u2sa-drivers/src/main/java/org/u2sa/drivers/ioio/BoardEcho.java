@@ -12,6 +12,7 @@ final class BoardEcho {
   private final IOIO ioio;
   private final long everyMs;
   private final AtomicLong answers = new AtomicLong();
+  private boolean hurry; // guarded by this
   private final Thread thread = new Thread(this::ask, "u2sa-ioio-echo");
 
   /**
@@ -49,7 +50,16 @@ final class BoardEcho {
   }
 
   private synchronized void pause() throws InterruptedException {
-    wait(everyMs);
+    if (!hurry) {
+      wait(everyMs);
+    }
+    hurry = false;
+  }
+
+  /** Asks the next question without the pause before it. */
+  synchronized void askNow() {
+    hurry = true;
+    notifyAll();
   }
 
   /** Ends the thread, and waits for that; harmless if it has ended or was never started. */

@@ -98,6 +98,11 @@ final class BoardSession {
     return echo.isPresent() ? OptionalLong.of(echo.get().answers()) : OptionalLong.empty();
   }
 
+  /** Asks the next question without the usual pause. */
+  void askNow() {
+    echo.ifPresent(BoardEcho::askNow);
+  }
+
   /** Whether the board is connected, as far as known. */
   boolean isUp() {
     return !guarded.hasEnded() && blame.isEmpty();

@@ -45,6 +45,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   private final Optional<RcSwitch> radio;
   private final OptionalDouble batteryDivider;
   private final BoardConnector connector;
+  private final StopEcho stopEcho = new StopEcho();
   private Optional<Boolean> reported = Optional.empty(); // whether the board is connected
   private RcSwitch.Position position = RcSwitch.Position.AUTOMATIC;
   private double batteryDueS;
@@ -72,6 +73,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     }
     PinPlan plan = variables.plan();
     commands = new CommandedActuators(this, outputs.keySet(), this::stopNow);
+    commands.confirmStopsWhen(() -> stopEcho.isTaken(connector().session()));
     motors = new MotorOutputs(outputs, descriptions, commands, variables.actuatorsTogether());
     RcSwitch rcSwitch = new RcSwitch(settings(RcSwitch.Variables.class).get());
     radio = plan.radio() == PinPlan.NONE ? Optional.empty() : Optional.of(rcSwitch);
@@ -112,8 +114,14 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
     connector.start();
   }
 
+  private BoardConnector connector() {
+    return connector;
+  }
+
   private void stopNow() {
-    with(connector.session(), pins -> drive(pins, clock().micros()));
+    Optional<BoardSession> session = connector.session();
+    with(session, pins -> drive(pins, clock().micros()));
+    stopEcho.stop(session);
   }
 
   @Override

@@ -46,7 +46,8 @@ public final class ByteLinks {
    *       {@code &dtr=off} lowers Data Terminal Ready, which stops some devices
    *   <li>{@code tcp:HOST:PORT?silence=5}: a device server, as client; after this many seconds
    *       without a byte the connection counts as lost and is re-established; 0: never
-   *   <li>{@code udp:PORT?silence=2}: datagrams to that port, from anyone; replies go to the latest
+   *   <li>{@code udp:PORT?silence=2&senders=first}: datagrams to that port, from its first sender
+   *       until that is silent (0: for 2 s); with {@code all} from anyone; replies go to the first
    *       sender
    *   <li>{@code udp:HOST:PORT?silence=2}: datagrams to and from that device
    *   <li>{@code replay:FILE?speed=1}: a recording, played at this multiple of its speed; lost at
@@ -118,11 +119,7 @@ public final class ByteLinks {
             new TcpOpener(address.host(), address.port(), Optional.empty()),
             address.option("silence", TCP_SILENCE_S, 0.0, LONGEST_SILENCE_S));
       case "udp":
-        address.onlyOptions(Set.of("silence", "record"));
-        return new ReconnectingLink(
-            address.toString(),
-            new UdpOpener(address.host(), address.port()),
-            address.option("silence", UDP_SILENCE_S, 0.0, LONGEST_SILENCE_S));
+        return udp(address);
       case "replay":
         address.onlyOptions(Set.of("speed", "record"));
         return new ReplayLink(
@@ -132,5 +129,24 @@ public final class ByteLinks {
       default:
         throw address.refused("unknown kind \"" + address.kind() + "\"; " + LinkAddress.EXPECTED);
     }
+  }
+
+  private static ByteLink udp(LinkAddress address) {
+    boolean isListening = address.host().isEmpty();
+    address.onlyOptions(
+        isListening ? Set.of("silence", "senders", "record") : Set.of("silence", "record"));
+    double silenceS = address.option("silence", UDP_SILENCE_S, 0.0, LONGEST_SILENCE_S);
+    String senders = address.option("senders");
+    if (!Set.of("", "first", "all").contains(senders)) {
+      throw address.refused("option \"senders\": \"" + senders + "\" is neither first nor all");
+    }
+    return new ReconnectingLink(
+        address.toString(),
+        new UdpOpener(
+            address.host(),
+            address.port(),
+            senders.equals("all"),
+            silenceS > 0.0 ? silenceS : UDP_SILENCE_S),
+        silenceS);
   }
 }

@@ -14,7 +14,7 @@ import org.u2sa.interfaces.mqtt.SecuredSocket;
 /** Connects to a device server over TCP. */
 final class TcpOpener implements Port.Opener {
   private static final int CONNECT_MS = 1_000;
-  private static final int LOGIN_MS = 25_000;
+  private static final int LOGIN_MS = 25_000; // in all, however the bytes arrive
 
   private final String host;
   private final int port;
@@ -37,7 +37,9 @@ final class TcpOpener implements Port.Opener {
       socket.setTcpNoDelay(true);
       socket.setSoTimeout(LOGIN_MS);
       Socket spoken =
-          access.isPresent() ? SecuredSocket.logIn(access.get(), socket, host, port) : socket;
+          access.isPresent()
+              ? SecuredSocket.logIn(access.get(), socket, host, port, LOGIN_MS)
+              : socket;
       socket.setSoTimeout(Port.PATIENCE_MS);
       return new Connected(host + ":" + port, socket, spoken);
     } catch (IOException | RuntimeException e) {

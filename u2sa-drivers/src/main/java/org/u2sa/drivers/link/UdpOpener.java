@@ -8,20 +8,35 @@ import java.net.InetSocketAddress;
 import java.net.PortUnreachableException;
 import java.net.SocketAddress;
 import java.net.SocketTimeoutException;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
 
 /**
  * Exchanges datagrams with a device that sends to a local port, or with one at a known address.
  * Datagram payloads are treated as a byte stream.
+ *
+ * <p>At a local port the first sender is the device until it is silent: a stranger's datagram must
+ * not divert commands, an emergency stop among them, nor be read in between.
  */
 final class UdpOpener implements Port.Opener {
   private static final int LARGEST = 65_507;
 
-  private final String host; // empty for any sender
+  private final String host; // empty for an unknown one
   private final int port;
+  private final boolean hearsAll;
+  private final long silenceMicros;
 
-  UdpOpener(String host, int port) {
+  /**
+   * @param host empty: the first sender
+   * @param hearsAll whether all senders are read, when no host is given
+   * @param silenceS time without a datagram of the first sender after which another may replace it
+   *     [s]
+   */
+  UdpOpener(String host, int port, boolean hearsAll, double silenceS) {
     this.host = host;
     this.port = port;
+    this.hearsAll = hearsAll;
+    silenceMicros = Clock.micros(silenceS);
   }
 
   @Override
@@ -41,11 +56,13 @@ final class UdpOpener implements Port.Opener {
     }
   }
 
-  private static final class Exchange implements Port {
+  private final class Exchange implements Port {
     private final DatagramSocket socket;
     private final DatagramPacket packet = new DatagramPacket(new byte[LARGEST], LARGEST);
-    private final SocketAddress known; // null for any sender
+    private final SocketAddress known; // null for the first sender
+    private final Clock stopwatch = new SystemClock(); // hardware timeouts use real time
     private volatile SocketAddress peer;
+    private long heardMicros; // from the peer
     private int taken; // bytes consumed of the packet
     private int length;
 
@@ -76,12 +93,25 @@ final class UdpOpener implements Port.Opener {
       } catch (SocketTimeoutException | PortUnreachableException e) {
         return false; // no sender yet: presence is known only from received data
       }
-      if (known != null && !known.equals(packet.getSocketAddress())) {
-        return false; // unknown sender
+      if (!isPeer(packet.getSocketAddress()) && (known != null || !hearsAll)) {
+        return false; // a stranger
       }
-      peer = packet.getSocketAddress();
       length = packet.getLength();
       return length > 0;
+    }
+
+    /** Whether it is the device, which a sender becomes if there is none. */
+    private boolean isPeer(SocketAddress sender) {
+      long now = stopwatch.micros();
+      boolean isVacant = peer == null || known == null && now - heardMicros > silenceMicros;
+      if (isVacant) {
+        peer = sender;
+      }
+      if (!sender.equals(peer)) {
+        return false;
+      }
+      heardMicros = now;
+      return true;
     }
 
     @Override

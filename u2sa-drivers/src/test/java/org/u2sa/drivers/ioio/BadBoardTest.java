@@ -118,6 +118,38 @@ class BadBoardTest {
   }
 
   @Test
+  void isTaken_boardThatTakesNothing_neverUntilItIsBack() throws Exception {
+    DeafConnection way = new DeafConnection(on.connection());
+    StopEcho echo = new StopEcho();
+    try (BoardConnector connector = new BoardConnector(way, BoardConnectorTest.PLAN, 1.0)) {
+      connector.start();
+      on.awaitBoardAgain(connector);
+      echo.stop(connector.session());
+      await("the confirmation")
+          .atMost(TcpBench.PATIENCE)
+          .until(() -> echo.isTaken(connector.session()));
+
+      way.deaf(true);
+      echo.stop(connector.session());
+      await("the loss")
+          .atMost(TcpBench.PATIENCE)
+          .until(
+              () -> {
+                connector.step(on.clock.micros());
+                assertThat(echo.isTaken(connector.session())).isFalse();
+                return connector.session().isEmpty();
+              });
+      assertThat(echo.isTaken(connector.session())).isFalse();
+
+      way.deaf(false);
+      on.awaitBoardAgain(connector);
+      await("the confirmation after its return")
+          .atMost(TcpBench.PATIENCE)
+          .until(() -> echo.isTaken(connector.session()));
+    }
+  }
+
+  @Test
   void answers_boardThatServes_becomeMore() {
     try (BoardConnector connector = on.connector()) {
       BoardSession session = on.awaitBoard(connector);

@@ -82,12 +82,22 @@ final class Frames {
     for (int changes = random.nextInt(4); changes > 0 && fields.length > 1; changes--) {
       fields[1 + random.nextInt(fields.length - 1)] = FIELDS.get(random.nextInt(FIELDS.size()));
     }
-    String text = String.join(",", fields);
+    String text = random.nextInt(8) == 0 ? anyNmea(random, fields[0]) : String.join(",", fields);
     int sum = 0;
     for (int i = 0; i < text.length(); i++) {
       sum ^= text.charAt(i);
     }
     return String.format(Locale.ROOT, "$%s*%02X\r\n", text, sum).getBytes(US_ASCII);
+  }
+
+  /** Any printable characters but those that end a sentence, half of them after a known name. */
+  private static String anyNmea(Random random, String name) {
+    StringBuilder text = new StringBuilder(random.nextBoolean() ? name : "");
+    for (int left = random.nextInt(80); left > 0; left--) {
+      char any = (char) (' ' + random.nextInt('~' - ' '));
+      text.append(random.nextInt(4) == 0 || any == '*' || any == '$' || any == '!' ? ',' : any);
+    }
+    return text.toString();
   }
 
   /** UBX: Fletcher's checksum (u-blox M8 protocol, 32.4). Most numbers are possible ones. */

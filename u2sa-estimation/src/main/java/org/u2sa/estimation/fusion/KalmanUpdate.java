@@ -122,16 +122,7 @@ final class KalmanUpdate {
         excess[c][i] = product(k, i, s.data, c) - g[c][i];
       }
     }
-    double[] p = state.p.data;
-    for (int c = 0; c < rows; c++) {
-      change(p, g[c], k[c], excess[c]);
-    }
-    for (int a = 1; a < touches; a++) {
-      int i = touched[a];
-      for (int b = 0; b < a; b++) {
-        p[touched[b] * N + i] = p[i * N + touched[b]];
-      }
-    }
+    change(state.p.data);
     constrain(state);
     correct(state);
   }
@@ -163,15 +154,37 @@ final class KalmanUpdate {
     return sum;
   }
 
-  /** Adds one component's part of (K S - G) Kᵀ - K Gᵀ to the lower triangle. */
-  private void change(double[] p, double[] of, double[] gain, double[] rounding) {
+  /**
+   * Adds (K S - G) Kᵀ - K Gᵀ to the lower triangle, component after component in each element, and
+   * mirrors it.
+   */
+  private void change(double[] p) {
+    double[] g0 = g[0];
+    double[] g1 = g[1];
+    double[] g2 = g[2];
+    double[] k0 = k[0];
+    double[] k1 = k[1];
+    double[] k2 = k[2];
     for (int a = 0; a < touches; a++) {
       int i = touched[a];
-      double ki = gain[i];
-      double ri = rounding[i];
+      int from = i * N;
+      double k0i = k0[i];
+      double r0i = excess[0][i];
+      double k1i = k1[i];
+      double r1i = excess[1][i];
+      double k2i = k2[i];
+      double r2i = excess[2][i];
       for (int b = 0; b <= a; b++) {
         int j = touched[b];
-        p[i * N + j] += ri * gain[j] - ki * of[j];
+        double value = p[from + j] + (r0i * k0[j] - k0i * g0[j]);
+        if (rows > 1) {
+          value += r1i * k1[j] - k1i * g1[j];
+        }
+        if (rows > 2) {
+          value += r2i * k2[j] - k2i * g2[j];
+        }
+        p[from + j] = value;
+        p[j * N + i] = value;
       }
     }
   }

@@ -69,11 +69,16 @@ final class Transition {
   /** Stores a row of F P in the product. */
   private void combineRows(double[] p, int row) {
     int to = row * N;
-    for (int n = 0; n < sizes[row]; n++) {
+    double first = values[row][0];
+    int fromFirst = columns[row][0] * N;
+    for (int k = 0; k < N; k++) {
+      product[to + k] = 0.0 + first * p[fromFirst + k]; // + 0.0: no negative zero
+    }
+    for (int n = 1; n < sizes[row]; n++) {
       double factor = values[row][n];
       int from = columns[row][n] * N;
       for (int k = 0; k < N; k++) {
-        product[to + k] = (n == 0 ? 0.0 : product[to + k]) + factor * p[from + k];
+        product[to + k] += factor * p[from + k];
       }
     }
   }

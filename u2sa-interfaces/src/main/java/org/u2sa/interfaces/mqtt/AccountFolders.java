@@ -10,31 +10,59 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
 
 /**
  * Folders in which programs of one account share files: {@code $XDG_RUNTIME_DIR/u2sa} and {@code
  * ~/.u2sa/run}. Files are written to and searched for in both, because the variable differs between
- * sessions of one account, and its folder is removed with the last session.
+ * sessions of one account, and its folder is removed with the last session. {@value #VARIABLE}
+ * names one folder that replaces both: tests use it, and so can an account with several separate
+ * users.
  */
 public final class AccountFolders {
+  /** Environment variable: absolute path of the folder that replaces the usual ones. */
+  public static final String VARIABLE = "U2SA_ACCOUNT_FOLDER";
+
   private static final String UNKNOWN = "?"; // the JVM's name of an account without an entry
   private static final Path SELF = Paths.get("/proc/self");
 
   private final String runtime;
   private final String home;
+  private final String only; // replaces both; empty if unset
 
   /**
    * @param runtime value of {@code XDG_RUNTIME_DIR}; empty if unset
    */
   public AccountFolders(String runtime, String home) {
-    this.runtime = runtime;
-    this.home = home;
+    this(runtime, home, "");
   }
 
+  private AccountFolders(String runtime, String home, String only) {
+    this.runtime = runtime;
+    this.home = home;
+    this.only = only;
+  }
+
+  /**
+   * @throws BadInputException if {@value #VARIABLE} is not an absolute path
+   */
   public static AccountFolders ofProcess() {
-    String runtime = System.getenv("XDG_RUNTIME_DIR");
-    return new AccountFolders(runtime == null ? "" : runtime, System.getProperty("user.home", ""));
+    return of(System.getenv(), System.getProperty("user.home", ""));
+  }
+
+  static AccountFolders of(Map<String, String> environment, String home) {
+    String only = environment.getOrDefault(VARIABLE, "");
+    if (!only.isEmpty() && !Paths.get(only).isAbsolute()) {
+      throw new BadInputException(
+          VARIABLE
+              + ": \""
+              + only
+              + "\" is not an absolute path; programs that start in different"
+              + " folders would not find each other's files");
+    }
+    return new AccountFolders(environment.getOrDefault("XDG_RUNTIME_DIR", ""), home, only);
   }
 
   /**
@@ -43,6 +71,10 @@ public final class AccountFolders {
    */
   public List<Path> all() {
     List<Path> all = new ArrayList<>();
+    if (!only.isEmpty()) {
+      all.add(Paths.get(only));
+      return all;
+    }
     if (!runtime.isEmpty() && isPrivate(Paths.get(runtime))) {
       all.add(Paths.get(runtime, "u2sa"));
     }

@@ -5,6 +5,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
 import org.u2sa.interfaces.OneLine;
@@ -20,14 +23,59 @@ public final class SecuredSocket {
   private SecuredSocket() {}
 
   /**
-   * Encrypts a connection, verifies the device's host name, and logs in. Reads wait as long as the
-   * socket's time-out.
+   * Encrypts a connection, verifies the device's host name, and logs in. A device that sends a byte
+   * now and then never exceeds the socket's time-out, so handshake and log-in have one time limit
+   * together, at which {@code plain} is closed.
    *
    * @param access user and certificates
    * @param host host name that the certificate must contain
-   * @throws IOException if the device is not the expected one, or rejects the user
+   * @param withinMs time limit [ms], positive
+   * @throws IOException if the device is not the expected one, rejects the user, or takes too long
    */
-  public static Socket logIn(BrokerAccess access, Socket plain, String host, int port)
+  public static Socket logIn(
+      BrokerAccess access, Socket plain, String host, int port, long withinMs) throws IOException {
+    CountDownLatch over = new CountDownLatch(1);
+    AtomicBoolean overdue = new AtomicBoolean();
+    Thread limit =
+        new Thread(() -> closeUnless(over, plain, withinMs, overdue), "u2sa-login-time-limit");
+    limit.setDaemon(true);
+    limit.start();
+    Socket loggedIn;
+    try {
+      loggedIn = logIn(access, plain, host, port);
+    } catch (IOException | RuntimeException e) {
+      if (overdue.get()) {
+        throw tooSlow(withinMs, e);
+      }
+      throw e;
+    } finally {
+      over.countDown();
+    }
+    if (overdue.get()) { // just now
+      throw tooSlow(withinMs, null);
+    }
+    return loggedIn;
+  }
+
+  private static IOException tooSlow(long withinMs, Exception cause) {
+    return new IOException("the log-in took longer than " + withinMs + " ms", cause);
+  }
+
+  private static void closeUnless(
+      CountDownLatch over, Socket plain, long withinMs, AtomicBoolean overdue) {
+    try {
+      if (!over.await(withinMs, TimeUnit.MILLISECONDS)) {
+        overdue.set(true);
+        plain.close();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (IOException e) {
+      return; // closed by now
+    }
+  }
+
+  private static Socket logIn(BrokerAccess access, Socket plain, String host, int port)
       throws IOException {
     SSLSocket socket =
         (SSLSocket) ((PromptTlsSockets) access.sockets()).createSocket(plain, host, port, true);

@@ -67,6 +67,11 @@ final class RepeatedExecution implements Execution {
   }
 
   @Override
+  public boolean writesNamedFiles() {
+    return false;
+  }
+
+  @Override
   public Clock clock(Clock run) {
     return new RepeatedClock();
   }

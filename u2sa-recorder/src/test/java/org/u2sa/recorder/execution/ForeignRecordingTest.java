@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -153,6 +155,19 @@ class ForeignRecordingTest {
     Path elsewhere = Files.createDirectory(outside.resolve("elsewhere"));
     rerunThatLogs(run, "LOG PATH", elsewhere.toString());
     assertThat(elsewhere).isEmptyDirectory();
+  }
+
+  @Test
+  void rerun_service_mayNotWriteFilesThatItsConfigurationNames() throws Exception {
+    AmplifierRun run = new AmplifierRun(outside);
+    run.recordInLockstep(Amplifier::new);
+    List<Boolean> writes = new ArrayList<>();
+    run.rerun(
+        context -> {
+          writes.add(context.execution().writesNamedFiles());
+          return new Amplifier(context);
+        });
+    assertThat(writes).containsExactly(false);
   }
 
   private static void rerunThatLogs(AmplifierRun run, String variable, String value)

@@ -19,6 +19,7 @@ import org.u2sa.report.message.MessageJson;
  */
 final class CsvColumns {
   private static final String TIME = "time [s]";
+  private static final String BEGINS_FORMULA = "=+-@\t\r"; // OWASP, CSV injection
 
   private final Set<String> heads = new LinkedHashSet<>();
 
@@ -51,7 +52,9 @@ final class CsvColumns {
         cells.put(head(field.name() + ".y", field.unit()), Double.toString(point.y()));
         cells.put(head(field.name() + ".z", field.unit()), Double.toString(point.z()));
       } else if (value != null) {
-        cells.put(head(field.name(), field.unit()), text(MessageJson.plain(value)));
+        cells.put(
+            head(field.name(), field.unit()),
+            value instanceof String words ? noFormula(words) : text(MessageJson.plain(value)));
       }
     }
     return cells;
@@ -59,6 +62,15 @@ final class CsvColumns {
 
   private static String head(String name, String unit) {
     return unit.isEmpty() ? name : name + " [" + unit + "]";
+  }
+
+  /**
+   * Text that spreadsheets do not evaluate: texts come from services and recordings of others.
+   * Their apostrophe marks a text and is not shown.
+   */
+  private static String noFormula(String text) {
+    boolean isFormula = !text.isEmpty() && BEGINS_FORMULA.indexOf(text.charAt(0)) >= 0;
+    return isFormula ? "'" + text : text;
   }
 
   private static String text(Object plain) {

@@ -107,14 +107,13 @@ final class MapChart {
   }
 
   private JFreeChart chart() {
-    List<Point2D> fence = new ArrayList<>();
-    plan.fence().forEach(corner -> fence.add(at(corner.longitudeDeg(), corner.latitudeDeg())));
-    fence.stream().findFirst().ifPresent(fence::add); // closes the polygon
     List<Point2D> planned = new ArrayList<>();
     plan.home().ifPresent(home -> planned.add(at(home.longitudeDeg(), home.latitudeDeg())));
     plan.waypoints().forEach(waypoint -> planned.add(at(waypoint)));
     obstacles.addTo(plot);
-    ChartStyle.addLine(plot, fence, ChartStyle.MISSED, 5.0);
+    ChartStyle.addLine(plot, outline(plan.fence()), ChartStyle.MISSED, 5.0);
+    plan.keepOuts()
+        .forEach(area -> ChartStyle.addLine(plot, outline(area), ChartStyle.MISSED, 5.0));
     ChartStyle.addLine(plot, planned, ChartStyle.PLANNED, 7.0);
     ChartStyle.addTrack(
         plot, size, track, colour, sample -> at(sample.longitudeDeg(), sample.latitudeDeg()));
@@ -126,6 +125,13 @@ final class MapChart {
     plot.addAnnotation(new Names(planned));
     plot.addAnnotation(key());
     return ChartStyle.chart(plot, false);
+  }
+
+  private List<Point2D> outline(List<RunPlan.Corner> corners) {
+    List<Point2D> line = new ArrayList<>();
+    corners.forEach(corner -> line.add(at(corner.longitudeDeg(), corner.latitudeDeg())));
+    line.stream().findFirst().ifPresent(line::add); // closes the polygon
+    return line;
   }
 
   private void captureCircle(WaypointSign sign) {

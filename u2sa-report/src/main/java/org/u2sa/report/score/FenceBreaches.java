@@ -6,12 +6,19 @@ import java.util.List;
 final class FenceBreaches {
   private FenceBreaches() {}
 
-  /** Counts the times the track leaves the keep-in area, or begins outside it. */
-  static int count(List<RunPlan.Corner> fence, List<TrackSample> track) {
+  /**
+   * Counts the times the track leaves the keep-in area or enters a keep-out area, or begins so.
+   * Altitudes do not count.
+   */
+  static int count(RunPlan plan, List<TrackSample> track) {
     int breaches = 0;
     boolean wasInside = true;
     for (TrackSample sample : track) {
-      boolean isInside = contains(fence, sample.longitudeDeg(), sample.latitudeDeg());
+      double longitude = sample.longitudeDeg();
+      double latitude = sample.latitudeDeg();
+      boolean isInside =
+          contains(plan.fence(), longitude, latitude)
+              && plan.keepOuts().stream().noneMatch(area -> contains(area, longitude, latitude));
       breaches += wasInside && !isInside ? 1 : 0;
       wasInside = isInside;
     }

@@ -13,6 +13,7 @@ import org.u2sa.messages.frame.Point;
  * @param home start of the run; empty for the first sample
  * @param waypoints in the order of the run
  * @param fence corners of the keep-in area; empty if none
+ * @param keepOuts corners of each keep-out area of the fence
  * @param surroundings objects around the vehicle
  */
 public record RunPlan(
@@ -20,6 +21,7 @@ public record RunPlan(
     Optional<Start> home,
     List<Waypoint> waypoints,
     List<Corner> fence,
+    List<List<Corner>> keepOuts,
     Surroundings surroundings) {
 
   /** A corner of the fence [deg, east and north +]. */
@@ -28,11 +30,12 @@ public record RunPlan(
   public RunPlan {
     waypoints = List.copyOf(waypoints);
     fence = List.copyOf(fence);
+    keepOuts = List.copyOf(keepOuts);
   }
 
   /** Creates a plan without fence and surroundings. */
   public RunPlan(Domain domain, Optional<Start> home, List<Waypoint> waypoints) {
-    this(domain, home, waypoints, List.of(), Surroundings.none());
+    this(domain, home, waypoints, List.of(), List.of(), Surroundings.none());
   }
 
   /** Cross-track distance of a position from a leg [m], right positive; 0 if there is no leg. */
@@ -67,8 +70,8 @@ public record RunPlan(
   }
 
   /** Copy with a fence. */
-  public RunPlan within(List<Corner> corners) {
-    return new RunPlan(domain, home, waypoints, corners, surroundings);
+  public RunPlan within(List<Corner> corners, List<List<Corner>> out) {
+    return new RunPlan(domain, home, waypoints, corners, out, surroundings);
   }
 
   /** Copy with this capture radius for every waypoint [m], more than 0. */
@@ -85,12 +88,12 @@ public record RunPlan(
                         radiusM,
                         w.verticalThresholdM()))
             .toList();
-    return new RunPlan(domain, home, within, fence, surroundings);
+    return new RunPlan(domain, home, within, fence, keepOuts, surroundings);
   }
 
   /** Copy with surroundings. */
   public RunPlan among(Surroundings around) {
-    return new RunPlan(domain, home, waypoints, fence, around);
+    return new RunPlan(domain, home, waypoints, fence, keepOuts, around);
   }
 
   /**

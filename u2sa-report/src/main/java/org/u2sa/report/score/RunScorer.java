@@ -18,7 +18,7 @@ public final class RunScorer {
     RunOutcome outcome =
         plan.fence().isEmpty()
             ? judged
-            : judged.counting(FENCE_BREACHES, FenceBreaches.count(plan.fence(), track));
+            : judged.counting(FENCE_BREACHES, FenceBreaches.count(plan, track));
     List<WaypointResult> results = new ArrayList<>();
     for (int leg = 0; leg < plan.waypoints().size(); leg++) {
       results.add(WaypointResult.of(plan.waypoints().get(leg), leg, track));

@@ -51,15 +51,27 @@ public record RunReport(RunDetails facts, RunPlan plan, List<TrackSample> track,
 
   /**
    * Creates the directory of a run before it starts, so that an invalid {@code --out} fails early.
-   * Deletes an earlier run's summary, since the directory is no longer complete.
    *
    * @throws BadInputException if it cannot be created or written to
    */
   public static void prepare(Path directory) {
     try {
       Files.createDirectories(directory);
-      Files.deleteIfExists(directory.resolve(SUMMARY));
       Files.delete(Files.createTempFile(directory, ".writable", ".part"));
+    } catch (IOException e) {
+      throw new BadInputException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
+    }
+  }
+
+  /**
+   * Deletes an earlier run's summary at the start of the next, since the directory is no longer
+   * complete.
+   *
+   * @throws BadInputException if it cannot be deleted
+   */
+  public static void deleteSummary(Path directory) {
+    try {
+      Files.deleteIfExists(directory.resolve(SUMMARY));
     } catch (IOException e) {
       throw new BadInputException("cannot write to " + directory + ": " + ReportFile.reason(e), e);
     }

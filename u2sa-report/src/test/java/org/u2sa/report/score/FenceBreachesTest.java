@@ -15,6 +15,9 @@ class FenceBreachesTest {
           new RunPlan.Corner(-179.9, 0.2),
           new RunPlan.Corner(179.9, 0.2));
 
+  private static final RunPlan PLAN =
+      new RunPlan(Domain.GROUND, Optional.empty(), List.of()).within(SQUARE, List.of());
+
   private static List<TrackSample> track(double... longitudes) {
     return IntStream.range(0, longitudes.length)
         .mapToObj(
@@ -26,12 +29,25 @@ class FenceBreachesTest {
 
   @Test
   void count_trackThatStaysInsideOverTheDateLine_isNone() {
-    assertThat(FenceBreaches.count(SQUARE, track(179.95, 180.0, -179.95))).isZero();
+    assertThat(FenceBreaches.count(PLAN, track(179.95, 180.0, -179.95))).isZero();
   }
 
   @Test
   void count_trackThatLeavesTwice_isTwo() {
-    assertThat(FenceBreaches.count(SQUARE, track(179.95, 179.8, 179.8, 179.95, 179.8)))
+    assertThat(FenceBreaches.count(PLAN, track(179.95, 179.8, 179.8, 179.95, 179.8))).isEqualTo(2);
+  }
+
+  @Test
+  void count_trackThroughAKeepOutArea_isOneForEachTime() {
+    List<RunPlan.Corner> keepOut =
+        List.of(
+            new RunPlan.Corner(179.99, 0.05),
+            new RunPlan.Corner(-179.99, 0.05),
+            new RunPlan.Corner(-179.99, 0.15),
+            new RunPlan.Corner(179.99, 0.15));
+    RunPlan plan = PLAN.within(SQUARE, List.of(keepOut));
+    assertThat(FenceBreaches.count(plan, track(179.95, 180.0, -179.95, -179.995, 179.95)))
         .isEqualTo(2);
+    assertThat(FenceBreaches.count(plan, track(179.95, 179.96, 179.97))).isZero();
   }
 }

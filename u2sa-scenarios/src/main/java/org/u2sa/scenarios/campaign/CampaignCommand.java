@@ -17,6 +17,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.summary.RunReport;
 import org.u2sa.scenarios.run.Interruption;
+import org.u2sa.scenarios.run.OutputFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -47,12 +48,15 @@ final class CampaignCommand implements Callable<Integer> {
     List<Experiment> experiments = options.experiments();
     RunBackend backend = options.backend();
     Path directory = options.directory();
+    OutputFolder.requireUnusedOrCampaign(directory);
     RunReport.prepare(directory);
     String campaign = "u2sa " + ProgramVersion.text() + ": " + options.inWords();
     List<Outcome> outcomes = new ArrayList<>();
     try (Interruption interruption = new Interruption();
         Journal journal =
-            Journal.open(directory.resolve("runs.jsonl"), campaign, experiments, outcomes)) {
+            Journal.open(
+                directory.resolve(OutputFolder.JOURNAL), campaign, experiments, outcomes)) {
+      RunReport.deleteSummary(directory);
       run(backend, experiments, outcomes, journal, interruption);
       if (outcomes.isEmpty()) {
         throw new RunFailedException("interrupted before the first run was done");

@@ -50,7 +50,9 @@ final class CampaignOptions {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Output folder. Default: out/campaign-<demo>.")
+      description =
+          "Output folder, empty, new, or that of the same campaign, which continues. Default: "
+              + "out/campaign-<demo>.")
   private Path out;
 
   @Option(

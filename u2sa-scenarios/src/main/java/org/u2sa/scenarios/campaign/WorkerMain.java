@@ -41,6 +41,11 @@ final class WorkerMain {
   private static String answer(RunLine.Order order) {
     List<String> arguments = new ArrayList<>(order.arguments());
     arguments.addAll(List.of("--out", order.out().toString()));
+    try {
+      FolderArchive.delete(order.out()); // of an interrupted or lost try of the same run
+    } catch (IOException e) {
+      return RunLine.answered(failure(order, e), NO_FILES);
+    }
     StringWriter output = new StringWriter();
     StringWriter errors = new StringWriter();
     int exit =
@@ -50,9 +55,13 @@ final class WorkerMain {
     try {
       return RunLine.answered(answer, settled(order, exit));
     } catch (IOException e) {
-      String why = "cannot read or delete " + order.out() + ": " + ReportFile.reason(e);
-      return RunLine.answered(new RunAnswer(ExitCode.FAILED, "", why), NO_FILES);
+      return RunLine.answered(failure(order, e), NO_FILES);
     }
+  }
+
+  private static RunAnswer failure(RunLine.Order order, IOException e) {
+    String why = "cannot read or delete " + order.out() + ": " + ReportFile.reason(e);
+    return new RunAnswer(ExitCode.FAILED, "", why);
   }
 
   /** Deletes the run's files that are not kept. Returns the files to send. */

@@ -1,8 +1,6 @@
 package org.u2sa.scenarios.run;
 
 import java.util.Map;
-import java.util.OptionalInt;
-import org.u2sa.cli.run.TakenPort;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.communication.ManagerVariables;
 import org.u2sa.core.launch.LaunchOptions;
@@ -64,28 +62,23 @@ final class BrokerPort {
   }
 
   private static void evadeTakenPort(SystemFile system, LaunchOptions launch, Terminal terminal) {
-    ManagerVariables configured =
+    int port =
         system
             .communication()
             .map(XmlConfiguration::load)
             .orElseGet(() -> XmlConfiguration.inMemory(MANAGER, Map.of()))
             .settings(ManagerVariables.class)
-            .get();
-    int port = configured.communicationManagerPort();
-    OptionalInt free =
-        configured.broker().equals("embedded")
-            ? TakenPort.replacement(configured.bindAddress(), port)
-            : OptionalInt.empty();
-    if (free.isPresent()) {
-      launch.override(MANAGER, ManagerVariables.PORT, free.getAsInt());
-      terminal
-          .out()
-          .println(
-              "Port "
-                  + port
-                  + " is taken by another program; MQTT clients find this flight on port "
-                  + free.getAsInt()
-                  + " (--port chooses one).");
-    }
+            .get()
+            .communicationManagerPort();
+    launch.anyPortIfTaken(
+        other ->
+            terminal
+                .out()
+                .println(
+                    "Port "
+                        + port
+                        + " is taken by another program; MQTT clients find this flight on port "
+                        + other
+                        + " (--port chooses one)."));
   }
 }

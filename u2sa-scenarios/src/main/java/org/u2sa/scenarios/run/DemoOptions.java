@@ -34,7 +34,9 @@ public final class DemoOptions {
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Output folder. Default: out/<demo>-<time or seed>.")
+      description =
+          "Output folder, empty or new. Default: out/<demo>-<time or seed>; a run with the same "
+              + "seed replaces that.")
   private Path out;
 
   @Option(
@@ -122,6 +124,11 @@ public final class DemoOptions {
   public Terminal terminal() {
     CommandLine line = command.commandLine();
     return Terminal.detect(json ? line.getErr() : line.getOut(), System.getenv());
+  }
+
+  /** The folder named by {@code --out}; empty if the default is used. */
+  Optional<Path> out() {
+    return Optional.ofNullable(out);
   }
 
   /**

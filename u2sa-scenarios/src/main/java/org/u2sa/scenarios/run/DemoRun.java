@@ -21,6 +21,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.report.score.RunDetails;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.TrackSample;
@@ -151,7 +152,7 @@ record DemoRun(
               wallS,
               OptionalInt.of(goals),
               OptionalInt.of(observer.record().completed())),
-          plan.within(fence(running)),
+          fenced(plan, running),
           observer.record().track(),
           observer.outcome());
     }
@@ -172,10 +173,21 @@ record DemoRun(
             system.systemId(), running.communicationManager().address(), terminal.out()::println);
   }
 
-  private static List<RunPlan.Corner> fence(RunningSystem running) {
+  private static RunPlan fenced(RunPlan plan, RunningSystem running) {
     return running.services().stream()
         .filter(SafetyManager.class::isInstance)
-        .flatMap(manager -> ((SafetyManager) manager).fenceCorners().stream())
+        .map(SafetyManager.class::cast)
+        .findFirst()
+        .map(
+            manager ->
+                plan.within(
+                    corners(manager.fenceCorners()),
+                    manager.keepOutCorners().stream().map(DemoRun::corners).toList()))
+        .orElse(plan);
+  }
+
+  private static List<RunPlan.Corner> corners(List<Geodetic> places) {
+    return places.stream()
         .map(place -> new RunPlan.Corner(place.longitudeDeg(), place.latitudeDeg()))
         .toList();
   }

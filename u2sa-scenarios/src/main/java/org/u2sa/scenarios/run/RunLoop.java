@@ -47,11 +47,13 @@ final class RunLoop {
 
   private Integer run(String name, Once once, Interruption interruption)
       throws InterruptedException, IOException {
+    options.out().ifPresent(OutputFolder::requireUnused);
     Path directory = options.outDirectory(name, new SystemClock().micros());
     List<RunReport> reports = new ArrayList<>();
     for (int k = 0; k < options.runs() && (k == 0 || !interruption.isAsked()); k++) {
       Path runDirectory = options.runDirectory(directory, k);
       RunReport.prepare(runDirectory);
+      RunReport.deleteSummary(runDirectory);
       RunReport report = once.run(runDirectory, options.seed() + k, interruption);
       if (options.summaryOnly()) {
         report.writeSummary(runDirectory);

@@ -107,16 +107,23 @@ final class EstimateScorer implements TruthObserver.Scorer {
             || frame.equals(ReferenceFrame.LOCAL_NED);
     if (isPlace) {
       compare(state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(clock.micros()));
-      VehicleTruth truth = run.at(clock.micros());
-      state
-          .psi()
-          .ifPresent(
-              psi ->
-                  heading.add(
-                      Math.IEEEremainder(psi - truth.headingRad(), 2.0 * Math.PI),
-                      state.psiSigma()));
+      double trueRad = run.at(clock.micros()).headingRad();
+      headingError(state, trueRad, origin).ifPresent(error -> heading.add(error, state.psiSigma()));
     }
     return true;
+  }
+
+  /**
+   * Heading error [rad, -π…π]. The truth counts from the origin's north, a geographic state from
+   * north at the vehicle: near a pole they differ by degrees within metres.
+   *
+   * @param trueRad heading, clockwise from the origin's north [rad]
+   */
+  static OptionalDouble headingError(StateInformation state, double trueRad, Geodetic origin) {
+    OptionalDouble psi = state.in(ReferenceFrame.LOCAL_NED, origin).psi();
+    return psi.isPresent()
+        ? OptionalDouble.of(Math.IEEEremainder(psi.getAsDouble() - trueRad, 2.0 * Math.PI))
+        : psi;
   }
 
   /**

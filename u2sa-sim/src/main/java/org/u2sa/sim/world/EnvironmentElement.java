@@ -1,5 +1,7 @@
 package org.u2sa.sim.world;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
@@ -73,7 +75,16 @@ public final class EnvironmentElement {
 
   private static Path path(XmlElement element, Path folder) {
     try {
-      return folder.resolve(element.text());
+      Path file = folder.resolve(element.text()).normalize();
+      if (file.startsWith(folder.normalize())
+          && Files.exists(file)
+          && !file.toRealPath().startsWith(folder.toRealPath())) {
+        throw element.error(
+            "\"" + element.text() + "\" is a link that leads out of " + folder.toAbsolutePath());
+      }
+      return file;
+    } catch (IOException e) {
+      throw element.error("\"" + element.text() + "\" cannot be read: " + e.getMessage(), e);
     } catch (InvalidPathException e) {
       throw element.error("\"" + element.text() + "\" is no file name", e);
     }

@@ -167,4 +167,18 @@ class EnvironmentElementTest {
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining(named);
   }
+
+  @Test
+  void apply_heightsAreALinkOutOfTheFolder_isRefused(@TempDir Path elsewhere) throws IOException {
+    Path secret = Files.writeString(elsewhere.resolve("hills.png"), "not for worlds");
+    Files.createSymbolicLink(folder.resolve("hills.png"), secret);
+
+    assertThatThrownBy(
+            () ->
+                read(
+                    "<terrain><heights>hills.png</heights><width>1</width><depth>1</depth>"
+                        + "<lowest>0</lowest><highest>1</highest></terrain>"))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("\"hills.png\" is a link that leads out of " + folder);
+  }
 }

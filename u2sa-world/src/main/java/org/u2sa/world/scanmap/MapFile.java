@@ -6,6 +6,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,11 +36,20 @@ final class MapFile {
   private static final String HEADER = "U2SA scan map 1";
   private static final int MAX_SCANS = 20_000;
   private static final int MAX_BYTES = 1 << 20; // of a scan
+  private static final long HEAP_SHARE = 8; // of the heap for all scans as in the file
 
   private MapFile() {}
 
-  /** Writes a map; an existing file is replaced atomically. */
+  /**
+   * Writes a map; an existing one is replaced atomically.
+   *
+   * @throws IOException if it cannot be written, or would replace another file than a map
+   */
   static void write(Path file, MapFrame frame, List<KeyScan> keys) throws IOException {
+    boolean isFree = !Files.exists(file, LinkOption.NOFOLLOW_LINKS);
+    if (!isFree && !isMap(file) && Files.size(file) > 0) {
+      throw new IOException(file + " is not a map; expected one, an empty file or none");
+    }
     MessageCodec codec = new MessageCodec(StandardTypes.registry());
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (DataOutputStream out = new DataOutputStream(new GZIPOutputStream(bytes))) {
@@ -67,15 +77,39 @@ final class MapFile {
     }
   }
 
+  private static boolean isMap(Path file) {
+    if (!Files.isRegularFile(file)) {
+      return false;
+    }
+    try (DataInputStream in = opened(file)) {
+      return in.readUTF().equals(HEADER);
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  private static DataInputStream opened(Path file) throws IOException {
+    return new DataInputStream(
+        new BufferedInputStream(new GZIPInputStream(Files.newInputStream(file))));
+  }
+
   /**
    * Reads a map.
    *
    * @throws BadInputException if the file is invalid, naming file and cause
    */
   static Contents read(Path file) {
-    try (DataInputStream in =
-        new DataInputStream(
-            new BufferedInputStream(new GZIPInputStream(Files.newInputStream(file))))) {
+    return read(file, Runtime.getRuntime().maxMemory() / HEAP_SHARE);
+  }
+
+  /**
+   * @param maxBytes of all scans, unpacked
+   */
+  static Contents read(Path file, long maxBytes) {
+    if (Files.exists(file) && !Files.isRegularFile(file)) {
+      throw new BadInputException(file + ": expected a regular file"); // a pipe may never answer
+    }
+    try (DataInputStream in = opened(file)) {
       String header = in.readUTF();
       if (!header.equals(HEADER)) {
         throw new IOException("begins with \"" + header + "\", expected \"" + HEADER + "\"");
@@ -87,8 +121,15 @@ final class MapFile {
       }
       MessageCodec codec = new MessageCodec(StandardTypes.registry());
       List<Saved> scans = new ArrayList<>();
+      long left = maxBytes;
       for (int i = 0; i < count; i++) {
-        scans.add(saved(in, codec));
+        Pose2 pose = new Pose2(in.readDouble(), in.readDouble(), in.readDouble());
+        int length = in.readInt();
+        left -= length;
+        if (left < 0) {
+          throw new IOException("its scans are longer than the " + maxBytes + " bytes allowed");
+        }
+        scans.add(saved(in, pose, length, codec));
       }
       return new Contents(frame, scans);
     } catch (IOException | IllegalArgumentException | MalformedMessageException e) {
@@ -96,10 +137,8 @@ final class MapFile {
     }
   }
 
-  private static Saved saved(DataInputStream in, MessageCodec codec)
+  private static Saved saved(DataInputStream in, Pose2 pose, int length, MessageCodec codec)
       throws IOException, MalformedMessageException {
-    Pose2 pose = new Pose2(in.readDouble(), in.readDouble(), in.readDouble());
-    int length = in.readInt();
     if (!Double.isFinite(pose.x() + pose.y() + pose.theta()) || length < 0 || length > MAX_BYTES) {
       throw new IOException("a scan of " + length + " bytes at " + pose);
     }

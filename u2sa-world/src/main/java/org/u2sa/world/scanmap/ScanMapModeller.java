@@ -43,6 +43,7 @@ public final class ScanMapModeller implements Modeller {
   private final PoseHistory locals = new PoseHistory();
   private final List<StateInformation> corrections = new ArrayList<>();
   private final Function<String, Path> files;
+  private final boolean saves;
   private MapFile.Contents saved; // of MAP FILE, or null
   private MapFrame frame = MapFrame.BODY;
   private ScanMap map;
@@ -57,10 +58,12 @@ public final class ScanMapModeller implements Modeller {
    * @param configuration configuration of the World Modeler
    * @param grid the grid to rebuild
    * @param files resolves file names in the configuration
+   * @param saves whether SAVE MAP counts
    */
   public ScanMapModeller(
-      Configurator configuration, GridModeller grid, Function<String, Path> files) {
+      Configurator configuration, GridModeller grid, Function<String, Path> files, boolean saves) {
     this.files = files;
+    this.saves = saves;
     settings = configuration.settings(ScanMapVariables.class);
     gridSettings = configuration.settings(GridModeller.Variables.class);
     this.grid = grid;
@@ -174,7 +177,7 @@ public final class ScanMapModeller implements Modeller {
   @Override
   public void end() {
     String file = settings.get().saveMap();
-    if (file.isEmpty() || map == null || saved != null) {
+    if (!saves || file.isEmpty() || map == null || saved != null) {
       return;
     }
     try {

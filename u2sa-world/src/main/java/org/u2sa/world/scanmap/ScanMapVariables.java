@@ -28,7 +28,7 @@ record ScanMapVariables(
         double mapSigma,
     @Variable(ifAbsentText = "")
         @Description(
-            "File to which the map is written when the World Modeler stops, relative to the configuration file. Empty: it is not saved.")
+            "File to which the map is written when the World Modeler stops, relative to the configuration file; replaces maps only. Empty: it is not saved.")
         String saveMap,
     @Variable(ifAbsentText = "true")
         @Description("Whether to detect and close loops when the vehicle revisits a place.")

@@ -1,5 +1,6 @@
 package org.u2sa.world.sdf;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -12,7 +13,7 @@ import java.util.Optional;
 /**
  * Finds the models and meshes of a world: {@code model://name/…}, relative to the file, or by their
  * base name for models on a server, because nothing is downloaded. Files outside the folders of the
- * world and of Gazebo's variables are not read.
+ * world and of Gazebo's variables are not read, not even if a link in these folders leads to them.
  */
 final class SdfResources {
   private static final String MODEL = "model://";
@@ -71,7 +72,22 @@ final class SdfResources {
     return candidates.stream()
         .map(path -> path.toAbsolutePath().normalize())
         .filter(path -> roots.stream().anyMatch(path::startsWith))
-        .filter(Files::exists)
+        .filter(this::isInside)
         .findFirst();
+  }
+
+  /** Whether a file or folder exists and, with all links followed, is in one of the folders. */
+  boolean isInside(Path path) {
+    try {
+      Path real = path.toRealPath();
+      for (Path root : roots) {
+        if (real.startsWith(root.toRealPath())) {
+          return true;
+        }
+      }
+      return false;
+    } catch (IOException e) {
+      return false; // absent
+    }
   }
 }

@@ -153,7 +153,8 @@ public final class SdfWorld {
         resources
             .find(uri, folder)
             .map(found -> Files.isDirectory(found) ? found.resolve("model.sdf") : found)
-            .filter(Files::isRegularFile);
+            .filter(Files::isRegularFile)
+            .filter(resources::isInside);
     if (file.isEmpty()) {
       ignored.add(name + ": model " + uri + " is not found");
       return;

@@ -30,9 +30,13 @@ class ScanMapTest {
   private final Random random = new Random(3);
 
   private ScanMapModeller modeller(Map<String, Object> variables) {
+    return modeller(variables, true);
+  }
+
+  private ScanMapModeller modeller(Map<String, Object> variables, boolean saves) {
     XmlConfiguration configuration = XmlConfiguration.inMemory("test", variables);
     ScanMapModeller modeller =
-        new ScanMapModeller(configuration, new GridModeller(configuration), folder::resolve);
+        new ScanMapModeller(configuration, new GridModeller(configuration), folder::resolve, saves);
     modeller.enter(
         MapFrame.of(state(Pose2.ORIGIN, 0L)), new Sighting(0L, MapFrame.BODY, Optional.empty()));
     return modeller;
@@ -116,5 +120,49 @@ class ScanMapTest {
           .isInstanceOf(BadInputException.class)
           .hasMessageContaining("room.map");
     }
+  }
+
+  @Test
+  void end_fileIsNoMap_isKept() throws IOException {
+    Path file = Files.writeString(folder.resolve("notes.txt"), "of somebody");
+    ScanMapModeller modeller = modeller(Map.of("SAVE MAP", "notes.txt"));
+    drive(modeller, 0.0);
+
+    assertThatThrownBy(modeller::end).hasMessageContaining("notes.txt is not a map");
+    assertThat(file).hasContent("of somebody");
+  }
+
+  @Test
+  void end_fileIsAnOlderMapOrEmpty_isReplaced() throws IOException {
+    Files.createFile(folder.resolve("room.map"));
+    for (int i = 0; i < 2; i++) {
+      ScanMapModeller modeller = modeller(Map.of("SAVE MAP", "room.map"));
+      drive(modeller, 0.0);
+      modeller.end();
+      assertThat(MapFile.read(folder.resolve("room.map")).scans()).isNotEmpty();
+    }
+  }
+
+  @Test
+  void end_mayNotWrite_writesNothing() {
+    ScanMapModeller modeller = modeller(Map.of("SAVE MAP", "room.map"), false);
+    drive(modeller, 0.0);
+    modeller.end();
+
+    assertThat(folder.resolve("room.map")).doesNotExist();
+  }
+
+  @Test
+  void read_scansLongerThanAllowed_isRefused() {
+    ScanMapModeller first = modeller(Map.of("SAVE MAP", "room.map"));
+    drive(first, 0.0);
+    first.end();
+    Path file = folder.resolve("room.map");
+
+    assertThat(MapFile.read(file, 10_000_000).scans()).hasSize(first.keys().size());
+    assertThatThrownBy(() -> MapFile.read(file, 1_000))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("room.map")
+        .hasMessageContaining("longer than the 1000 bytes allowed");
   }
 }

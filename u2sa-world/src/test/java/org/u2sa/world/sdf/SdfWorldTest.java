@@ -67,6 +67,10 @@ class SdfWorldTest {
       </sdf>
       """;
 
+  private static final String BOX_MODEL =
+      "<sdf version='1.9'><model name='hut'><static>true</static><link name='l'><collision name='c'>"
+          + "<geometry><box><size>2 3 1</size></box></geometry></collision></link></model></sdf>";
+
   @TempDir private Path folder;
 
   private SdfWorld read(String text) throws IOException {
@@ -118,6 +122,27 @@ class SdfWorldTest {
         .anyMatch(words -> words.startsWith("ground_plane") && words.contains("plane"))
         .anyMatch(words -> words.startsWith("actor in line"))
         .hasSize(2);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"models/hut", "models/hut/model.sdf"})
+  void read_modelBehindALinkOutOfTheFolder_isNotRead(String link, @TempDir Path elsewhere)
+      throws IOException {
+    Path hut = Files.createDirectory(elsewhere.resolve("hut"));
+    Path model = Files.writeString(hut.resolve("model.sdf"), BOX_MODEL);
+    Path place = folder.resolve(link);
+    Files.createDirectories(place.getParent());
+    Files.createSymbolicLink(place, link.endsWith("sdf") ? model : hut);
+    String world =
+        "<sdf version='1.9'><world name='w'><include><uri>model://hut</uri></include></world></sdf>";
+
+    assertThat(read(world).objects()).isEmpty();
+    assertThat(read(world).ignored()).containsExactly("hut: model model://hut is not found");
+
+    Files.delete(place);
+    Files.createDirectories(folder.resolve("models/hut"));
+    Files.writeString(folder.resolve("models/hut/model.sdf"), BOX_MODEL);
+    assertThat(read(world).objects()).hasSize(1);
   }
 
   @Test

@@ -1,0 +1,45 @@
+package org.u2sa.drivers.ioio;
+
+import java.util.Optional;
+
+/**
+ * Whether the board has answered a question that it was asked after a stop: it executes what it
+ * receives in order, so by then it has stopped. Until then the stop is commanded, but not
+ * confirmed. Called on the service's thread.
+ */
+final class StopEcho {
+  private static final long FRESH_ANSWERS = 2; // the first may be of a question before the stop
+
+  private Optional<BoardSession> stopped = Optional.empty(); // asked about the newest stop
+  private long neededAnswers;
+
+  /** Call after the stop was sent. A board that is absent outputs nothing, and starts neutral. */
+  void stop(Optional<BoardSession> session) {
+    stopped = session.filter(board -> board.answers().isPresent());
+    if (stopped.isPresent()) {
+      neededAnswers = stopped.get().answers().getAsLong() + FRESH_ANSWERS;
+      stopped.get().askNow();
+    }
+  }
+
+  /**
+   * Whether the newest stop is known to have arrived. A board that is lost before it has answered
+   * may output pulses by its last commands, so only its return confirms.
+   */
+  boolean isTaken(Optional<BoardSession> session) {
+    if (stopped.isEmpty()) {
+      return true;
+    }
+    if (session.isEmpty()) {
+      return false;
+    }
+    BoardSession board = session.get();
+    long needed = board == stopped.get() ? neededAnswers : FRESH_ANSWERS;
+    if (board.answers().orElse(needed) < needed) {
+      board.askNow();
+      return false;
+    }
+    stopped = Optional.empty();
+    return true;
+  }
+}
