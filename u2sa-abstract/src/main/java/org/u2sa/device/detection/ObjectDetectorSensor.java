@@ -86,7 +86,9 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
         .z(body.z())
         .level(ObjectLevel.AVOID_ALWAYS)
         .sensorName(sensorName());
-    object.motion().sigma(sigma(detection, mounted.toBody(way).minus(mounted.toBody(Point.ORIGIN))));
+    object
+        .motion()
+        .sigma(sigma(detection, mounted.toBody(way).minus(mounted.toBody(Point.ORIGIN))));
     return object;
   }
 

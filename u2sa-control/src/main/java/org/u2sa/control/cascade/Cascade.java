@@ -107,8 +107,7 @@ final class Cascade {
     } else if (settings.way().facesTheWay()
         && distanceM(target) >= settings.way().facingDistance()) {
       double astern = target.isBackwards() ? Math.PI : 0.0;
-      double crab =
-          settings.way().countersDrift() && !target.isBackwards() ? -drift.rad() : 0.0;
+      double crab = settings.way().countersDrift() && !target.isBackwards() ? -drift.rad() : 0.0;
       headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()) + astern + crab);
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(motion.attitude().psi());

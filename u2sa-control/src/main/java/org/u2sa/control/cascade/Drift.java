@@ -5,8 +5,8 @@ import org.u2sa.messages.frame.Point;
 /**
  * Drift angle of a vehicle that cannot move sideways: from its bow to its course over ground,
  * smoothed. The bow turned by as much to the other side, wind and current lead it along the wanted
- * course (Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control, 2nd ed., section 12.4).
- * Not thread-safe.
+ * course (Fossen, Handbook of Marine Craft Hydrodynamics and Motion Control, 2nd ed., section
+ * 12.4). Not thread-safe.
  */
 final class Drift {
   private static final double TIME_S = 2.5; // longer than the bow takes to follow

@@ -6,8 +6,8 @@ import java.util.Random;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Draws courses by the rules: gates 2.2 to 3 m wide, the speed gates 8 to 25 m apart, 10 to 15 gates
- * in a winding channel, 4 to 7 m apart; wind up to 6 m/s, current up to 0.5 m/s, small waves.
+ * Draws courses by the rules: gates 2.2 to 3 m wide, the speed gates 8 to 25 m apart, 10 to 15
+ * gates in a winding channel, 4 to 7 m apart; wind up to 6 m/s, current up to 0.5 m/s, small waves.
  */
 final class BoatCourseGenerator {
   private static final double NARROWEST_M = 2.2;

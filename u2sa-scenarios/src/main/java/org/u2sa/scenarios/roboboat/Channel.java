@@ -18,7 +18,8 @@ public final class Channel extends BoatTask {
       SCHEMA.requiredChoice("left", Colour.class);
   private static final ValueField<Channel, Colour> RIGHT =
       SCHEMA.requiredChoice("right", Colour.class);
-  private static final ValueField<Channel, Colour> END = SCHEMA.optionalChoice("endBuoy", Colour.class);
+  private static final ValueField<Channel, Colour> END =
+      SCHEMA.optionalChoice("endBuoy", Colour.class);
   private static final ValueField<Channel, Long> GATES = SCHEMA.optionalCount("gates", "");
   private static final NumberField<Channel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
   private static final ValueField<Channel, Long> PASSED = SCHEMA.optionalCount("passed", "");

@@ -14,15 +14,16 @@ import org.u2sa.planning.Surroundings;
 
 /**
  * Passes the gates of a {@link Channel} in order: always the nearest one ahead that has not been
- * passed. Far from it, it goes around obstacles to a place before the gate; otherwise it follows the
- * line through the middles of the gates.
+ * passed. Far from it, it goes around obstacles to a place before the gate; otherwise it follows
+ * the line through the middles of the gates.
  */
 final class ChannelState extends TaskState {
   private static final double BEFORE_M = 5.0; // place before a gate at which it is on the axis
   private static final double READY_M = 2.5; // nearest to the gate at which it lines up
   private static final double LINED_UP_M = 0.5; // from the axis
   private static final double OFF_M = 2.0; // from the line between two gates
-  private static final double FULL_SPEED_M = 8.0; // distance of a point at which control does not slow down
+  private static final double FULL_SPEED_M =
+      8.0; // distance of a point at which control does not slow down
   private static final double AHEAD_M = 2.2; // of the point on the line to steer to
   private static final double SAME_M = 2.0; // a gate this near one that was passed is the same
   private static final double BEHIND_M = 1.0; // a gate is still ahead

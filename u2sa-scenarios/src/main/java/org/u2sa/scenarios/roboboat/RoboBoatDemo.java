@@ -67,9 +67,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     course = BoatCourseGenerator.course(seed);
     BoatCourse sailed = course;
     Mission mission =
-        frame.isOwnMission()
-            ? BoatMission.write(sailed, directory.resolve("mission.xml"))
-            : given;
+        frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
             VehicleFile.load(system().resolveSibling("vehicle.xml"), changes),
@@ -78,6 +76,9 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             0.0,
             seed);
     return placed.trial(
-        mission, placed.name(), clock -> new BoatJudge(sailed, placed.run(), directory), launch -> {});
+        mission,
+        placed.name(),
+        clock -> new BoatJudge(sailed, placed.run(), directory),
+        launch -> {});
   }
 }

@@ -43,8 +43,7 @@ abstract class TaskState implements PlannerState {
   }
 
   /** The way to a place, around obstacles. */
-  Surroundings.Step towards(
-      Pursuit pursuit, Point place, double thresholdM, double speedMps) {
+  Surroundings.Step towards(Pursuit pursuit, Point place, double thresholdM, double speedMps) {
     return surroundings.towards(pursuit, place, thresholdM, OptionalDouble.of(speedMps));
   }
 

@@ -12,7 +12,8 @@ import org.u2sa.planning.Surroundings;
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
   private static final double DEPTH_M = 1.5; // below the ring on the way there
-  private static final double ABOVE_M = 1.0; // the ring's height is known roughly: rise until it ends
+  private static final double ABOVE_M =
+      1.0; // the ring's height is known roughly: rise until it ends
   private static final double STEP_M = 0.05; // a smaller rise is none
   private static final double AT_TOP_S = 3.0; // without a rise
 

@@ -74,8 +74,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   public Trial trial(Mission given, Path directory, long seed) {
     course = SubCourse.of(seed);
     SubCourse dived = course;
-    Mission mission =
-        frame.isOwnMission() ? write(dived, directory.resolve("mission.xml")) : given;
+    Mission mission = frame.isOwnMission() ? write(dived, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
             VehicleFile.load(system().resolveSibling("vehicle.xml"), changes),

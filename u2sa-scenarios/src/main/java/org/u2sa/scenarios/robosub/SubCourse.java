@@ -117,8 +117,7 @@ record SubCourse(
   }
 
   private static ObjectDescription pole(Colour colour, Point at) {
-    return placed(
-        new Pole().colour(colour).radius(0.04).height(1.2), type(colour, "pole"), at);
+    return placed(new Pole().colour(colour).radius(0.04).height(1.2), type(colour, "pole"), at);
   }
 
   private static ObjectDescription placed(ObjectDescription object, String type, Point at) {
@@ -136,8 +135,6 @@ record SubCourse(
 
   /** The world of the run. */
   World world() {
-    return World.at(ORIGIN)
-        .with(objects())
-        .with(new Water(0.0, currentEastMps, currentNorthMps));
+    return World.at(ORIGIN).with(objects()).with(new Water(0.0, currentEastMps, currentNorthMps));
   }
 }

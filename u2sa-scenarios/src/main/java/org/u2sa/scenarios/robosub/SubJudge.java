@@ -105,8 +105,7 @@ final class SubJudge implements TruthObserver.Scorer {
       if (global.x().isPresent() && global.y().isPresent()) {
         double altitude = global.z().orElse(0.0);
         Point said =
-            plane.point(
-                new Geodetic(global.x().getAsDouble(), global.y().getAsDouble(), altitude));
+            plane.point(new Geodetic(global.x().getAsDouble(), global.y().getAsDouble(), altitude));
         positionErrorM = Math.hypot(said.x() - before.y(), said.y() - before.x());
         if (global.z().isPresent()) {
           worstDepthErrorM =

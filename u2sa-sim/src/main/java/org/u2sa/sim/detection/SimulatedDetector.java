@@ -82,8 +82,7 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
     return new Detections(measuredAtMicros, List.copyOf(seen));
   }
 
-  private void see(
-      ObjectDescription object, VehicleTruth now, World scene, List<Detection> seen) {
+  private void see(ObjectDescription object, VehicleTruth now, World scene, List<Detection> seen) {
     Point centre = enu(object, scene);
     Point way = centre.minus(now.position());
     double range = way.distance();

@@ -17,7 +17,8 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
   }
 
   @Override
-  public Collection<PlannerState> plannerStates(Configurator configuration, Surroundings surroundings) {
+  public Collection<PlannerState> plannerStates(
+      Configurator configuration, Surroundings surroundings) {
     return List.of(new FetchState());
   }
 }
