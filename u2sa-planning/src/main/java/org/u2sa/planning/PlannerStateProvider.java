@@ -15,5 +15,5 @@ public interface PlannerStateProvider {
    *     variables
    * @param surroundings what the planner knows of the vehicle's surroundings
    */
-  Collection<PlannerState> plannerStates(Configurator configuration, Surroundings surroundings);
+  Collection<PlannerState> plannerStates(Configurator configuration, PlannerView surroundings);
 }

@@ -16,7 +16,7 @@ final class PlannerStates {
   }
 
   /** Adds the states of extensions; these replace earlier ones for the same class of goals. */
-  void discover(Configurator configuration, Surroundings surroundings) {
+  void discover(Configurator configuration, PlannerView surroundings) {
     for (PlannerStateProvider provider : ServiceLoader.load(PlannerStateProvider.class)) {
       states.addAll(provider.plannerStates(configuration, surroundings));
     }

@@ -13,8 +13,8 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.PlanningPlane;
 
-/** Surroundings by the planner's own world and avoidance. */
-final class PlannerSurroundings implements Surroundings {
+/** PlannerView by the planner's own world and avoidance. */
+final class PlannerSurroundings implements PlannerView {
   private final Avoidance avoidance;
 
   PlannerSurroundings(Avoidance avoidance) {

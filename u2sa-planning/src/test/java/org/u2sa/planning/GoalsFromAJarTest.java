@@ -104,7 +104,7 @@ class GoalsFromAJarTest {
       import java.util.List;
       import org.u2sa.planning.PlannerState;
       import org.u2sa.planning.PlannerStateProvider;
-      import org.u2sa.planning.Surroundings;
+      import org.u2sa.planning.PlannerView;
       import org.u2sa.interfaces.configuration.Configurator;
       import org.u2sa.messages.schema.MessageType;
       import org.u2sa.messages.schema.MessageTypeProvider;
@@ -116,7 +116,7 @@ class GoalsFromAJarTest {
         }
 
         @Override
-        public Collection<PlannerState> plannerStates(Configurator planner, Surroundings surroundings) {
+        public Collection<PlannerState> plannerStates(Configurator planner, PlannerView surroundings) {
           return List.of(new HulaHoopState());
         }
       }

@@ -186,14 +186,14 @@ public final class AllocatingControl extends ControlSystem {
     return motion;
   }
 
-  private Target target(StateInformation state, Optional<NavigationPoint> point) {
+  private MotionTarget target(StateInformation state, Optional<NavigationPoint> point) {
     Optional<Point> way = wayToGo(state, point);
     if (way.isEmpty()) {
-      return Target.none();
+      return MotionTarget.none();
     }
     NavigationPoint to = point.orElseThrow();
     double headingThen = stateOf(to).orElseThrow().psi().orElse(0.0);
-    return new Target(
+    return new MotionTarget(
         way,
         to.speed().isPresent() ? Optional.of(to.speed().getAsDouble()) : Optional.empty(),
         to.turn().isPresent()
@@ -202,7 +202,7 @@ public final class AllocatingControl extends ControlSystem {
         to.backwards());
   }
 
-  private void drive(BodyMotion motion, Target target) {
+  private void drive(BodyMotion motion, MotionTarget target) {
     if (takesOver) {
       cascade.takeOver(motion, target, presentWrench());
       takesOver = false;

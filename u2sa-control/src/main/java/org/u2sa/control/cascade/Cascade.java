@@ -54,7 +54,7 @@ final class Cascade {
   }
 
   /** Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call. */
-  double[] step(BodyMotion motion, Target target, double stepS) {
+  double[] step(BodyMotion motion, MotionTarget target, double stepS) {
     drift.step(motion.velocity(), motion.rates().z(), stepS);
     weatherVane(target, stepS);
     aim(motion, target);
@@ -86,7 +86,7 @@ final class Cascade {
    * Turns the bow into wind and current while the vehicle stays at a place and no heading is given:
    * to the side to which it must push, until it need not push aside.
    */
-  private void weatherVane(Target target, double stepS) {
+  private void weatherVane(MotionTarget target, double stepS) {
     boolean stays = target.way().isPresent() && distanceM(target) < settings.way().facingDistance();
     if (!settings.way().weatherVanes() || !stays || target.headingRad().isPresent()) {
       return;
@@ -96,11 +96,11 @@ final class Cascade {
     headingRad.ifPresent(heading -> headingRad = OptionalDouble.of(heading + step));
   }
 
-  private static double distanceM(Target target) {
+  private static double distanceM(MotionTarget target) {
     return target.way().map(way -> Math.hypot(way.x(), way.y())).orElse(0.0);
   }
 
-  private void aim(BodyMotion motion, Target target) {
+  private void aim(BodyMotion motion, MotionTarget target) {
     Point toGo = target.way().orElse(Point.ORIGIN);
     if (target.headingRad().isPresent()) {
       headingRad = target.headingRad();
@@ -145,7 +145,7 @@ final class Cascade {
    * Wanted velocity along the vehicle's axes [m/s], with each axis within its limit and the total
    * within the speed.
    */
-  private Point velocity(BodyMotion motion, Point toGo, Target target) {
+  private Point velocity(BodyMotion motion, Point toGo, MotionTarget target) {
     Point body = settings.leans() ? motion.level(toGo) : motion.frd(toGo);
     double forward = towards(DegreeOfFreedom.SURGE, body.x());
     double right = towards(DegreeOfFreedom.SWAY, body.y());
@@ -231,7 +231,7 @@ final class Cascade {
   }
 
   /** Takes over from a wrench commanded by another law (bumpless transfer). */
-  void takeOver(BodyMotion motion, Target target, double[] present) {
+  void takeOver(BodyMotion motion, MotionTarget target, double[] present) {
     aim(motion, target);
     for (int j = 0; j < AXES.length; j++) {
       pids[j].takeOver(acceleration(j, present[j]), wanted[j], measured[j]);

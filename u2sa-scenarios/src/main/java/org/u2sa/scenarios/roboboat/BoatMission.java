@@ -42,10 +42,10 @@ final class BoatMission {
   }
 
   private void channel(String name, Point entrance, boolean back, String end) {
-    text.append("  <channel><name>").append(name).append("</name>").append(place(entrance));
+    text.append("  <buoyChannel><name>").append(name).append("</name>").append(place(entrance));
     text.append("<left>").append(back ? BoatCourse.RIGHT : BoatCourse.LEFT).append("</left>");
     text.append("<right>").append(back ? BoatCourse.LEFT : BoatCourse.RIGHT).append("</right>");
-    text.append(end).append("</channel>\n");
+    text.append(end).append("</buoyChannel>\n");
   }
 
   private String place(Point at) {

@@ -28,9 +28,19 @@ public class BoatTask extends GoalInformation {
     return TYPE;
   }
 
-  /** Longitude and latitude of the station [deg]. */
-  public Point place() {
-    return Point.of(require(X), require(Y), 0.0);
+  /** Longitude of the station [deg]. */
+  public double x() {
+    return require(X);
+  }
+
+  /** Latitude of the station [deg]. */
+  public double y() {
+    return require(Y);
+  }
+
+  /** The station in GLOBAL. */
+  Point place() {
+    return Point.of(x(), y(), 0.0);
   }
 
   public BoatTask place(double longitudeDeg, double latitudeDeg) {

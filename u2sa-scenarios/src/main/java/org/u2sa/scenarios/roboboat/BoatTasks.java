@@ -7,18 +7,18 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerStateProvider;
-import org.u2sa.planning.Surroundings;
+import org.u2sa.planning.PlannerView;
 
 /** Registers RoboBoat's goal classes and their planner states. */
 public final class BoatTasks implements MessageTypeProvider, PlannerStateProvider {
   @Override
   public Collection<MessageType<?>> messageTypes() {
-    return List.of(BoatTask.TYPE, Channel.TYPE);
+    return List.of(BoatTask.TYPE, BuoyChannel.TYPE);
   }
 
   @Override
   public Collection<PlannerState> plannerStates(
-      Configurator configuration, Surroundings surroundings) {
+      Configurator configuration, PlannerView surroundings) {
     return List.of(new ChannelState(surroundings));
   }
 }

@@ -9,13 +9,13 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
-import org.u2sa.planning.Surroundings;
 
 /**
- * Passes the gates of a {@link Channel} in order: always the nearest one ahead that has not been
- * passed. Far from it, it goes around obstacles to a place before the gate; otherwise it follows
- * the line through the middles of the gates.
+ * Passes the gates of a {@link BuoyChannel} in order: always the nearest one ahead that has not
+ * been passed. Far from it, it goes around obstacles to a place before the gate; otherwise it
+ * follows the line through the middles of the gates.
  */
 final class ChannelState extends TaskState {
   private static final double BEFORE_M = 5.0; // place before a gate at which it is on the axis
@@ -39,13 +39,13 @@ final class ChannelState extends TaskState {
   private Optional<Gate> last = Optional.empty();
   private boolean linedUp; // with the first gate
 
-  ChannelState(Surroundings surroundings) {
+  ChannelState(PlannerView surroundings) {
     super(surroundings);
   }
 
   @Override
   public Class<? extends GoalInformation> goalClass() {
-    return Channel.class;
+    return BuoyChannel.class;
   }
 
   @Override
@@ -59,7 +59,7 @@ final class ChannelState extends TaskState {
 
   @Override
   public Plan plan(Pursuit pursuit) {
-    Channel goal = (Channel) pursuit.goal();
+    BuoyChannel goal = (BuoyChannel) pursuit.goal();
     StateInformation state = pursuit.state();
     Point here = surroundings.here(state);
     List<Gate> gates =
@@ -67,7 +67,7 @@ final class ChannelState extends TaskState {
             places(name(goal.left(), "buoy"), state), places(name(goal.right(), "buoy"), state));
     before.ifPresent(from -> pass(gates, from, here));
     before = Optional.of(here);
-    Channel now = goal.copy().passed(passed.size());
+    BuoyChannel now = goal.copy().passed(passed.size());
     if (goal.gates().isPresent() && passed.size() >= goal.gates().getAsLong()) {
       return done(pursuit, now);
     }
@@ -127,7 +127,7 @@ final class ChannelState extends TaskState {
     return Optional.ofNullable(nearest);
   }
 
-  private Optional<Point> end(Channel goal, StateInformation state, Point here) {
+  private Optional<Point> end(BuoyChannel goal, StateInformation state, Point here) {
     return places(name(goal.endBuoy(), "buoy"), state).stream()
         .min((a, b) -> Double.compare(distance(a, here), distance(b, here)));
   }
@@ -140,7 +140,7 @@ final class ChannelState extends TaskState {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
-  private Plan through(Gate gate, List<Gate> gates, Point here, Pursuit pursuit, Channel now) {
+  private Plan through(Gate gate, List<Gate> gates, Point here, Pursuit pursuit, BuoyChannel now) {
     double ahead = gate.aheadM(here);
     Point from = last.map(Gate::middle).orElse(gate.beyond(-BEFORE_M));
     double aside = Math.abs(asideM(from, gate.middle(), here));
@@ -196,7 +196,7 @@ final class ChannelState extends TaskState {
   }
 
   /** To the entrance; from there, or from the last gate, straight on until a gate is seen. */
-  private Plan search(Pursuit pursuit, Point here, Channel now) {
+  private Plan search(Pursuit pursuit, Point here, BuoyChannel now) {
     if (last.isEmpty()) {
       Point entrance = station(now, pursuit.state());
       return step(pursuit, towards(pursuit, entrance, 1.0, now.speed()), now);
@@ -210,7 +210,7 @@ final class ChannelState extends TaskState {
         pursuit, towards(pursuit, last.get().beyond(BLIND_M + AHEAD_M), 1.0, SEARCH_MPS), now);
   }
 
-  private static Plan step(Pursuit pursuit, Surroundings.Step step, Channel now) {
+  private static Plan step(Pursuit pursuit, PlannerView.Step step, BuoyChannel now) {
     List<NavigationPoint> points = List.of(step.point());
     return step.givenUp()
         .map(reason -> new Plan(points, Plan.Progress.ABANDONED, "given up: " + reason))
@@ -218,7 +218,7 @@ final class ChannelState extends TaskState {
         .changing(now);
   }
 
-  private static Plan done(Pursuit pursuit, Channel now) {
+  private static Plan done(Pursuit pursuit, BuoyChannel now) {
     return new Plan(
             List.of(), Plan.Progress.COMPLETED, "reached, " + now.passed() + " gates passed")
         .changing(now);

@@ -9,14 +9,14 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.marine.Colour;
 import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
-import org.u2sa.planning.Surroundings;
 
 /** What all tasks at a station have in common: finding it, and its objects. */
 abstract class TaskState implements PlannerState {
-  final Surroundings surroundings;
+  final PlannerView surroundings;
 
-  TaskState(Surroundings surroundings) {
+  TaskState(PlannerView surroundings) {
     this.surroundings = surroundings;
   }
 
@@ -43,7 +43,7 @@ abstract class TaskState implements PlannerState {
   }
 
   /** The way to a place, around obstacles. */
-  Surroundings.Step towards(Pursuit pursuit, Point place, double thresholdM, double speedMps) {
+  PlannerView.Step towards(Pursuit pursuit, Point place, double thresholdM, double speedMps) {
     return surroundings.towards(pursuit, place, thresholdM, OptionalDouble.of(speedMps));
   }
 

@@ -5,13 +5,13 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.Surroundings;
+import org.u2sa.planning.PlannerView;
 
 /** {@link BumpBuoy}: straight into a buoy. */
 final class BuoyState extends SightState {
   private static final double TOUCHED_M = 0.25; // from centre to centre, inside of both hulls
 
-  BuoyState(Surroundings surroundings) {
+  BuoyState(PlannerView surroundings) {
     super(surroundings);
   }
 

@@ -6,7 +6,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.Surroundings;
+import org.u2sa.planning.PlannerView;
 
 /** {@link PassGate}: through the middle between two poles and on (thesis 4.3.1.3). */
 final class GateState extends SightState {
@@ -18,7 +18,7 @@ final class GateState extends SightState {
   private Optional<Point> axis = Optional.empty(); // level unit vector through the gate
   private boolean isThrough;
 
-  GateState(Surroundings surroundings) {
+  GateState(PlannerView surroundings) {
     super(surroundings);
   }
 

@@ -11,8 +11,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
-import org.u2sa.planning.Surroundings;
 
 /**
  * Approaches a place that objects of the world model define, as far as its task wants; searches
@@ -23,12 +23,12 @@ abstract class SightState implements PlannerState {
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
   private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
 
-  final Surroundings surroundings;
+  final PlannerView surroundings;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
   private long enteredMicros;
   private long seenMicros;
 
-  SightState(Surroundings surroundings) {
+  SightState(PlannerView surroundings) {
     this.surroundings = surroundings;
   }
 

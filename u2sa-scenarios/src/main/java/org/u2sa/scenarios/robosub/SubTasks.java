@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerStateProvider;
-import org.u2sa.planning.Surroundings;
+import org.u2sa.planning.PlannerView;
 
 /** Registers RoboSub's goal classes and their planner states. */
 public final class SubTasks implements MessageTypeProvider, PlannerStateProvider {
@@ -18,7 +18,7 @@ public final class SubTasks implements MessageTypeProvider, PlannerStateProvider
 
   @Override
   public Collection<PlannerState> plannerStates(
-      Configurator configuration, Surroundings surroundings) {
+      Configurator configuration, PlannerView surroundings) {
     return List.of(
         new GateState(surroundings), new BuoyState(surroundings), new RingState(surroundings));
   }

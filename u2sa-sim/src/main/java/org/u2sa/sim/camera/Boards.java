@@ -33,7 +33,7 @@ final class Boards implements Solid {
       touch.ny = (float) normal[1];
       touch.nz = (float) normal[2];
       touch.isGround = normal[2] > 0.0;
-      touch.colour = Colour.WOOD;
+      touch.colour = Reflectance.WOOD;
       return (float) hit;
     }
     return Float.POSITIVE_INFINITY;

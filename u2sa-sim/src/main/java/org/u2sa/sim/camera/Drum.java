@@ -11,9 +11,9 @@ record Drum(float x, float y, float bottom, float radius, float height, int[] ba
 
   /** A traffic barrel: orange with two white bands and a rubber base. */
   static Drum barrel(double x, double y, double radius, double height) {
-    int o = Colour.ORANGE;
-    int w = Colour.WHITE;
-    int[] bands = {Colour.RUBBER, o, o, w, w, o, o, w, w, o, o, o};
+    int o = Reflectance.ORANGE;
+    int w = Reflectance.WHITE;
+    int[] bands = {Reflectance.RUBBER, o, o, w, w, o, o, w, w, o, o, o};
     return new Drum((float) x, (float) y, 0.0f, (float) radius, (float) height, bands);
   }
 

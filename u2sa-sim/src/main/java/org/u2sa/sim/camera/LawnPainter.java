@@ -72,7 +72,9 @@ final class LawnPainter {
         double y = row * CELL_M;
         double dry = 1.4 * noise.fractal(0.45 * x, 0.45 * y, 4) - 0.15;
         double tone = 1.0 + 0.35 * noise.fractal(3.0 * x + 40.0, 3.0 * y, 3);
-        int colour = scaled(Colour.mix(Colour.GRASS, Colour.DRY_GRASS, dry), tone) | 0xFF000000;
+        int colour =
+            scaled(Reflectance.mix(Reflectance.GRASS, Reflectance.DRY_GRASS, dry), tone)
+                | 0xFF000000;
         for (int r = row; r < Math.min(height, row + step); r++) {
           Arrays.fill(
               cells, r * width + column, r * width + Math.min(width, column + step), colour);
@@ -101,7 +103,7 @@ final class LawnPainter {
         double y = southM + row * CELL_M;
         if (insideM(hull, x, y) > 0.0) {
           double tone = 1.0 + 0.1 * noise.fractal(2.0 * x, 2.0 * y, 3);
-          cells[row * width + column] = scaled(Colour.BOARDS, tone) | 0xFF000000;
+          cells[row * width + column] = scaled(Reflectance.BOARDS, tone) | 0xFF000000;
         }
       }
     }
@@ -152,7 +154,7 @@ final class LawnPainter {
           double coat = worn ? worn(x, y) : fresh(x, y);
           double share = Math.min(1.0, cover) * coat;
           int at = row * width + column;
-          int painted = Colour.mix(cells[at], Colour.PAINT, share);
+          int painted = Reflectance.mix(cells[at], Reflectance.PAINT, share);
           cells[at] = brightest(cells[at], painted);
         }
       }

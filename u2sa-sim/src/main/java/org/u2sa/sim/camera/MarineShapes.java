@@ -37,7 +37,7 @@ final class MarineShapes {
     } else if (object instanceof Dock dock) {
       dock.walls().forEach(wall -> solids.add(Slab.of(wall, colour)));
     } else if (object instanceof Bin bin) {
-      solids.add(Slab.of(bin, Colour.WHITE));
+      solids.add(Slab.of(bin, Reflectance.WHITE));
       Point lid = bin.center().plus(Point.of(0.0, 0.0, 0.5 * bin.height()));
       Point inner = Point.of(RIM * bin.length(), RIM * bin.width(), SHEET_M);
       solids.add(Slab.of(lid, bin.psi(), inner, colour));
@@ -52,14 +52,14 @@ final class MarineShapes {
 
   private static int colour(ObjectDescription object) {
     if (object instanceof Dock dock && dock.colour().isEmpty()) {
-      return Colour.WOOD;
+      return Reflectance.WOOD;
     }
     if (object instanceof HotTarget) {
-      return Colour.STEEL;
+      return Reflectance.STEEL;
     }
     return object instanceof Coloured painted
-        ? painted.colour().map(Colour::of).orElse(Colour.GREY)
-        : Colour.GREY;
+        ? painted.colour().map(Reflectance::of).orElse(Reflectance.GREY)
+        : Reflectance.GREY;
   }
 
   /** A sphere. */

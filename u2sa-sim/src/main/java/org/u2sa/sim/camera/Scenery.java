@@ -137,11 +137,12 @@ public final class Scenery {
       float height = (float) cylinder.height();
       switch (object.objectType()) {
         case BARREL -> solids.add(Drum.barrel(x, y, cylinder.radius(), height));
-        case RED_FLAG -> flag(x, y, height, Colour.RED, solids);
-        case BLUE_FLAG -> flag(x, y, height, Colour.BLUE, solids);
+        case RED_FLAG -> flag(x, y, height, Reflectance.RED, solids);
+        case BLUE_FLAG -> flag(x, y, height, Reflectance.BLUE, solids);
         default ->
             solids.add(
-                new Drum(x, y, 0.0f, (float) cylinder.radius(), height, new int[] {Colour.GREY}));
+                new Drum(
+                    x, y, 0.0f, (float) cylinder.radius(), height, new int[] {Reflectance.GREY}));
       }
     } else if (object instanceof Box box) {
       box(box, object.objectType().equals(SAWHORSE), solids);
@@ -149,7 +150,7 @@ public final class Scenery {
   }
 
   private static void flag(float x, float y, float height, int colour, List<Solid> solids) {
-    solids.add(new Drum(x, y, 0.0f, 0.012f, height, new int[] {Colour.STEEL}));
+    solids.add(new Drum(x, y, 0.0f, 0.012f, height, new int[] {Reflectance.STEEL}));
     float turn = 2.4f * x + 1.7f * y; // arbitrary direction across the lawn
     float cos = (float) StrictMath.cos(turn);
     float sin = (float) StrictMath.sin(turn);
@@ -181,17 +182,29 @@ public final class Scenery {
       float c = (float) cos;
       float s = (float) sin;
       if (!isSawhorse) {
-        solids.add(new Board(x, y, c, s, (float) half, 0.0f, high, Colour.GREY, Colour.GREY, 0.0f));
+        solids.add(
+            new Board(
+                x, y, c, s, (float) half, 0.0f, high, Reflectance.GREY, Reflectance.GREY, 0.0f));
         float endX = (float) (box.x() + side * half * cos);
         float endY = (float) (box.y() + side * half * sin);
-        solids.add(new Board(endX, endY, -s, c, (float) aside, 0.0f, high, Colour.GREY, 0, 0.0f));
+        solids.add(
+            new Board(endX, endY, -s, c, (float) aside, 0.0f, high, Reflectance.GREY, 0, 0.0f));
         continue;
       }
       for (int plank = 0; plank < 2; plank++) {
         float low = plank == 0 ? high - 0.25f : 0.3f * high;
         solids.add(
             new Board(
-                x, y, c, s, (float) half, low, low + 0.25f, Colour.WHITE, Colour.ORANGE, 0.15f));
+                x,
+                y,
+                c,
+                s,
+                (float) half,
+                low,
+                low + 0.25f,
+                Reflectance.WHITE,
+                Reflectance.ORANGE,
+                0.15f));
       }
       for (int end = -1; end <= 1; end += 2) {
         double along = end * (half - LEG_M);
@@ -204,7 +217,7 @@ public final class Scenery {
                 (float) LEG_M,
                 0.0f,
                 high - 0.25f,
-                Colour.WOOD,
+                Reflectance.WOOD,
                 0,
                 0.0f));
       }

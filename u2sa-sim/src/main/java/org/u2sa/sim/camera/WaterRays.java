@@ -14,7 +14,7 @@ final class WaterRays {
   private static final float BRIGHTEST = 30.0f;
   private static final float SUN_COSINE = 0.99995f;
   private static final float CAUSTIC_CELL = 0.45f; // [m]
-  private static final int SAND = Colour.rgb(0.42, 0.38, 0.30);
+  private static final int SAND = Reflectance.rgb(0.42, 0.38, 0.30);
 
   private final WaterScenery scenery;
   private final Solid.Touch touch = new Solid.Touch();
@@ -188,7 +188,7 @@ final class WaterRays {
     into[at + 2] = bright + glow + disc;
   }
 
-  /** Colour of the last hit in daylight. */
+  /** Reflectance of the last hit in daylight. */
   private void lit(float[] into) {
     float[] sun = scenery.sun;
     float facing = Math.max(0.0f, touch.nx * sun[0] + touch.ny * sun[1] + touch.nz * sun[2]);

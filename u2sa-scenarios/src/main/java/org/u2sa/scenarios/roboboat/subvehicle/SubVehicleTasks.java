@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerStateProvider;
-import org.u2sa.planning.Surroundings;
+import org.u2sa.planning.PlannerView;
 
 /** Registers the sub-vehicle's goal class and planner state. */
 public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateProvider {
@@ -18,7 +18,7 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
 
   @Override
   public Collection<PlannerState> plannerStates(
-      Configurator configuration, Surroundings surroundings) {
+      Configurator configuration, PlannerView surroundings) {
     return List.of(new FetchState());
   }
 }

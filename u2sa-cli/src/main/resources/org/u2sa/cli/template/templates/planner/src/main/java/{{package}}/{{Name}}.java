@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerStateProvider;
-import org.u2sa.planning.Surroundings;
+import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Description;
@@ -39,7 +39,7 @@ public final class {{Name}} implements PlannerState {
   /** Brings it to every path planner; named in META-INF/services. */
   public static final class Provider implements PlannerStateProvider {
     @Override
-    public Collection<PlannerState> plannerStates(Configurator planner, Surroundings surroundings) {
+    public Collection<PlannerState> plannerStates(Configurator planner, PlannerView surroundings) {
       return List.of(new {{Name}}(planner));
     }
   }

@@ -11,23 +11,23 @@ import org.u2sa.messages.schema.ValueField;
  * A channel of gates, each between a buoy to the left and one to the right, to be passed in order
  * (thesis 4.2). The station is its entrance. It ends after a number of gates or at a buoy.
  */
-public final class Channel extends BoatTask {
-  private static final Schema<Channel> SCHEMA =
-      Schema.of(Channel.class, Channel::new, BoatTask.TYPE);
-  private static final ValueField<Channel, Colour> LEFT =
+public final class BuoyChannel extends BoatTask {
+  private static final Schema<BuoyChannel> SCHEMA =
+      Schema.of(BuoyChannel.class, BuoyChannel::new, BoatTask.TYPE);
+  private static final ValueField<BuoyChannel, Colour> LEFT =
       SCHEMA.requiredChoice("left", Colour.class);
-  private static final ValueField<Channel, Colour> RIGHT =
+  private static final ValueField<BuoyChannel, Colour> RIGHT =
       SCHEMA.requiredChoice("right", Colour.class);
-  private static final ValueField<Channel, Colour> END =
+  private static final ValueField<BuoyChannel, Colour> END =
       SCHEMA.optionalChoice("endBuoy", Colour.class);
-  private static final ValueField<Channel, Long> GATES = SCHEMA.optionalCount("gates", "");
-  private static final NumberField<Channel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
-  private static final ValueField<Channel, Long> PASSED = SCHEMA.optionalCount("passed", "");
+  private static final ValueField<BuoyChannel, Long> GATES = SCHEMA.optionalCount("gates", "");
+  private static final NumberField<BuoyChannel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final ValueField<BuoyChannel, Long> PASSED = SCHEMA.optionalCount("passed", "");
 
-  public static final MessageType<Channel> TYPE = SCHEMA.build();
+  public static final MessageType<BuoyChannel> TYPE = SCHEMA.build();
 
   @Override
-  public MessageType<? extends Channel> type() {
+  public MessageType<? extends BuoyChannel> type() {
     return TYPE;
   }
 
@@ -66,12 +66,12 @@ public final class Channel extends BoatTask {
     return optionalCount(PASSED).orElse(0L);
   }
 
-  public Channel passed(long gates) {
+  public BuoyChannel passed(long gates) {
     return put(PASSED, gates);
   }
 
   @Override
-  public Channel copy() {
-    return (Channel) super.copy();
+  public BuoyChannel copy() {
+    return (BuoyChannel) super.copy();
   }
 }

@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * What the planner knows of the vehicle's surroundings, for the {@link PlannerState}s of
  * extensions. Confined to the planner's thread.
  */
-public interface Surroundings {
+public interface PlannerView {
   /**
    * Step of an approach.
    *

@@ -1,7 +1,7 @@
 package org.u2sa.sim.camera;
 
 /** Linear surface reflectances as 0xRRGGBB. */
-final class Colour {
+final class Reflectance {
   static final int GRASS = rgb(0.085, 0.135, 0.035);
   static final int DRY_GRASS = rgb(0.20, 0.18, 0.08);
   static final int PAINT = rgb(0.78, 0.79, 0.76);
@@ -17,7 +17,7 @@ final class Colour {
 
   private static final double FULL = 255.0;
 
-  private Colour() {}
+  private Reflectance() {}
 
   /** Reflectance of paint. */
   static int of(org.u2sa.messages.marine.Colour paint) {

@@ -12,16 +12,16 @@ import org.u2sa.messages.frame.Point;
  * @param headingRad heading to hold, clockwise from north [rad]; empty if control chooses it
  * @param isBackwards whether a vehicle that faces its way turns its stern to it
  */
-record Target(
+record MotionTarget(
     Optional<Point> way,
     Optional<Double> speedMps,
     OptionalDouble headingRad,
     boolean isBackwards) {
-  private static final Target NONE =
-      new Target(Optional.empty(), Optional.empty(), OptionalDouble.empty(), false);
+  private static final MotionTarget NONE =
+      new MotionTarget(Optional.empty(), Optional.empty(), OptionalDouble.empty(), false);
 
   /** Stops and holds the heading. */
-  static Target none() {
+  static MotionTarget none() {
     return NONE;
   }
 }
