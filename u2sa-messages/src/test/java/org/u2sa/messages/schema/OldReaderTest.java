@@ -81,7 +81,11 @@ class OldReaderTest {
                 "UnknownGoal",
                 "UnknownShape",
                 "Line",
-                "Sphere");
+                "Sphere",
+                "Box",
+                "Cylinder",
+                "Rectangle",
+                "Waypoint");
       }
     }
     assertThat(asThemselves).contains("HealthReport", "Waypoint", "DiscoveryResponse");

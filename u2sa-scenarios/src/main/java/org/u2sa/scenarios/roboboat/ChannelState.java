@@ -18,8 +18,9 @@ import org.u2sa.planning.Pursuit;
  * follows the line through the middles of the gates.
  */
 final class ChannelState extends TaskState {
-  private static final double BEFORE_M = 5.0; // place before a gate at which it is on the axis
-  private static final double READY_M = 2.5; // nearest to the gate at which it lines up
+  private static final double BEFORE_M = 4.0; // place before a gate at which it is on the axis
+  private static final double CLEAR_M = 1.5; // from an object to a straight way
+  private static final double READY_M = 2.0; // nearest to the gate at which it lines up
   private static final double LINED_UP_M = 0.5; // from the axis
   private static final double OFF_M = 2.0; // from the line between two gates
   private static final double FULL_SPEED_M =
@@ -31,7 +32,7 @@ final class ChannelState extends TaskState {
   private static final double BLIND_M = 25.0; // straight on without a gate in sight
   private static final double AT_END_M = 5.0; // from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
-  private static final double APPROACH_MPS = 0.9; // to a gate's axis, and to the buoy at the end
+  private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
   private static final double ALIGNED_RAD = Math.toRadians(50.0); // includes a crab angle
 
   private final List<Point> passed = new ArrayList<>();
@@ -146,7 +147,7 @@ final class ChannelState extends TaskState {
     double aside = Math.abs(asideM(from, gate.middle(), here));
     linedUp |= last.isPresent() || isLinedUp(gate, here, pursuit.state());
     if (!linedUp || ahead > BEFORE_M / 2.0 && aside > OFF_M) {
-      return step(pursuit, towards(pursuit, gate.beyond(-BEFORE_M), LINED_UP_M, APPROACH_MPS), now);
+      return approach(pursuit, here, gate.beyond(-BEFORE_M), now);
     }
     Point after =
         next(gates, gate.middle(), Optional.of(gate))
@@ -157,6 +158,33 @@ final class ChannelState extends TaskState {
     Point farther = between(here, aim, FULL_SPEED_M / Math.max(0.1, distance(here, aim)));
     NavigationPoint point = surroundings.straight(pursuit.state(), farther);
     return Plan.underWay(List.of(point.speed(now.speed()))).changing(now);
+  }
+
+  /** Straight to a place if no object is near the way, otherwise around objects. */
+  private Plan approach(Pursuit pursuit, Point here, Point place, BuoyChannel now) {
+    StateInformation state = pursuit.state();
+    double length = distance(here, place);
+    boolean isClear =
+        surroundings.objects().stream()
+            .map(object -> surroundings.centre(object, state))
+            .allMatch(object -> isClear(here, place, length, object));
+    if (!isClear) {
+      return step(pursuit, towards(pursuit, place, LINED_UP_M, APPROACH_MPS), now);
+    }
+    NavigationPoint point = surroundings.straight(state, place);
+    return Plan.underWay(List.of(point.speed(APPROACH_MPS))).changing(now);
+  }
+
+  private static boolean isClear(Point here, Point place, double length, Point object) {
+    double along =
+        length > 0.0
+            ? ((object.x() - here.x()) * (place.x() - here.x())
+                    + (object.y() - here.y()) * (place.y() - here.y()))
+                / length
+            : 0.0;
+    double within = Math.max(0.0, Math.min(length, along));
+    Point nearest = length > 0.0 ? between(here, place, within / length) : here;
+    return distance(nearest, object) > CLEAR_M;
   }
 
   private static boolean isLinedUp(Gate gate, Point here, StateInformation state) {
