@@ -56,7 +56,7 @@ class ConfigCommandTest extends CommandFixture {
     assertThat(out.toString())
         .startsWith("PathPlanner (revision ")
         .doesNotContain("StateEstimator")
-        .containsPattern("GUIDANCE +LINE +string +LINE \\| DIRECT +\\w")
+        .containsPattern("GUIDANCE +LINE +string +LINE \\| DIRECT \\| ILOS +\\w")
         .containsPattern("STALE AFTER +[0-9.]+ s +double +\\S");
   }
 

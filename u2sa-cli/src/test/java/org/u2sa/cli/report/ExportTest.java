@@ -220,7 +220,7 @@ class ExportTest extends CommandFixture {
             exported("--format", "csv", "--channel", "state")
                 .resolve("state-StateInformation.csv"));
     assertThat(lines.get(0))
-        .isEqualTo("time [s],timestamp [µs],sensorName,referenceFrame,x [m],x [deg],y [deg],z [m]");
+        .isEqualTo("time [s],timestamp [us],sensorName,referenceFrame,x [m],x [deg],y [deg],z [m]");
     assertThat(lines.get(1)).startsWith("0.000000,").endsWith(",filter,LOCAL_ENU,1.5,,,");
     assertThat(lines.get(2)).startsWith("1.000000,").endsWith(",filter,GLOBAL,,8.0,50.0001,101.0");
     assertThat(lines).hasSize(12);

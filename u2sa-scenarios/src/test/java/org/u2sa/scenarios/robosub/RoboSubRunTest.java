@@ -5,12 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.Repository;
 import picocli.CommandLine;
 
 /** Whole dives with the shipped files, in lockstep. */
 class RoboSubRunTest {
+  @BeforeAll
+  static void findFiles() {
+    System.setProperty("u2sa.home", Repository.root().toString());
+  }
+
   @TempDir private Path directory;
 
   private int dive(String... more) {
