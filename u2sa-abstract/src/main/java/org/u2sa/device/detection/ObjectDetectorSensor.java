@@ -9,6 +9,9 @@ import org.u2sa.device.Devices;
 import org.u2sa.device.MountingPose;
 import org.u2sa.device.SensorKind;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Point;
@@ -18,9 +21,9 @@ import org.u2sa.messages.marine.MarineObjects;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes what an {@link ObjectDetector} recognises, in BODY (thesis 4.2.1.2). In: goals. While
- * every current goal names the types of objects that it looks for, only those are published (thesis
- * 4.3.2). Out: sensed-objects.
+ * Publishes what an {@link ObjectDetector} recognises, in BODY (thesis 4.2.1.2). In: goals. With
+ * ONLY SOUGHT, while every current goal names the types of objects that it looks for, only those
+ * are published (thesis 4.3.2). Out: sensed-objects.
  */
 public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Detections> {
   private static final SensorKind<ObjectDetector> KIND =
@@ -32,6 +35,13 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
           20.0, // Hz
           2.0); // s
 
+  private record Variables(
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether objects that no current goal looks for are left out. They are then not avoided either.")
+          boolean onlySought) {}
+
+  private final Settings<Variables> tuning = settings(Variables.class);
   private final MountingPose.Turn mounted = settings(MountingPose.class).get().turn();
   private Set<String> sought = new TreeSet<>(); // empty: everything
   private long published;
@@ -58,7 +68,8 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
     Stream.Builder<ObjectDescription> messages = Stream.builder();
     int number = 0;
     for (ObjectDetector.Detection detection : picture.detections()) {
-      if (sought.isEmpty() || sought.contains(detection.label())) {
+      boolean isSought = sought.isEmpty() || sought.contains(detection.label());
+      if (isSought || !tuning.get().onlySought()) {
         messages.add(message(detection, ++number));
         published++;
       } else {

@@ -30,7 +30,8 @@ public final class SoughtObjects {
     return types;
   }
 
-  private static Set<String> of(GoalInformation goal) {
+  /** Types that a goal names; empty if it names none. */
+  public static Set<String> of(GoalInformation goal) {
     Set<String> types = new TreeSet<>();
     for (FieldValue field : goal.enumerateFields()) {
       boolean names = field.name().equals(ONE) || field.name().equals(SEVERAL);

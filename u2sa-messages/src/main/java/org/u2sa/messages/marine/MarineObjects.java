@@ -10,8 +10,8 @@ public final class MarineObjects {
   /**
    * Creates the object of a name, with this name as its type.
    *
-   * @param name a kind (buoy, hoop, button, puck, dock, hot target), after its colour if it has
-   *     one; any other name yields a plain ObjectDescription
+   * @param name a kind (buoy, pole, hoop, button, puck, dock, hot target, path marker), after its
+   *     colour if it has one; any other name yields a plain ObjectDescription
    * @param radiusM half its width [m]; 0 if unknown
    */
   public static ObjectDescription named(String name, double radiusM) {
@@ -25,6 +25,8 @@ public final class MarineObjects {
     double width = 2.0 * radiusM;
     if (name.equals("hot target")) {
       return new HotTarget().length(width).width(width);
+    } else if (name.endsWith("path marker")) {
+      return new PathMarker();
     } else if (kind.equals("button")) {
       Button button = new Button().length(width).width(width);
       return colour == null ? button : button.colour(colour);
@@ -34,6 +36,8 @@ public final class MarineObjects {
       return new Dock().width(width);
     } else if (colour != null && kind.equals("buoy")) {
       return new Buoy().colour(colour).radius(radiusM);
+    } else if (colour != null && kind.equals("pole")) {
+      return new Pole().colour(colour).radius(radiusM);
     } else if (colour != null && kind.equals("hoop")) {
       return new Hoop().colour(colour).radius(radiusM);
     }

@@ -8,10 +8,8 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
@@ -30,6 +28,7 @@ import org.u2sa.report.score.TrackSample;
 import org.u2sa.scenarios.run.Interruption;
 import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.file.VehicleInstruments;
 import org.u2sa.sim.ioio.IoioBoard;
@@ -39,6 +38,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -67,11 +67,7 @@ final class BoardCommand implements Callable<Integer> {
       description = "Vehicle file (XML).")
   private Path vehicleFile;
 
-  @Option(
-      names = "--change",
-      paramLabel = "PATH=VALUE",
-      description = "Another value than the vehicle file's, such as body/mass=25.")
-  private Map<String, String> changes = new LinkedHashMap<>();
+  @Mixin private VehicleFileChanges changes;
 
   @Option(
       names = "--listen",
@@ -156,7 +152,7 @@ final class BoardCommand implements Callable<Integer> {
               + "./u2sa security init makes both, in the folder security, which --security is to name; "
               + "or say --allow-insecure-network");
     }
-    VehicleFile vehicle = VehicleFile.load(vehicleFile, changes);
+    VehicleFile vehicle = changes.load(vehicleFile);
     Place place = place();
     World world = world(vehicle, place);
     BoardedVehicle boarded = BoardedVehicle.of(vehicle, world, place.headingRad(), seed);

@@ -2,8 +2,6 @@ package org.u2sa.scenarios.roboboat;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
@@ -13,11 +11,10 @@ import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.SimulatedWorld;
+import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
-import org.u2sa.sim.file.VehicleFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** {@code u2sa demo roboboat}: a course of the competition (thesis 4.2). */
 @Command(
@@ -31,12 +28,7 @@ import picocli.CommandLine.Option;
 final class RoboBoatDemo implements Callable<Integer>, Demo {
   @Mixin private DemoFrame frame;
 
-  @Option(
-      names = "--change",
-      paramLabel = "PATH=VALUE",
-      description =
-          "Another value than the vehicle file's, such as body/mass=40 or detector/failsAt=60. May be given several times.")
-  private Map<String, String> changes = new LinkedHashMap<>();
+  @Mixin private VehicleFileChanges changes;
 
   private BoatCourse course; // of the newest run
 
@@ -70,7 +62,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
-            VehicleFile.load(system().resolveSibling("vehicle.xml"), changes),
+            changes.load(system().resolveSibling("vehicle.xml")),
             sailed.world(),
             Point.ORIGIN,
             0.0,

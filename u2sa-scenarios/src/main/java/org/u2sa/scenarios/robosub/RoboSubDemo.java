@@ -2,9 +2,7 @@ package org.u2sa.scenarios.robosub;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.Locale;
-import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
@@ -17,11 +15,10 @@ import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
+import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
-import org.u2sa.sim.file.VehicleFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 
 /** {@code u2sa demo robosub}: tasks under water, without GPS (thesis 4.3). */
 @Command(
@@ -34,12 +31,7 @@ import picocli.CommandLine.Option;
 final class RoboSubDemo implements Callable<Integer>, Demo {
   @Mixin private DemoFrame frame;
 
-  @Option(
-      names = "--change",
-      paramLabel = "PATH=VALUE",
-      description =
-          "Another value than the vehicle file's, such as velocityLog/failsAt=20. May be given several times.")
-  private Map<String, String> changes = new LinkedHashMap<>();
+  @Mixin private VehicleFileChanges changes;
 
   private SubCourse course; // of the newest run
 
@@ -77,7 +69,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
     Mission mission = frame.isOwnMission() ? write(dived, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
-            VehicleFile.load(system().resolveSibling("vehicle.xml"), changes),
+            changes.load(system().resolveSibling("vehicle.xml")),
             dived.world(),
             Point.of(0.0, 0.0, -1.0),
             0.0,

@@ -41,6 +41,9 @@ public final class OutputFolder {
           "campaign.html",
           "workers.log");
 
+  /** Files that a run writes before it starts. */
+  private static final List<String> INPUTS = List.of("mission.xml", "known.xml", "course.xml");
+
   private OutputFolder() {}
 
   /**
@@ -98,6 +101,18 @@ public final class OutputFolder {
       return files.anyMatch(Files::isRegularFile);
     } catch (IOException e) {
       throw unreadable(logs, e);
+    }
+  }
+
+  /** Deletes what a run wrote before its start was refused, so that it can be tried again. */
+  static void withdraw(Path run) {
+    for (String name : INPUTS) {
+      try {
+        Files.deleteIfExists(run.resolve(name));
+      } catch (IOException e) {
+        throw new BadInputException(
+            "cannot delete " + run.resolve(name) + ": " + ReportFile.reason(e), e);
+      }
     }
   }
 

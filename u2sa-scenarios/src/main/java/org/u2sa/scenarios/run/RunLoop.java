@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.cli.command.ExitCode;
 import org.u2sa.cli.terminal.Terminal;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.report.summary.RunReport;
 import org.u2sa.report.summary.RunSeries;
@@ -54,7 +55,7 @@ final class RunLoop {
       Path runDirectory = options.runDirectory(directory, k);
       RunReport.prepare(runDirectory);
       RunReport.deleteSummary(runDirectory);
-      RunReport report = once.run(runDirectory, options.seed() + k, interruption);
+      RunReport report = started(once, runDirectory, options.seed() + k, interruption);
       if (options.summaryOnly()) {
         report.writeSummary(runDirectory);
       } else {
@@ -83,6 +84,16 @@ final class RunLoop {
       }
     }
     return series.success() ? ExitCode.DONE : ExitCode.FAILED;
+  }
+
+  private static RunReport started(Once once, Path directory, long seed, Interruption interruption)
+      throws InterruptedException {
+    try {
+      return once.run(directory, seed, interruption);
+    } catch (BadInputException e) {
+      OutputFolder.withdraw(directory);
+      throw e;
+    }
   }
 
   private static RunReport withoutTrack(RunReport report) {

@@ -3,9 +3,7 @@ package org.u2sa.scenarios.simulate;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
@@ -26,6 +24,7 @@ import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.scenarios.run.SimulatedWorld;
+import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.ground.Hazards;
@@ -66,12 +65,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
       description = "Vehicle file (XML).")
   private Path vehicleFile;
 
-  @Option(
-      names = "--change",
-      paramLabel = "PATH=VALUE",
-      description =
-          "Another value than the vehicle file's, such as body/mass=25 or gps/@preset=phone. May be given several times.")
-  private Map<String, String> changes = new LinkedHashMap<>();
+  @Mixin private VehicleFileChanges changes;
 
   @Option(
       names = "--world",
@@ -114,7 +108,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
       throw wrong(
           "--start: expected LONGITUDE,LATITUDE[,HEADING] in degrees, at most 85 degrees north or south");
     }
-    vehicle = VehicleFile.load(vehicleFile, changes);
+    vehicle = changes.load(vehicleFile);
     if (worldFile != null) {
       WorldFile.load(worldFile)
           .ignored()

@@ -52,7 +52,7 @@ class ThroughBrokerTest {
     assertThat(lockstep.err()).contains("take real time; expected --realtime");
 
     CommandLineRun without =
-        CommandLineRun.demo("ugv", directory.resolve("other"), "--through-broker", "--realtime");
+        CommandLineRun.demo("ugv", directory, "--through-broker", "--realtime");
     assertThat(without.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(without.err()).contains("is none; expected embedded or external");
   }

@@ -2,6 +2,7 @@ package org.u2sa.sim.detection;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.u2sa.device.detection.ObjectDetector;
 import org.u2sa.messages.ObjectDescription;
@@ -16,6 +17,7 @@ import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
@@ -122,11 +124,14 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
     Point to = way.times(1.0 / range);
     Ray ray = new Ray(from.x(), from.y(), from.z(), to.x(), to.y(), to.z());
     double free = range - radiusM(object) - SURFACE_M;
-    return free > 0.0
-        && scene
-            .cast(ray, free)
-            .filter(hit -> hit.object().filter(object::equals).isEmpty())
-            .isPresent();
+    Optional<World.Hit> hit = free > 0.0 ? scene.cast(ray, free) : Optional.empty();
+    if (hit.isEmpty()) {
+      return false;
+    }
+    if (hit.get().object().isEmpty()) { // the flat ground of a world with water is its surface
+      return scene.water().isEmpty() || scene.terrain() != Terrain.flat();
+    }
+    return !hit.get().object().get().equals(object);
   }
 
   private static double radiusM(ObjectDescription object) {

@@ -11,13 +11,12 @@ import java.util.Set;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
-import org.u2sa.messages.goal.ObjectGoal;
-import org.u2sa.messages.goal.SeeksObjects;
+import org.u2sa.messages.goal.SoughtObjects;
 
 /**
- * What the current goals need to see (thesis 4.2.1.2, 4.3.2). A goal class names it by {@link
- * SeeksObjects}, an {@link ObjectGoal} by its object's type, and any other class by the variable
- * KINDS BY GOAL; goals of which nothing is known need all configured kinds.
+ * What the current goals need to see (thesis 4.2.1.2, 4.3.2): by the variable KINDS BY GOAL, or
+ * else by the types of objects that a goal names ({@link SoughtObjects}); other goals need all
+ * configured kinds.
  */
 final class SoughtKinds {
   private final Set<MarineKind> configured;
@@ -89,16 +88,13 @@ final class SoughtKinds {
         return named;
       }
     }
+    Set<String> types = SoughtObjects.of(goal);
+    if (types.isEmpty()) {
+      return configured;
+    }
     List<MarineKind> kinds = new ArrayList<>();
-    if (goal instanceof SeeksObjects seeker) {
-      seeker.soughtObjects().forEach(name -> MarineKind.of(name).ifPresent(kinds::add));
-      return kinds;
-    }
-    if (goal instanceof ObjectGoal near) {
-      MarineKind.of(near.objectType()).ifPresent(kinds::add);
-      return kinds;
-    }
-    return configured;
+    types.forEach(name -> MarineKind.of(name).ifPresent(kinds::add));
+    return kinds;
   }
 
   /** Kinds to look for in a picture, which is counted. */
