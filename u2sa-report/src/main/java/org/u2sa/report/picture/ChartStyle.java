@@ -54,6 +54,15 @@ final class ChartStyle {
 
   private ChartStyle() {}
 
+  /**
+   * A translucent colour.
+   *
+   * @param alpha 0…255
+   */
+  static Color withAlpha(Color colour, int alpha) {
+    return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
+  }
+
   static Font font(int style, int size) {
     String family =
         List.of("Liberation Sans", "Arial", "Helvetica", "DejaVu Sans").stream()

@@ -145,7 +145,7 @@ final class MapChart {
                     at.getX() - radius, at.getY() - radius, 2.0 * radius, 2.0 * radius),
                 ChartStyle.stroke(1.3, 0.0),
                 edge,
-                new Color(edge.getRed(), edge.getGreen(), edge.getBlue(), 0x24)),
+                ChartStyle.withAlpha(edge, 0x24)),
             Layer.BACKGROUND);
   }
 

@@ -24,7 +24,7 @@ import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
 
 /**
- * Map layer of the obstacles, below everything else: static ones filled; moving ones at the moment
+ * Map layer of areas and obstacles, below everything else: static ones filled; moving ones at the moment
  * of closest approach, with their path around it and the time.
  */
 final class ObstacleLayer {
@@ -37,6 +37,7 @@ final class ObstacleLayer {
   private static final double WAY_S = 60.0; // before and after the closest approach
   private static final double MIN_RADIUS_M = 0.05; // of point objects
   private static final int MAX_NAMES = 20;
+  private static final int AREA_ALPHA = 0x18;
 
   /** Chart coordinates of a global position. */
   @FunctionalInterface
@@ -56,6 +57,11 @@ final class ObstacleLayer {
   }
 
   void addTo(XYPlot plot) {
+    for (Surroundings.Area area : plan.surroundings().areas()) {
+      Color edge = areaColour(area);
+      plot.addAnnotation(
+          line(outline(area.outline()), true, edge, ChartStyle.withAlpha(edge, AREA_ALPHA)));
+    }
     for (int i = 0; i < results.size(); i++) {
       ObjectDescription object = plan.surroundings().objects().get(i);
       ObstacleResult result = results.get(i);
@@ -68,13 +74,22 @@ final class ObstacleLayer {
     }
   }
 
+  private static Color areaColour(Surroundings.Area area) {
+    return area.isForbidden() ? ChartStyle.MISSED : ChartStyle.HOME;
+  }
+
   record Name(String text, Point2D at, Color colour) {}
 
   /**
-   * Names of all objects, with the time for moving ones; empty if there are too many to be legible.
+   * Names of all areas, and of all objects unless there are too many to be legible; with the time
+   * for moving ones.
    */
   List<Name> names() {
     List<Name> names = new ArrayList<>();
+    for (Surroundings.Area area : plan.surroundings().areas()) {
+      Polygon outline = area.outline();
+      names.add(new Name(outline.uid(), place(outline, middle(outline)), areaColour(area)));
+    }
     for (int i = 0; i < results.size() && results.size() <= MAX_NAMES; i++) {
       ObstacleResult result = results.get(i);
       ObjectDescription then =

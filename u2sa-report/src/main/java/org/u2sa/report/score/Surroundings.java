@@ -7,16 +7,32 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.messages.shape.Polygon;
 
 /**
  * Ground truth of the static and moving objects of a run, whether known to the vehicle or not.
  *
  * @param objects in GLOBAL, UTM, or a local frame with its origin at the vehicle's start
  * @param reachM radius of the vehicle around its reference point [m]; nearer objects are touched
+ * @param areas areas on the ground, for the map
  */
-public record Surroundings(List<ObjectDescription> objects, double reachM) {
+public record Surroundings(List<ObjectDescription> objects, double reachM, List<Area> areas) {
+  /**
+   * An area of the judge's.
+   *
+   * @param outline its unique identifier is the area's name
+   * @param isForbidden whether the vehicle must stay out of it
+   */
+  public record Area(Polygon outline, boolean isForbidden) {}
+
   public Surroundings {
     objects = List.copyOf(objects);
+    areas = List.copyOf(areas);
+  }
+
+  /** Objects without areas. */
+  public Surroundings(List<ObjectDescription> objects, double reachM) {
+    this(objects, reachM, List.of());
   }
 
   /** No objects. */

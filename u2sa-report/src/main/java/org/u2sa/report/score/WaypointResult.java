@@ -55,27 +55,43 @@ public record WaypointResult(
       double dx = b.eastM() - a.eastM();
       double dy = b.northM() - a.northM();
       double lengthSquared = dx * dx + dy * dy;
-      double foot =
-          lengthSquared == 0.0 ? 0.0 : -(a.eastM() * dx + a.northM() * dy) / lengthSquared;
-      double share = clamp(foot); // closest point, as a fraction of the way from a to b
+      boolean isVertical = lengthSquared == 0.0;
+      double foot = isVertical ? 0.0 : -(a.eastM() * dx + a.northM() * dy) / lengthSquared;
+      // closest point, as a fraction of the way from a to b
+      double share = isVertical ? vertically(from.altitudeM(), to.altitudeM()) : clamp(foot);
       double distance = a.towards(b, share).distanceM();
-      if (distance < miss) {
+      double height = between(from.altitudeM(), to.altitudeM(), share);
+      if (distance < miss || distance == miss && offM(height) < offM(altitude)) {
         miss = distance;
-        altitude = between(from.altitudeM(), to.altitudeM(), share);
+        altitude = height;
         time = between(from.timeS(), to.timeS(), share);
       }
       double radius = waypoint.captureRadiusM();
       if (!captured && distance <= radius) {
         double beside = a.towards(b, foot).distanceM();
         double half =
-            lengthSquared == 0.0
-                ? 0.0
+            isVertical
+                ? Double.POSITIVE_INFINITY
                 : Math.sqrt((radius * radius - beside * beside) / lengthSquared);
         captured =
             withinVertically(
                 between(from.altitudeM(), to.altitudeM(), clamp(foot - half)),
                 between(from.altitudeM(), to.altitudeM(), clamp(foot + half)));
       }
+    }
+
+    /** Fraction of the way between two altitudes that is closest to the waypoint's, if it has one. */
+    private double vertically(double fromM, double toM) {
+      return waypoint.altitudeM().isEmpty() || fromM == toM
+          ? 0.0
+          : clamp((waypoint.altitudeM().getAsDouble() - fromM) / (toM - fromM));
+    }
+
+    /** Distance of an altitude from the waypoint's; 0 if it has none. */
+    private double offM(double altitudeM) {
+      return waypoint.altitudeM().isEmpty()
+          ? 0.0
+          : Math.abs(altitudeM - waypoint.altitudeM().getAsDouble());
     }
 
     /** Whether an altitude between the two is within the vertical threshold. */

@@ -116,6 +116,30 @@ class RunScorerTest {
   }
 
   @Test
+  void score_straightUpThroughTheWaypoint_isCapturedOnTheWay() {
+    RunPlan.Waypoint waypoint =
+        new RunPlan.Waypoint(
+            "floor", 10.0, 54.0, OptionalDouble.of(500.0), 1.0, OptionalDouble.of(1.0));
+    List<TrackSample> elevator =
+        List.of(
+            new TrackSample(0.0, 10.0, 54.0, 480.0, 0, 0, 0, 0, "UP", Optional.empty()),
+            new TrackSample(10.0, 10.0, 54.0, 490.0, 0, 0, 0, 0, "UP", Optional.empty()),
+            new TrackSample(20.0, 10.0, 54.0, 510.0, 0, 0, 0, 0, "UP", Optional.empty()));
+
+    WaypointResult result =
+        RunScorer.score(
+                new RunPlan(Domain.GROUND, Optional.empty(), List.of(waypoint)),
+                elevator,
+                RunOutcome.clean())
+            .waypoints()
+            .get(0);
+
+    assertThat(result.captured()).isTrue();
+    assertThat(result.altitudeErrorM().orElseThrow()).isCloseTo(0.0, within(1e-9));
+    assertThat(result.timeS().orElseThrow()).isCloseTo(15.0, within(1e-9));
+  }
+
+  @Test
   void score_acrossTheDateLine_measuresTheShortWay() {
     RunPlan.Waypoint waypoint =
         new RunPlan.Waypoint(

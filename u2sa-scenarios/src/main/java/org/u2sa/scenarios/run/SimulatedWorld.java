@@ -8,6 +8,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.MovingSphere;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.report.score.Surroundings;
 import org.u2sa.sim.world.EnvironmentElement;
 import org.u2sa.sim.world.MoverElement;
@@ -52,8 +53,8 @@ public final class SimulatedWorld {
   }
 
   /**
-   * Objects and movers, for the map and the summary: a mover as the sphere of its horizontal
-   * radius.
+   * Objects, movers and zones, for the map and the summary: a mover as the sphere of its horizontal
+   * radius, of the zones those for judges and to keep out of.
    *
    * @param limitS longest duration of the run [s]
    */
@@ -61,7 +62,19 @@ public final class SimulatedWorld {
     double step = Math.max(MAP_STEP_S, limitS / MAP_STEPS);
     List<ObjectDescription> all = new ArrayList<>(world.obstacles());
     world.movers().forEach(mover -> all.add(sphere(mover, step)));
-    return new Surroundings(all, 0.0);
+    List<Surroundings.Area> areas =
+        world.zones().stream()
+            .filter(zone -> zone.kind() != Zone.Kind.PATCH)
+            .map(SimulatedWorld::area)
+            .toList();
+    return new Surroundings(all, 0.0, areas);
+  }
+
+  private static Surroundings.Area area(Zone zone) {
+    Polygon outline = new Polygon().points(zone.corners());
+    outline.uid(zone.name()).referenceFrame(ReferenceFrame.LOCAL_ENU);
+    outline.freeze();
+    return new Surroundings.Area(outline, zone.kind() == Zone.Kind.KEEP_OUT);
   }
 
   private static MovingSphere sphere(ScriptedMover mover, double stepS) {

@@ -61,7 +61,7 @@ class SimulateTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"rover", "boat", "copter", "wing"})
+  @ValueSource(strings = {"rover", "boat", "copter", "wing", "elevator"})
   void simulate_ownVehicle_completesItsMissionAndRepeatsItToTheByte(String name)
       throws IOException, URISyntaxException {
     project(name);

@@ -116,6 +116,9 @@ class WorldFileRunTest {
     assertThat(summary.get("zone sand exits").asInt()).isEqualTo(1);
     assertThat(summary.get("zone sand seconds").asDouble()).isBetween(2.0, 20.0);
     assertThat(summary.get("zone bed entries").asInt()).isEqualTo(1);
+    assertThat(Files.readString(folder.resolve("one/track.svg")))
+        .contains(">bed<")
+        .doesNotContain(">sand<");
     assertThat(kept.exitCode()).isEqualTo(ExitCode.FAILED);
     assertThat(kept.out()).contains("keep-out zone \"bed\" was entered at");
   }

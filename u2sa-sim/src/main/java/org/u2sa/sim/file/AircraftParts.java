@@ -2,7 +2,6 @@ package org.u2sa.sim.file;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.flight.LandingLeg;
 import org.u2sa.sim.flight.MassProperties;
 
@@ -50,15 +49,5 @@ final class AircraftParts {
   /** Height of the centre of gravity above the landing gear's contact [m]; 0 without legs. */
   static double standsM(List<LandingLeg> legs) {
     return legs.stream().mapToDouble(leg -> leg.place().z()).max().orElse(0.0);
-  }
-
-  /** A unit vector in a child. */
-  static Point direction(FileElement file, String name, Point ifAbsent) {
-    Point way = file.vector(name, "1", -1e6, 1e6, ifAbsent);
-    double length = way.distance();
-    if (!(length > 1e-6)) {
-      throw file.xml().error(name + ": \"" + way + "\" has no length; expected a vector");
-    }
-    return Point.of(way.x() / length, way.y() / length, way.z() / length);
   }
 }

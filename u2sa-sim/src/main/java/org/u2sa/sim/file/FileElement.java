@@ -74,6 +74,24 @@ final class FileElement {
     return value(name).map(child -> vector(child, unit, min, max)).orElse(ifAbsent);
   }
 
+  /** A required vector of any length, as a unit vector. */
+  Point direction(String name) {
+    return unit(name, vector(name, "1", -1e6, 1e6));
+  }
+
+  /** An optional vector of any length, as a unit vector. */
+  Point direction(String name, Point ifAbsent) {
+    return unit(name, vector(name, "1", -1e6, 1e6, ifAbsent));
+  }
+
+  private Point unit(String name, Point way) {
+    double length = way.distance();
+    if (!(length > 1e-6)) {
+      throw element.error(name + ": \"" + way + "\" has no length; expected a vector");
+    }
+    return Point.of(way.x() / length, way.y() / length, way.z() / length);
+  }
+
   private static Point vector(XmlElement child, String unit, double min, double max) {
     List<Double> each = numbers(child, child.text(), unit, min, max);
     if (each.size() != 3) {

@@ -57,7 +57,7 @@ record MultirotorModel(
             new Rotor(
                 file.xml().attribute("name"),
                 file.vector("position", "m", -FAR_M, FAR_M),
-                AircraftParts.direction(file, "axis", UP),
+                file.direction("axis", UP),
                 spin,
                 file.positive("fullThrust", "N", 1e6) / square,
                 file.number("fullTorque", "N m", 0.0, 1e6) / square,

@@ -145,17 +145,8 @@ record VesselModel(
     }
   }
 
-  private static Point direction(FileElement file) {
-    Point way = file.vector("direction", "1", -1e6, 1e6);
-    double length = way.distance();
-    if (!(length > 1e-6)) {
-      throw file.xml().error("direction: \"" + way + "\" has no length; expected a vector");
-    }
-    return Point.of(way.x() / length, way.y() / length, way.z() / length);
-  }
-
   private static VesselActuator thruster(FileElement file) {
-    Point direction = direction(file);
+    Point direction = file.direction("direction");
     return file.complete(
         () ->
             new VesselThruster(
@@ -171,7 +162,7 @@ record VesselModel(
   }
 
   private static VesselActuator propeller(FileElement file) {
-    Point direction = direction(file);
+    Point direction = file.direction("direction");
     double[] thrust = line(file, "thrust");
     double[] torque = line(file, "torque");
     return file.complete(
@@ -203,7 +194,7 @@ record VesselModel(
   }
 
   private static VesselActuator fin(FileElement file) {
-    Point direction = direction(file);
+    Point direction = file.direction("direction");
     return file.complete(
         () ->
             new Fin(

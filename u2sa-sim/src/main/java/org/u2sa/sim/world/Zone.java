@@ -3,6 +3,7 @@ package org.u2sa.sim.world;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.ObjectDescription;
@@ -81,6 +82,13 @@ public record Zone(
     return frame.equals(ReferenceFrame.LOCAL_NED)
         ? Point.of(place.y(), place.x(), -place.z())
         : place;
+  }
+
+  /** Its corners in order: east, north, 0 [m]. */
+  public List<Point> corners() {
+    return IntStream.range(0, eastM.length)
+        .mapToObj(i -> Point.of(eastM[i], northM[i], 0.0))
+        .toList();
   }
 
   /** Whether a point lies in it (even-odd rule). */
