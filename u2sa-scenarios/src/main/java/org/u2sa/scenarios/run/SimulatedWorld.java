@@ -72,7 +72,7 @@ public final class SimulatedWorld {
 
   private static Surroundings.Area area(Zone zone) {
     Polygon outline = new Polygon().points(zone.corners());
-    outline.uid(zone.name()).referenceFrame(ReferenceFrame.LOCAL_ENU);
+    outline.uid(zone.name()).referenceFrame(ReferenceFrame.LOCAL_ENU).x(0.0).y(0.0).z(0.0);
     outline.freeze();
     return new Surroundings.Area(outline, zone.kind() == Zone.Kind.KEEP_OUT);
   }
