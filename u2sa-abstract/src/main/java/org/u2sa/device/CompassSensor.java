@@ -1,5 +1,7 @@
 package org.u2sa.device;
 
+import org.u2sa.device.mapping.TrueNorth;
+import org.u2sa.device.mapping.HeadingMapping;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.u2sa.device.port.Compass;

@@ -1,5 +1,6 @@
 package org.u2sa.device;
 
+import org.u2sa.device.mapping.TrueNorth;
 import java.util.stream.Stream;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.Orientation;

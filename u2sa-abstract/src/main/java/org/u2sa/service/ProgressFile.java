@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import org.u2sa.service.handover.RememberedStates;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.IOException;

@@ -1,5 +1,10 @@
 package org.u2sa.service;
 
+import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.configuration.Description;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -17,6 +22,24 @@ import org.u2sa.messages.schema.U2SAData;
 
 /** A service's connection: publishes, subscribes, and is handed to a successor. */
 final class ServiceConnection {
+  private record ManagerAddress(
+      @Variable(name = "COMMUNICATION MANAGER IP", ifAbsentText = "localhost")
+          @Description("Host of the Communication Manager, if it runs in another process.")
+          String host,
+      @Variable(name = "COMMUNICATION MANAGER PORT", min = 1, max = 65_535, ifAbsent = 1883)
+          @Description("TCP port of the Communication Manager, if it runs in another process.")
+          int port) {
+
+    Transport transport(ServiceContext context) {
+      return new MqttTransport(
+          host,
+          port,
+          context.systemId(),
+          new MessageCodec(context.messageTypes()),
+          BrokerAccess.configured(context.configuration()));
+    }
+  }
+
   private final ServiceContext context;
   private final ServiceConfiguration configuration;
   private final Registrations registrations;
@@ -52,7 +75,12 @@ final class ServiceConnection {
     unconnected =
         context.execution().outlet((channel, message) -> connection().publish(channel, message));
     outlet = unconnected;
-    transport = context.transport().orElseGet(() -> ManagerAddress.transport(context));
+    transport = 
+        context
+            .transport()
+            .orElseGet(
+                () ->
+                    context.configuration().settings(ManagerAddress.class).get().transport(context));
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.u2sa.service;
 
+import org.u2sa.service.handover.RememberedStates;
+import org.u2sa.device.port.DeviceSource;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Deque;
@@ -17,6 +19,15 @@ import org.u2sa.messages.schema.MessageTypes;
  * Everything a service gets at construction: its system, configuration, clock and communication.
  */
 public final class ServiceContext {
+  /** Ends a service's trial construction at its device. Not a failure; only launchers catch it. */
+  public static final class TrialEnded extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private TrialEnded() {
+      super("a trial opens no device");
+    }
+  }
+
   private final Builder made; // no longer modified
   private final Clock clock;
   private final Deque<Runnable> closings = new ConcurrentLinkedDeque<>();
@@ -116,11 +127,11 @@ public final class ServiceContext {
    * constructs the successor as a trial, so that a wrong file leaves the running service alone; the
    * trial ends here.
    *
-   * @throws TrialEndedException if this is the trial
+   * @throws TrialEnded if this is the trial
    */
   public void beforeDevice() {
     if (made.trial) {
-      throw new TrialEndedException();
+      throw new TrialEnded();
     }
   }
 

@@ -1,5 +1,6 @@
 package org.u2sa.service;
 
+import org.u2sa.service.handover.RememberedStates;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

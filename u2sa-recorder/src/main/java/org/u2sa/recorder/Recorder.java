@@ -14,7 +14,6 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.recorder.execution.KeptExecutions;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.Execution;
-import org.u2sa.service.ExecutionKeeper;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
@@ -25,7 +24,7 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>Can also be listed in a system file, including on a phone.
  */
-public final class Recorder extends EventDrivenService implements ExecutionKeeper {
+public final class Recorder extends EventDrivenService implements Execution.Keeper {
   private static final String LIBRARY = "u2sa";
 
   private final Recording recording;

@@ -15,7 +15,7 @@ import java.util.function.IntConsumer;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.service.DeviceSource;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

@@ -6,10 +6,9 @@ import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.service.ExecutionKeeper;
-import org.u2sa.service.RememberedStates;
+import org.u2sa.service.Execution;
+import org.u2sa.service.handover.RememberedStates;
 import org.u2sa.service.ServiceContext;
-import org.u2sa.service.TrialEndedException;
 import org.u2sa.service.U2SAService;
 
 /** Creates the services of one system, each with its configuration, clock, transport and seed. */
@@ -19,7 +18,7 @@ final class ServiceMaker {
   private final MessageTypes types;
   private final Transport transport;
   private final RememberedStates remembered = new RememberedStates();
-  private volatile ExecutionKeeper keeper; // null if executions are not recorded
+  private volatile Execution.Keeper keeper; // null if executions are not recorded
 
   ServiceMaker(String systemId, LaunchOptions options, MessageTypes types, Transport transport) {
     this.systemId = systemId;
@@ -105,7 +104,7 @@ final class ServiceMaker {
     try {
       ServiceFactory.create(className, context).shutDown();
       context.configuration().refuseUndeclared();
-    } catch (TrialEndedException e) {
+    } catch (ServiceContext.TrialEnded e) {
       return; // the configuration before its device was accepted
     } finally {
       context.abandon();
@@ -137,7 +136,7 @@ final class ServiceMaker {
    * own devices are excluded, because they cannot be replayed.
    */
   private ServiceContext kept(String className, ServiceContext context) {
-    ExecutionKeeper present = keeper;
+    Execution.Keeper present = keeper;
     return present == null || options.makerOf(className).isPresent()
         ? context
         : present.keep(className, context).map(context::with).orElse(context);
@@ -148,8 +147,8 @@ final class ServiceMaker {
     try {
       U2SAService service = constructor.apply(context);
       context.execution().made(service);
-      if (service instanceof ExecutionKeeper) {
-        keeper = (ExecutionKeeper) service;
+      if (service instanceof Execution.Keeper) {
+        keeper = (Execution.Keeper) service;
       }
       return service;
     } catch (RuntimeException | Error e) {

@@ -12,7 +12,7 @@ import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.service.DeviceSource;
+import org.u2sa.device.port.DeviceSource;
 
 class ServiceMakerTest {
   /** A simulation, whose devices must not be made twice. */

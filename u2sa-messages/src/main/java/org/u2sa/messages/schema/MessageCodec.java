@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import org.u2sa.messages.cbor.TextPeek;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.cbor.CborInput;

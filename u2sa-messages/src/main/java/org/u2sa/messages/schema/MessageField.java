@@ -13,16 +13,31 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * @param <T> the message class that declares or inherits the field
  */
 public abstract class MessageField<T extends StoredMessage> {
+  /** Properties common to all kinds of fields, passed by the schema. */
+  record Outline(
+      String owner, String name, String unit, Presence presence, int slot, int bit, int since) {
+    static final int NO_BIT = -1;
+
+    enum Presence {
+      /** May be absent; absence is not encoded as 0 or NaN. */
+      OPTIONAL,
+      /** Required for publishing and decoding. */
+      REQUIRED,
+      /** Has a default; always written. */
+      DEFAULTED
+    }
+  }
+
   final int slot; // index in the message's storage
-  final int bit; // in the presence vector, or FieldOutline.NO_BIT
+  final int bit; // in the presence vector, or Outline.NO_BIT
   private final String owner;
   private final String name;
   private final Kind kind;
   private final String unit;
-  private final FieldOutline.Presence presence;
+  private final Outline.Presence presence;
   private final int since;
 
-  MessageField(FieldOutline outline, Kind kind) {
+  MessageField(Outline outline, Kind kind) {
     owner = outline.owner();
     name = outline.name();
     this.kind = kind;
@@ -60,14 +75,14 @@ public abstract class MessageField<T extends StoredMessage> {
 
   /** Whether it may be absent from a published message. */
   public final boolean isOptional() {
-    return presence == FieldOutline.Presence.OPTIONAL;
+    return presence == Outline.Presence.OPTIONAL;
   }
 
   /**
    * Whether a message cannot be published without it; optional and required fields have no default.
    */
   public final boolean isRequired() {
-    return presence == FieldOutline.Presence.REQUIRED;
+    return presence == Outline.Presence.REQUIRED;
   }
 
   /**
@@ -75,7 +90,7 @@ public abstract class MessageField<T extends StoredMessage> {
    * all that are not optional).
    */
   public final OptionalInt bit() {
-    return bit == FieldOutline.NO_BIT ? OptionalInt.empty() : OptionalInt.of(bit);
+    return bit == Outline.NO_BIT ? OptionalInt.empty() : OptionalInt.of(bit);
   }
 
   /** Wire format version that introduced the field, from 1. */

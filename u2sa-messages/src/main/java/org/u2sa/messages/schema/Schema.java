@@ -9,7 +9,7 @@ import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.schema.FieldOutline.Presence;
+import org.u2sa.messages.schema.MessageField.Outline.Presence;
 
 /**
  * Declares the fields of one message class, one per line, in wire order; only used in the class's
@@ -169,7 +169,7 @@ public final class Schema<T extends U2SAData> {
       double min,
       double max) {
     boolean hasBit = presence == Presence.OPTIONAL;
-    FieldOutline outline = outline(field, unit, presence, slots.number(), hasBit);
+    MessageField.Outline outline = outline(field, unit, presence, slots.number(), hasBit);
     return added(new NumberField<>(outline, globalUnit, ifUnset, min, max));
   }
 
@@ -286,7 +286,7 @@ public final class Schema<T extends U2SAData> {
    * shift.
    */
   public NumberField<T> optionalNumberWithoutBit(String field, String unit, double min) {
-    FieldOutline outline = outline(field, unit, Presence.OPTIONAL, slots.number(), false);
+    MessageField.Outline outline = outline(field, unit, Presence.OPTIONAL, slots.number(), false);
     return added(new NumberField<>(outline, unit, Double.NaN, min, ANY_MORE));
   }
 
@@ -360,14 +360,14 @@ public final class Schema<T extends U2SAData> {
 
   private <V> ValueField<T, V> value(
       String field, String unit, ValueKind<V> kind, Presence presence, V ifUnset, boolean hasBit) {
-    FieldOutline outline = outline(field, unit, presence, slots.value(), hasBit);
+    MessageField.Outline outline = outline(field, unit, presence, slots.value(), hasBit);
     return added(new ValueField<>(outline, kind, ifUnset));
   }
 
-  private FieldOutline outline(
+  private MessageField.Outline outline(
       String field, String unit, Presence presence, int slot, boolean hasBit) {
-    int bit = hasBit ? slots.bit() : FieldOutline.NO_BIT;
-    return new FieldOutline(identity.name(), field, unit, presence, slot, bit, since);
+    int bit = hasBit ? slots.bit() : MessageField.Outline.NO_BIT;
+    return new MessageField.Outline(identity.name(), field, unit, presence, slot, bit, since);
   }
 
   private <F extends MessageField<T>> F added(F field) {

@@ -10,7 +10,7 @@ import org.u2sa.messages.cbor.Limits;
  * @param <T> the message class
  */
 final class TimestampField<T extends StoredMessage> extends ValueField<T, Long> {
-  TimestampField(FieldOutline outline) {
+  TimestampField(MessageField.Outline outline) {
     super(outline, ScalarKinds.COUNT, null);
   }
 

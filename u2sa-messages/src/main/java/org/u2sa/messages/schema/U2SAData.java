@@ -76,7 +76,7 @@ public abstract class U2SAData extends StoredMessage {
   public long presenceVector() {
     long vector = 0L;
     for (MessageField<U2SAData> field : fields()) {
-      if (field.bit != FieldOutline.NO_BIT && field.isSet(this)) {
+      if (field.bit != MessageField.Outline.NO_BIT && field.isSet(this)) {
         vector |= 1L << field.bit;
       }
     }

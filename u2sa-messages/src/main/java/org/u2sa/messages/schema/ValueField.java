@@ -19,7 +19,7 @@ public class ValueField<T extends StoredMessage, V> extends MessageField<T> {
   private final ValueKind<V> values;
   private final int longest; // length up to which any text is within bounds
 
-  ValueField(FieldOutline outline, ValueKind<V> values, V ifUnset) {
+  ValueField(MessageField.Outline outline, ValueKind<V> values, V ifUnset) {
     super(outline, values.kind());
     this.values = values;
     this.ifUnset = ifUnset;

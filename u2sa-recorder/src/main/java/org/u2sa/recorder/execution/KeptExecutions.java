@@ -7,11 +7,10 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.u2sa.service.Execution;
-import org.u2sa.service.ExecutionKeeper;
 import org.u2sa.service.ServiceContext;
 
 /** Starts and names the executions of a recording. */
-public final class KeptExecutions implements ExecutionKeeper {
+public final class KeptExecutions implements Execution.Keeper {
   private final BiConsumer<String, ExecutionStart> starts;
   private final Consumer<ExecutionPart> parts;
   private final Consumer<String> trouble;

@@ -15,7 +15,7 @@ import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.service.DeviceSource;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.sim.device.SimulatedMotors;
 import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.device.VehicleServo;

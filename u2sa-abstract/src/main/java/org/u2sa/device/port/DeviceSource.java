@@ -1,4 +1,4 @@
-package org.u2sa.service;
+package org.u2sa.device.port;
 
 import java.util.Optional;
 import org.u2sa.interfaces.configuration.XmlConfiguration;

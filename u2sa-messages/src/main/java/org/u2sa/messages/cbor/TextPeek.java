@@ -1,16 +1,12 @@
-package org.u2sa.messages.schema;
+package org.u2sa.messages.cbor;
 
 import java.util.Optional;
-import org.u2sa.messages.cbor.Cbor;
-import org.u2sa.messages.cbor.CborInput;
-import org.u2sa.messages.cbor.FieldLabels;
-import org.u2sa.messages.cbor.Limits;
 
 /**
  * Reads one text of an encoded message without decoding the rest. Since readers reject a message
  * that has a key twice, or is malformed behind it, no reader gets another text.
  */
-final class TextPeek {
+public final class TextPeek {
   private TextPeek() {}
 
   /**
@@ -18,7 +14,7 @@ final class TextPeek {
    * text, or the bytes before it are malformed: readers then reject the message, or use the field's
    * default.
    */
-  static Optional<String> of(CborInput in, String field) {
+  public static Optional<String> of(CborInput in, String field) {
     try {
       long pairs = in.map();
       for (long read = 0; !in.isDone(pairs, read); read++) {

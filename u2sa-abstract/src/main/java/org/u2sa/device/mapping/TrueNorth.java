@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.mapping;
 
 import java.time.Instant;
 import java.time.ZoneOffset;
@@ -43,7 +43,7 @@ public final class TrueNorth {
   private double longitudeDeg = Double.NaN;
 
   /** Also subscribes the service to state for the vehicle's position. */
-  TrueNorth(U2SAService service, Clock clock) {
+  public TrueNorth(U2SAService service, Clock clock) {
     this(service);
     service.subscribe(Channels.STATE, state -> at(state, clock.micros()));
   }

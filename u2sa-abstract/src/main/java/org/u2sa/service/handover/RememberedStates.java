@@ -1,9 +1,8 @@
-package org.u2sa.service;
+package org.u2sa.service.handover;
 
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import org.u2sa.service.handover.HandOver;
 
 /**
  * The last saved states of one process's services, for restarts in that process while its disk is
@@ -12,15 +11,18 @@ import org.u2sa.service.handover.HandOver;
 public final class RememberedStates {
   private final Map<String, HandOver> states = new ConcurrentHashMap<>(); // by service name
 
-  void put(String serviceName, HandOver state) {
+  /** Keeps the state of a service in place of its earlier one. */
+  public void put(String serviceName, HandOver state) {
     states.put(serviceName, state);
   }
 
-  Optional<HandOver> get(String serviceName) {
+  /** The state of a service; empty if none is kept. */
+  public Optional<HandOver> get(String serviceName) {
     return Optional.ofNullable(states.get(serviceName));
   }
 
-  void remove(String serviceName) {
+  /** Forgets the state of a service. */
+  public void remove(String serviceName) {
     states.remove(serviceName);
   }
 }

@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.mapping;
 
 import java.util.Optional;
 import org.u2sa.device.port.GpsFix;
