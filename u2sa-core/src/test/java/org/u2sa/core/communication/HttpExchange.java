@@ -12,7 +12,8 @@ final class HttpExchange {
   /** The answer to one request with some header lines; a header Connection: close is added. */
   static String answer(int port, String requestLine, String... headers) throws IOException {
     String all = String.join("\r\n", headers);
-    return raw(port, requestLine + "\r\nConnection: close\r\n" + all + "\r\n\r\n");
+    return raw(
+        new Socket(), port, requestLine + "\r\nConnection: close\r\n" + all + "\r\n\r\n");
   }
 
   /** The answer of a server by TLS to a request for the page. */
@@ -21,11 +22,6 @@ final class HttpExchange {
         unconnected,
         port,
         "GET / HTTP/1.1\r\nHost: localhost:" + port + "\r\nConnection: close\r\n\r\n");
-  }
-
-  /** All that comes back for some text until the server closes the connection. */
-  static String raw(int port, String text) throws IOException {
-    return raw(new Socket(), port, text);
   }
 
   private static String raw(Socket unconnected, int port, String text) throws IOException {

@@ -3,6 +3,8 @@
 const MARGIN_DEG = 9; // decimals of degrees, 0.1 mm
 const UNDO_STEPS = 50;
 
+const emptyDraft = () => ({moved: {}, added: [], removed: []});
+
 /** Draft of one vehicle's mission. */
 export class MissionEditor {
   constructor(orders) {
@@ -14,7 +16,7 @@ export class MissionEditor {
 
   /** Draft: places of moved goals, added goals in order, goals taken off the route. */
   discard() {
-    this.draft = {moved: {}, added: [], removed: []};
+    this.draft = emptyDraft();
     this.history = [];
   }
 
@@ -38,8 +40,7 @@ export class MissionEditor {
     if (!report) return [];
     const known = new Map(report.goals.map(goal => [goal.uid, goal]));
     const {moved, added, removed} = this.draft;
-    const order = report.sequence.filter(uid => known.has(uid));
-    for (const goal of added) order.splice(order.indexOf(goal.after) + 1, 0, goal.uid);
+    const order = this.order(report, known);
     const items = new Map();
     for (const uid of new Set([...order, ...known.keys()])) {
       const goal = moved[uid] || added.find(each => each.uid === uid) || known.get(uid);
@@ -57,19 +58,38 @@ export class MissionEditor {
         followers: [],
       });
     }
-    const isLinked = report.goals.some(goal => goal.next.length > 0 || goal.nextIfDone !== undefined);
     for (const item of items.values()) {
-      item.followers = this.followers(item, items, order, isLinked).map(uid => items.get(uid)).filter(Boolean);
+      item.followers = this.followers(item, items, order).map(uid => items.get(uid)).filter(Boolean);
     }
     return [...items.values()];
   }
 
-  followers({uid, goal, isRemoved}, items, order, isLinked) {
+  /** UIDs in the mission's order: goals that were inserted stand behind the goal that leads to them. */
+  order(report, known) {
+    const order = report.sequence.filter(uid => known.has(uid));
+    let left = [...known.keys()].filter(uid => !order.includes(uid));
+    for (let before = Infinity; left.length < before;) {
+      before = left.length;
+      left = left.filter(uid => {
+        const leader = order.findIndex(each => known.get(each).next.includes(uid));
+        if (leader >= 0) order.splice(leader + 1, 0, uid);
+        return leader < 0;
+      });
+    }
+    for (const goal of this.draft.added) order.splice(order.indexOf(goal.after) + 1, 0, goal.uid);
+    return order;
+  }
+
+  /** What follows a goal, past goals that are to be removed. */
+  followers({uid, goal, isRemoved}, items, order) {
     if (isRemoved) return [];
-    const inserted = this.draft.added.some(each => each.after === uid || each.uid === uid);
+    const isDraft = this.draft.added.some(each => each.after === uid || each.uid === uid);
     const named = goal.nextIfDone || goal.next || [];
-    const next = !inserted && isLinked ? named : [order[order.indexOf(uid) + 1]].filter(() => order.includes(uid));
-    return next.flatMap(each => (each && items.has(each) && items.get(each).isRemoved ? this.followers({...items.get(each), isRemoved: false}, items, order, isLinked) : each));
+    const next = !isDraft && named.length > 0 ? named : order.includes(uid) ? [order[order.indexOf(uid) + 1]] : [];
+    return next.filter(each => items.has(each)).flatMap(each => {
+      const item = items.get(each);
+      return item.isRemoved ? this.followers({...item, isRemoved: false}, items, order) : each;
+    });
   }
 
   add(vehicle, at) {
@@ -120,12 +140,13 @@ export class MissionEditor {
   /** Orders the changes one by one; what was accepted leaves the draft, so a retry repeats nothing. */
   async upload(vehicle) {
     const outcomes = [];
-    const route = this.route(vehicle);
+    const goals = new Map(vehicle.report.goals.map(goal => [goal.uid, goal]));
     const order = async (action, fields, accepted) => {
       outcomes.push(await this.orders.mission(vehicle, action, {file: 'web page', ...fields}));
       accepted();
+      this.history = [emptyDraft()]; // what was accepted cannot be undone here
     };
-    const moves = Object.entries(this.draft.moved).map(([uid, place]) => xml(route.find(item => item.uid === uid).goal, uid, place));
+    const moves = Object.entries(this.draft.moved).map(([uid, place]) => xml(goals.get(uid), uid, place));
     if (moves.length > 0) await order('UPDATE', {goals: mission(moves)}, () => { this.draft.moved = {}; });
     const added = this.draft.added.filter(goal => !this.draft.removed.includes(goal.uid));
     for (const goal of added) {
@@ -135,8 +156,12 @@ export class MissionEditor {
       });
     }
     if (this.draft.removed.length > 0) {
-      const links = route.filter(item => !item.isRemoved && item.followers.length > 0 && item.goal.choose === undefined && !item.goal.repeatFrom)
+      await this.orders.report(vehicle); // with the goals just added
+      const before = new MissionEditor(this.orders).route(vehicle);
+      const leads = uid => before.find(item => item.uid === uid).followers.some(next => this.draft.removed.includes(next.uid));
+      const links = this.route(vehicle).filter(item => !item.isRemoved && item.followers.length > 0 && leads(item.uid))
         .map(item => xml(item.goal, item.uid, {next: item.followers.map(next => next.uid).join(', ')}));
+      if (links.length === 0) throw new Error('nothing follows the goal: skip it once it is current');
       await order('UPDATE', {goals: mission(links)}, () => { this.draft.removed = []; });
     }
     this.discard();

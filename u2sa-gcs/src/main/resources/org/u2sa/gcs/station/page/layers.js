@@ -59,7 +59,13 @@ function drawRoute(map, route) {
   for (const goal of placedGoals) {
     goal.followers.filter(next => next.at).forEach(next => map.line([goal.at, next.at], colours.goal, 1.5));
   }
-  for (const goal of placedGoals) {
+  const open = goal => (goal.isCurrent || goal.isSelected ? 2 : goal.isDone ? 0 : 1);
+  const labelled = new Set(); // several goals may be at one place
+  const labels = [...placedGoals].sort((a, b) => open(b) - open(a)).filter(goal => {
+    const place = `${goal.at.x.toFixed(1)} ${goal.at.y.toFixed(1)}`;
+    return !labelled.has(place) && labelled.add(place);
+  });
+  for (const goal of labels.reverse()) {
     const colour = goal.isChanged ? colours.warn : goal.isCurrent ? colours.good : goal.isDone ? colours.dim : colours.goal;
     map.ellipse(goal.at, goal.radius, goal.radius, colour, {dash: [2, 3]});
     map.ellipse(goal.at, 0, 0, colour, {minPx: goal.isSelected ? 10 : 7, isFilled: true});
@@ -105,7 +111,7 @@ function cellsImage({cells, columns, rows}, colours) {
   canvas.height = rows;
   const context = canvas.getContext('2d');
   const image = context.createImageData(columns, rows);
-  const [occupied, free] = [rgb(context, colours.object), rgb(context, colours.good)];
+  const [occupied, free] = [rgb(colours.object), rgb(colours.good)];
   for (let row = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {
       const cell = cells[row * columns + column];
@@ -119,10 +125,8 @@ function cellsImage({cells, columns, rows}, colours) {
   return canvas;
 }
 
-function rgb(context, colour) {
-  context.fillStyle = colour;
-  context.fillRect(0, 0, 1, 1);
-  const pixel = [...context.getImageData(0, 0, 1, 1).data];
-  context.clearRect(0, 0, 1, 1);
-  return pixel;
+/** The channels of "#rrggbb", as the style sheet writes colours. */
+function rgb(colour) {
+  const number = parseInt(colour.trim().slice(1), 16);
+  return [number >> 16, number >> 8 & 0xff, number & 0xff];
 }

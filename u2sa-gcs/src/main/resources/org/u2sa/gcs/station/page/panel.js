@@ -2,6 +2,7 @@
 
 import {STALE_MS} from './model.js';
 
+const SLOW_MS = 500;
 const DEG = 180 / Math.PI;
 const LINK_NAMES = {off: 'not connected', connecting: 'connecting', up: 'link', lost: 'LINK LOST', refused: 'log-in refused'};
 
@@ -50,7 +51,7 @@ export class Panel {
     const {link} = this;
     const trip = link.roundTripMs === undefined ? '' : ` ${Math.round(link.roundTripMs)} ms`;
     const lostS = link.state === 'lost' ? ` ${Math.round((performance.now() - link.since) / 1000)} s` : '';
-    chip('link', LINK_NAMES[link.state] + trip + lostS, {up: 'good', connecting: 'warn', lost: 'bad', refused: 'bad'}[link.state]);
+    chip('link', LINK_NAMES[link.state] + trip + lostS, {up: link.roundTripMs > SLOW_MS ? 'warn' : 'good', connecting: 'warn', lost: 'bad', refused: 'bad'}[link.state]);
     if (link.state === 'refused' && !byId('login').open) byId('login').showModal();
     setText(byId('login-reason'), link.state === 'refused' ? link.reason : '');
     document.body.classList.toggle('lost', link.state !== 'up');
@@ -163,7 +164,7 @@ function instruments(vehicle, route) {
   const s = vehicle.state || {};
   const rows = [];
   const add = (name, value, digits, unit, at) => {
-    if (value !== undefined) rows.push({cells: [name, `${value.toFixed(digits)} ${unit}`, age(at)], state: performance.now() - at > STALE_MS ? 'stale' : ''});
+    if (value !== undefined) rows.push({cells: [name, `${value.toFixed(digits).replace(/^-(0(\.0+)?)$/, '$1')} ${unit}`, age(at)], state: performance.now() - at > STALE_MS ? 'stale' : ''});
   };
   const {pose} = vehicle.place;
   const heading = pose && pose.heading;
