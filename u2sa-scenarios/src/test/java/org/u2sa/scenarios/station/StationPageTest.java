@@ -109,7 +109,7 @@ class StationPageTest {
   @Test
   void observer_pressesEverything_theVehicleDoesNotObey() {
     browser.open(page);
-    browser.awaitText("login", "Log in");
+    browser.awaitText("link", "not connected"); // the script runs
     browser.press("enter");
     browser.awaitText("doing", "to ");
 
