@@ -157,5 +157,6 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   public void close() {
     socket.abort();
     process.destroy();
+    process.onExit().orTimeout(LONG.toSeconds(), TimeUnit.SECONDS).join();
   }
 }

@@ -23,7 +23,6 @@ const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
 let selectedId = '';
 let wasFitted = false;
 let escapeAt = -Infinity;
-let login = {user: '', password: ''};
 
 function selected() {
   return model.vehicles.get(selectedId);
@@ -183,9 +182,8 @@ setInterval(() => {
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => map.resize());
 
 function enter(user, password) {
-  login = {user, password};
   orders.operator = (user || 'observer') + '@web';
-  link.open(login);
+  link.open({user, password});
 }
 
 byId('enter').addEventListener('click', () => enter(byId('user').value, byId('password').value));

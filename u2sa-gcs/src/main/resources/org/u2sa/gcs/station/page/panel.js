@@ -43,7 +43,8 @@ export class Panel {
     const dialog = byId('confirm');
     setText(byId('question'), question);
     dialog.returnValue = 'no';
-    dialog.showModal();
+    dialog.show(); // not modal: the emergency stop stays in reach
+    dialog.querySelector('button').focus();
     return new Promise(resolve => dialog.addEventListener('close', () => resolve(dialog.returnValue === 'yes'), {once: true}));
   }
 
