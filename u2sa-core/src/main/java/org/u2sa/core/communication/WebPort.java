@@ -28,8 +28,7 @@ record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, 
 
   /** Address for a browser on this host. */
   String link() {
-    String host =
-        address.getAddress().isAnyLocalAddress() ? "localhost" : address.getHostString();
+    String host = address.getAddress().isAnyLocalAddress() ? "localhost" : address.getHostString();
     return (encrypted ? "https://" : "http://")
         + (host.contains(":") ? "[" + host + "]" : host)
         + ":"

@@ -12,8 +12,7 @@ final class HttpExchange {
   /** The answer to one request with some header lines; a header Connection: close is added. */
   static String answer(int port, String requestLine, String... headers) throws IOException {
     String all = String.join("\r\n", headers);
-    return raw(
-        new Socket(), port, requestLine + "\r\nConnection: close\r\n" + all + "\r\n\r\n");
+    return raw(new Socket(), port, requestLine + "\r\nConnection: close\r\n" + all + "\r\n\r\n");
   }
 
   /** The answer of a server by TLS to a request for the page. */

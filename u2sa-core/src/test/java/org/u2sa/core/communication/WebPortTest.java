@@ -140,8 +140,7 @@ class WebPortTest {
   void webSocket_ofAnotherOrigin_isRefused(String origin) {
     String said = origin.replace("PORT", String.valueOf(port));
 
-    assertThatThrownBy(
-            () -> WebSocketClient.open("ws://127.0.0.1:" + port + "/mqtt", said, null))
+    assertThatThrownBy(() -> WebSocketClient.open("ws://127.0.0.1:" + port + "/mqtt", said, null))
         .isInstanceOf(CompletionException.class);
   }
 
@@ -193,8 +192,7 @@ class WebPortTest {
   }
 
   @Test
-  void requests_whoseAnswersNobodyReads_endTheConnectionBeforeTheyFillMemory()
-      throws IOException {
+  void requests_whoseAnswersNobodyReads_endTheConnectionBeforeTheyFillMemory() throws IOException {
     try (Socket deaf = new Socket()) {
       deaf.setReceiveBufferSize(8_192);
       deaf.connect(new InetSocketAddress("127.0.0.1", port));

@@ -84,7 +84,8 @@ class StationPageFilesTest {
     try (CommunicationManager manager =
         CommunicationManager.start("boat", configuration, StandardTypes.registry(), log::add)) {
       assertThat(manager.address()).isPresent();
-      assertThat(log).anyMatch(line -> line.startsWith("Operator's page: http://127.0.0.1:" + port));
+      assertThat(log)
+          .anyMatch(line -> line.startsWith("Operator's page: http://127.0.0.1:" + port));
       URL page = URI.create("http://127.0.0.1:" + port + "/").toURL();
       try (InputStream in = page.openStream()) {
         assertThat(in.readAllBytes()).isEqualTo(files.get("/").content());

@@ -61,10 +61,14 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
     HttpClient http = HttpClient.newHttpClient();
     URI list = URI.create("http://127.0.0.1:" + Files.readAllLines(port).get(0) + "/json/list");
     String targets =
-        http.send(HttpRequest.newBuilder(list).build(), HttpResponse.BodyHandlers.ofString()).body();
+        http.send(HttpRequest.newBuilder(list).build(), HttpResponse.BodyHandlers.ofString())
+            .body();
     String page = "";
     for (JsonNode target : JSON.readTree(targets)) {
-      page = target.get("type").asText().equals("page") ? target.get("webSocketDebuggerUrl").asText() : page;
+      page =
+          target.get("type").asText().equals("page")
+              ? target.get("webSocketDebuggerUrl").asText()
+              : page;
     }
     socket = http.newWebSocketBuilder().buildAsync(URI.create(page), this).join();
     for (String domain : List.of("Page", "Runtime", "Log", "Network")) {
@@ -109,7 +113,9 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
 
   void clickAt(double x, double y) {
     for (String type : List.of("mousePressed", "mouseReleased")) {
-      send("Input.dispatchMouseEvent", Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1));
+      send(
+          "Input.dispatchMouseEvent",
+          Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1));
     }
   }
 
@@ -145,10 +151,12 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
     }
     JsonNode parameters = message.path("params");
     switch (message.path("method").asText()) {
-      case "Runtime.exceptionThrown", "Runtime.consoleAPICalled" -> errors.add(parameters.toString());
+      case "Runtime.exceptionThrown", "Runtime.consoleAPICalled" ->
+          errors.add(parameters.toString());
       case "Log.entryAdded" -> errors.add(parameters.path("entry").path("text").asText());
       case "Network.requestWillBeSent", "Network.webSocketCreated" ->
-          requests.add(parameters.path("request").path("url").asText(parameters.path("url").asText()));
+          requests.add(
+              parameters.path("request").path("url").asText(parameters.path("url").asText()));
       default -> {}
     }
   }

@@ -16,7 +16,8 @@ import java.util.regex.Pattern;
  * a page whose host name is made to point at this host (DNS rebinding) shows in the header Host.
  */
 public final class SameOrigin {
-  private static final Pattern ADDRESS = Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}|\\[[0-9a-f:.]+\\]");
+  private static final Pattern ADDRESS =
+      Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}|\\[[0-9a-f:.]+\\]");
   private static final Pattern PORT = Pattern.compile(":[0-9]{1,5}$");
   private static final Set<String> LOOPBACK = Set.of("localhost", "127.0.0.1", "[::1]");
 

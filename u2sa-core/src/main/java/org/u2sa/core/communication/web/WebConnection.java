@@ -113,7 +113,8 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
     }
     FullHttpResponse response = response(request);
     boolean isKept =
-        HttpUtil.isKeepAlive(request) && response.status().code() < HttpResponseStatus.BAD_REQUEST.code();
+        HttpUtil.isKeepAlive(request)
+            && response.status().code() < HttpResponseStatus.BAD_REQUEST.code();
     HttpUtil.setKeepAlive(response, isKept);
     isAnswering = true;
     ctx.writeAndFlush(response)
