@@ -9,6 +9,7 @@ import {Orders} from './orders.js';
 import {Panel, byId} from './panel.js';
 
 const PANEL_EVERY_MS = 250;
+const DRAW_EVERY_MS = 40; // spares the battery of a phone
 const TWICE_MS = 1000; // between two presses of Escape
 const REPORT_EVERY_MS = 2000;
 const LOCAL_USER = 'local';
@@ -52,7 +53,10 @@ function askMission(vehicle) {
   clearTimeout(vehicle.asking);
   vehicle.asking = setTimeout(() => {
     vehicle.askedAt = performance.now();
-    orders.report(vehicle).catch(() => vehicle.log('no Mission Manager answers', 'warn'));
+    orders.report(vehicle).catch(() => {
+      if (!vehicle.isMissionMissed) vehicle.log('no Mission Manager answers', 'warn');
+      vehicle.isMissionMissed = true;
+    });
   }, 200);
 }
 
@@ -137,11 +141,14 @@ function dropped(handle, at) {
 }
 
 let dragging = null;
+let drawnAt = -Infinity;
 
 function frame() {
   requestAnimationFrame(frame);
-  if (!map.isDirty) return;
+  const now = performance.now();
+  if (!map.isDirty || now - drawnAt < DRAW_EVERY_MS && !dragging) return;
   map.isDirty = false;
+  drawnAt = now;
   const vehicle = selected();
   if (vehicle && vehicle.place.pose && map.follows) map.centre = {x: vehicle.place.pose.x, y: vehicle.place.pose.y};
   map.clear();

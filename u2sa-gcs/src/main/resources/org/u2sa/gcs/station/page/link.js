@@ -117,14 +117,11 @@ export class Link {
     const [root, system, channel, ...rest] = topic.split('/');
     if (root !== 'u2sa' || payload.length === 0) return;
     const chain = rest.filter(level => !level.startsWith('='));
-    let fields;
     try {
-      fields = decode(payload);
+      this.events.message(system, channel, chain[chain.length - 1], decode(payload), retained);
     } catch (e) {
-      this.unreadable++;
-      return;
+      this.unreadable++; // shown; a service that writes nonsense does not stop the page
     }
-    this.events.message(system, channel, chain[chain.length - 1], fields, retained);
   }
 
   /** Publishes a message; rejects if there is no link. Resolves when the broker has it. */

@@ -1,6 +1,7 @@
 // Orders to a vehicle: each ends with the vehicle's own answer, or with the reason why there is none.
 
 const ANSWER_WITHIN_MS = 5000;
+const REPEAT_WITHIN_MS = 30000;
 const NO_ANSWER = 'no answer from the vehicle within 5 s: this user may lack the role operator, or nobody there handles it';
 
 export class Orders {
@@ -66,9 +67,10 @@ export class Orders {
     this.link.publish(stop.vehicle.id, 'emergency-stop', 'EmergencyStop', fields, true).catch(lost);
   }
 
-  /** A stop that was sent over a link that broke before the confirmation is sent again. */
+  /** A stop that was sent shortly before the link broke, and is not confirmed, is sent again. */
   linkUp() {
-    if (this.stop && !this.stopOutcome().isConfirmed) this.stop.phase = 'waiting';
+    const {stop} = this;
+    if (stop && performance.now() - stop.at < REPEAT_WITHIN_MS && !this.stopOutcome().isConfirmed) stop.phase = 'waiting';
     this.sendStop();
   }
 
