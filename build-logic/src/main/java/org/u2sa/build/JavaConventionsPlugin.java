@@ -32,7 +32,7 @@ public class JavaConventionsPlugin implements Plugin<Project> {
           "-Xdoclint:all/protected,-missing",
           "-Werror",
           "-parameters");
-  private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos,android,spark";
+  private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos,android,spark,browser";
   private static final List<String> TEST_CLASSES = List.of("**/*Test", "**/*Properties");
   private static final int TEST_FORKS = 2;
 

@@ -104,6 +104,12 @@ public final class RunCommand extends BaseCommand {
   private String broker;
 
   @Option(
+      names = "--web",
+      paramLabel = "PORT",
+      description = "Serve the operator's page to browsers on this TCP port.")
+  private Integer web; // null if not given
+
+  @Option(
       names = "--through-broker",
       description =
           "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
@@ -136,6 +142,9 @@ public final class RunCommand extends BaseCommand {
     LaunchOptions options =
         new LaunchOptions().logDirectory(logs).seed(seed).console(out()::println);
     settings = new ArrayList<>(settings);
+    if (web != null) {
+      serveWeb();
+    }
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
@@ -166,6 +175,13 @@ public final class RunCommand extends BaseCommand {
       options.oneOfSeveral(supervised).restart(restart).besideManager(besideManager);
     }
     return separate ? runSeparately(system.apart(), options) : run(system, options);
+  }
+
+  private void serveWeb() {
+    if (broker != null || !only.isEmpty()) {
+      throw wrong("--web: the page is served by the process that runs the broker");
+    }
+    settings.add(MANAGER + ":" + ManagerVariables.WEB_PORT + "=" + web);
   }
 
   /**

@@ -116,6 +116,22 @@ final class BrokerSecurity {
     }
   }
 
+  /**
+   * Tells where the operator's page is and how to log in. The link with the token is shown on a
+   * terminal only, because what a program logs may be read by others.
+   */
+  String loginLine(String link) {
+    if (directory != null) {
+      return "Operator's page: " + link + ", for users of the SECURITY DIRECTORY";
+    }
+    if (account == null) {
+      return "Operator's page: " + link + ", where everybody may command";
+    }
+    return System.console() != null
+        ? "Operator's page: " + link + "#" + own.password()
+        : "Operator's page: " + link + ", user local, password in " + account.fileName();
+  }
+
   boolean isOn() {
     return directory != null;
   }

@@ -108,13 +108,15 @@ public final class CommunicationManager implements AutoCloseable {
     if (manager.broker().equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
+      Optional<WebPort> web = WebPort.of(manager, security.isOn());
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =
           security.starting(
               () ->
                   new BrokerSupervisor(
                       died ->
-                          EmbeddedBroker.start(bus, codec, address, security, limits, log, died),
+                          EmbeddedBroker.start(
+                              bus, codec, address, web, security, limits, log, died),
                       log));
       String reached = address.getAddress().isAnyLocalAddress() ? LOOPBACK : bindAddress;
       remote = () -> new MqttTransport(reached, port, systemId, codec, access.get());
@@ -122,6 +124,7 @@ public final class CommunicationManager implements AutoCloseable {
           () ->
               new MqttTransport(reached, port, systemId, codec, security.ownAccess())
                   .waiting(OWN_BROKER_WITHIN_S);
+      web.ifPresent(page -> log.accept(security.loginLine(page.link())));
       if (manager.announces()) {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }

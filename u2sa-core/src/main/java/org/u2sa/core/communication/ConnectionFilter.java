@@ -18,6 +18,9 @@ import org.u2sa.core.communication.access.Users;
 import org.u2sa.core.communication.limit.AcceptRate;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.web.SameOrigin;
+import org.u2sa.core.communication.web.WebConnection;
+import org.u2sa.core.communication.web.WebResponses;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.schema.MessageCodec;
 
@@ -33,6 +36,9 @@ final class ConnectionFilter implements AutoCloseable {
 
   /** Set for connections that pass this filter; earlier connections are unlimited. */
   static final AttributeKey<Boolean> FILTERED = AttributeKey.valueOf("u2sa-filtered");
+
+  /** Moquette's handler of a WebSocket's frames, only in the pipelines of the web port. */
+  private static final String WEB_SOCKET = "webSocketHandler";
 
   private static final long ACCEPT_AGAIN_AFTER_MS = 200;
 
@@ -57,6 +63,8 @@ final class ConnectionFilter implements AutoCloseable {
   private final Clock clock;
   private final Encryption encryption; // null: plain text
   private final AtomicInteger open = new AtomicInteger();
+  private WebResponses page; // null: no web port
+  private SameOrigin pageOrigin;
 
   /**
    * @param users the known users; null lets anyone connect without a password
@@ -72,6 +80,12 @@ final class ConnectionFilter implements AutoCloseable {
     this.clock = clock;
     this.encryption = encryption;
     broker = new BrokerState(limits, codec, clock, users, log);
+  }
+
+  /** Serves the operator's page on the web port; call before the filter is installed. */
+  void serve(WebResponses responses, SameOrigin origin) {
+    page = responses;
+    pageOrigin = origin;
   }
 
   /**
@@ -188,6 +202,13 @@ final class ConnectionFilter implements AutoCloseable {
                 ((InetSocketAddress) ctx.channel().remoteAddress()).getAddress()));
       }
       ctx.pipeline().addFirst(new ReceivedBytes(session, inflow));
+      if (ctx.pipeline().get(WEB_SOCKET) != null) {
+        ctx.pipeline()
+            .addAfter(
+                "aggregator",
+                "u2sa-web",
+                new WebConnection(page, pageOrigin, why -> session.putOut(why, "")));
+      }
       ctx.pipeline()
           .addBefore(
               "decoder", "u2sa-framer", new PacketFramer(session, inflow, broker.unfinished));

@@ -11,10 +11,12 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.util.List;
+import java.util.Optional;
 import java.util.Properties;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.web.WebConnection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageCodec;
@@ -63,18 +65,21 @@ final class EmbeddedBroker implements AutoCloseable {
       LocalBus bus,
       MessageCodec codec,
       InetSocketAddress address,
+      Optional<WebPort> web,
       BrokerSecurity security,
       BrokerLimits limits,
       Consumer<String> log,
       Runnable died) {
-    refuseTakenPort(address);
+    refuseTakenPort(address, ManagerVariables.PORT);
+    web.ifPresent(port -> refuseTakenPort(port.address(), ManagerVariables.WEB_PORT));
     ConnectionFilter filter =
         new ConnectionFilter(
             limits, codec, new SystemClock(), security.users(log), security.encryption(), log);
+    web.ifPresent(port -> filter.serve(port.page(), port.origin()));
     EmbeddedBroker broker = new EmbeddedBroker(bus, codec, address, filter, log, died);
     try {
       broker.server.startServer(
-          new MemoryConfig(properties(address)),
+          new MemoryConfig(properties(address, web)),
           List.of(broker.new Listener()),
           () -> null, // the connection filter encrypts
           (clientId, user, password) -> filter.letIn(password),
@@ -84,7 +89,7 @@ final class EmbeddedBroker implements AutoCloseable {
       FilterInstaller.takeDown(
           broker.server); // another program may have been faster than the probe
       filter.close();
-      throw cannotListen(address, e);
+      throw cannotListen(address, ManagerVariables.PORT, e);
     }
     filter.broker.router.join(broker.incoming);
     filter.broker.sources.join(bus);
@@ -93,7 +98,7 @@ final class EmbeddedBroker implements AutoCloseable {
     return broker;
   }
 
-  private static Properties properties(InetSocketAddress address) {
+  private static Properties properties(InetSocketAddress address, Optional<WebPort> web) {
     Properties properties = new Properties();
     properties.setProperty(IConfig.HOST_PROPERTY_NAME, address.getHostString());
     properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(address.getPort()));
@@ -106,6 +111,14 @@ final class EmbeddedBroker implements AutoCloseable {
         IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(BrokerLimits.LONGEST_PACKET));
     properties.setProperty(
         IConfig.BUFFER_FLUSH_MS_PROPERTY_NAME, "0"); // flush immediately for low latency
+    if (web.isPresent()) {
+      properties.setProperty(
+          IConfig.WEB_SOCKET_PORT_PROPERTY_NAME, String.valueOf(web.get().address().getPort()));
+      properties.setProperty(IConfig.WEB_SOCKET_PATH_PROPERTY_NAME, WebConnection.MQTT_PATH);
+      properties.setProperty(
+          BrokerConstants.WEB_SOCKET_MAX_FRAME_SIZE_PROPERTY_NAME,
+          String.valueOf(WebConnection.LONGEST_FRAME));
+    }
     return properties;
   }
 
@@ -113,20 +126,21 @@ final class EmbeddedBroker implements AutoCloseable {
    * Probes the port first, because Moquette reports a taken one only in its own log with a stack
    * trace.
    */
-  private static void refuseTakenPort(InetSocketAddress address) {
+  private static void refuseTakenPort(InetSocketAddress address, String variable) {
     try (ServerSocket probe = new ServerSocket()) {
       probe.bind(address);
     } catch (IOException | IllegalArgumentException e) {
-      throw cannotListen(address, e);
+      throw cannotListen(address, variable, e);
     }
   }
 
-  private static PortTakenException cannotListen(InetSocketAddress address, Exception e) {
+  private static PortTakenException cannotListen(
+      InetSocketAddress address, String variable, Exception e) {
     return new PortTakenException(
         String.format(
             "the Communication Manager cannot listen on %s:%s: %s; is the port taken by"
-                + " another system or broker? COMMUNICATION MANAGER PORT sets another",
-            address.getHostString(), address.getPort(), e.getMessage()),
+                + " another system or broker? %s sets another",
+            address.getHostString(), address.getPort(), e.getMessage(), variable),
         e);
   }
 

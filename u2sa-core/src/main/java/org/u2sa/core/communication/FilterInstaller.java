@@ -33,10 +33,14 @@ final class FilterInstaller {
     try {
       Object acceptor = field(server, "acceptor");
       EventLoopGroup listening = (EventLoopGroup) field(acceptor, "bossGroup");
+      EventLoopGroup workers = (EventLoopGroup) field(acceptor, "workerGroup");
+      EventLoop one = workers.next();
+      filter.broker.router.runOn(one);
       for (EventExecutor executor : listening) {
-        installed += executor.submit(() -> install(filter, (EventLoop) executor)).get();
+        installed += executor.submit(() -> install(filter, (EventLoop) executor, one)).get();
       }
-      for (EventExecutor executor : (EventLoopGroup) field(acceptor, "workerGroup")) {
+      listening.next().scheduleAtFixedRate(filter::tidy, 1, 1, SECONDS);
+      for (EventExecutor executor : workers) {
         executor.submit(() -> closeUnfiltered((SingleThreadEventLoop) executor)).get();
       }
     } catch (ReflectiveOperationException | ExecutionException e) {
@@ -78,13 +82,12 @@ final class FilterInstaller {
    * Serves all connections on one thread, so that messages between them never change threads:
    * waking another thread takes longer than routing a message. Netty would use several.
    */
-  private static EventLoop putOnOneThread(Channel listening) throws ReflectiveOperationException {
+  private static void putOnThread(EventLoop one, Channel listening)
+      throws ReflectiveOperationException {
     ChannelHandler acceptor = listening.pipeline().last();
     Field group = acceptor.getClass().getDeclaredField("childGroup");
     group.setAccessible(true);
-    EventLoop one = ((EventLoopGroup) group.get(acceptor)).next();
     group.set(acceptor, one);
-    return one;
   }
 
   /** Closes connections made before the filter was installed. Call on the loop's thread. */
@@ -101,16 +104,15 @@ final class FilterInstaller {
   }
 
   /** Call on the loop's thread, the only one that may access its channels. */
-  private static int install(ConnectionFilter filter, EventLoop loop)
+  private static int install(ConnectionFilter filter, EventLoop loop, EventLoop one)
       throws ReflectiveOperationException {
     int installed = 0;
     Iterator<Channel> channels = ((SingleThreadEventLoop) loop).registeredChannelsIterator();
     while (channels.hasNext()) {
       Channel channel = channels.next();
       if (channel instanceof ServerChannel) {
-        filter.broker.router.runOn(putOnOneThread(channel));
+        putOnThread(one, channel);
         channel.pipeline().addFirst(filter.new Acceptor());
-        loop.scheduleAtFixedRate(filter::tidy, 1, 1, SECONDS);
         installed++;
       }
     }

@@ -23,6 +23,10 @@ public record ManagerVariables(
     @Variable(min = 1, max = 65_535, ifAbsent = 1883)
         @Description("TCP port of the embedded or external broker.")
         int communicationManagerPort,
+    @Variable(max = 65_535, ifAbsent = 0)
+        @Description(
+            "TCP port on which the embedded broker serves the operator's page, at BIND ADDRESS; 0: none.")
+        int webPort,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
         @Description(
             "Time to wait for an external broker at startup, so that hosts may start in any order.")
@@ -44,6 +48,9 @@ public record ManagerVariables(
 
   /** Name of the variable {@link #communicationManagerPort}. */
   public static final String PORT = "COMMUNICATION MANAGER PORT";
+
+  /** Name of the variable {@link #webPort}. */
+  public static final String WEB_PORT = "WEB PORT";
 
   static final String READABLE = "readable";
 

@@ -106,6 +106,10 @@ public final class LaunchOptions {
     return this;
   }
 
+  boolean isOverridden(String service, String variable) {
+    return overrides.getOrDefault(service, Map.of()).containsKey(variable);
+  }
+
   /**
    * Sets a factory for services of a class whose constructor {@code (ServiceContext)} is not
    * sufficient: for example a board simulated by a program, or a connection that only an Android

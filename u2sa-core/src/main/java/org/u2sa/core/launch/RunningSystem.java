@@ -77,6 +77,9 @@ public final class RunningSystem implements AutoCloseable {
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);
     XmlConfiguration communication = options.configuration(MANAGER, file.communication());
+    if (file.webPort().isPresent() && !options.isOverridden(MANAGER, ManagerVariables.WEB_PORT)) {
+      communication.override(ManagerVariables.WEB_PORT, file.webPort().getAsInt());
+    }
     manager = startManager(communication);
     communication.refuseUndeclared();
     maker = new ServiceMaker(file.systemId(), options, types, transport());

@@ -7,6 +7,7 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Predicate;
@@ -22,6 +23,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * <pre>{@code
  * <system id="cessna">
  *   <communication configuration="CommunicationManager.xml"/>
+ *   <web port="8080"/>
  *   <autonomy perception="discrete" decision="static response" independence="problem detection"/>
  *   <service class="org.u2sa.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
  * </system>
@@ -35,6 +37,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param communication the Communication Manager's configuration file; empty for defaults
  * @param delivery message delivery between the services of one process
  * @param communicationHost the host that runs the Communication Manager; empty: any
+ * @param webPort TCP port of the operator's page; empty: as the Communication Manager is configured
  * @param autonomy the vehicle's stated autonomy (thesis 2.3); empty if not stated
  * @param services services in start order
  */
@@ -44,8 +47,12 @@ public record SystemFile(
     Optional<Path> communication,
     Delivery delivery,
     String communicationHost,
+    OptionalInt webPort,
     Optional<AutonomyLevels> autonomy,
     List<Entry> services) {
+  private static final String USUAL_WEB_PORT = "8080";
+  private static final int HIGHEST_PORT = 65_535;
+
   /**
    * One service.
    *
@@ -76,7 +83,7 @@ public record SystemFile(
   public static SystemFile read(Path file) {
     XmlElement root = XmlReader.read(file, "system");
     root.refuseUnknownAttributes("id");
-    root.refuseUnknownChildren("communication", "autonomy", "service");
+    root.refuseUnknownChildren("communication", "web", "autonomy", "service");
     String id = root.attribute("id");
     try {
       Topic.checkSystemId(id);
@@ -108,7 +115,7 @@ public record SystemFile(
         communication.isEmpty() ? Delivery.DIRECT : Delivery.of(communication.get(0));
     String host = communication.isEmpty() ? "" : host(communication.get(0));
     Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
-    return new SystemFile(file, id, manager, delivery, host, autonomy, services);
+    return new SystemFile(file, id, manager, delivery, host, webPort(root), autonomy, services);
   }
 
   /** The configuration files of the Communication Manager and of the services. */
@@ -117,6 +124,19 @@ public record SystemFile(
     communication.ifPresent(all::add);
     services.forEach(entry -> entry.configuration().ifPresent(all::add));
     return all;
+  }
+
+  private static OptionalInt webPort(XmlElement root) {
+    Optional<XmlElement> web = root.child("web");
+    if (web.isEmpty()) {
+      return OptionalInt.empty();
+    }
+    web.get().refuseUnknownAttributes("port");
+    String port = web.get().optionalAttribute("port").orElse(USUAL_WEB_PORT);
+    if (!port.matches("[1-9][0-9]{0,4}") || Integer.parseInt(port) > HIGHEST_PORT) {
+      throw web.get().error("port \"" + port + "\": expected 1…" + HIGHEST_PORT);
+    }
+    return OptionalInt.of(Integer.parseInt(port));
   }
 
   private static String host(XmlElement element) {
@@ -199,7 +219,7 @@ public record SystemFile(
   private SystemFile with(Predicate<Entry> wanted) {
     List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
     return new SystemFile(
-        file, systemId, communication, delivery, communicationHost, autonomy, some);
+        file, systemId, communication, delivery, communicationHost, webPort, autonomy, some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

@@ -9,6 +9,7 @@ import java.net.Socket;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
@@ -51,6 +52,7 @@ class BrokerSupervisorTest {
         new LocalBus("cessna"),
         new MessageCodec(StandardTypes.registry()),
         address,
+        Optional.empty(),
         new BrokerSecurity(null, null),
         XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
         log::add,

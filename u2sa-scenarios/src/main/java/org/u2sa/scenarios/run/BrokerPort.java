@@ -23,6 +23,7 @@ final class BrokerPort {
   private CommandSpec command;
 
   private Integer asked; // null if not given
+  private Integer web; // null if not given
 
   @Option(
       names = "--through-broker",
@@ -44,6 +45,18 @@ final class BrokerPort {
     asked = value;
   }
 
+  @Option(
+      names = "--web",
+      paramLabel = "PORT",
+      description = "TCP port on which a browser finds the operator's page.")
+  private void web(int value) {
+    if (value < 1 || value > HIGHEST_PORT) {
+      throw new ParameterException(
+          command.commandLine(), "--web " + value + ": expected 1…" + HIGHEST_PORT);
+    }
+    web = value;
+  }
+
   /**
    * Sets the Communication Manager's port for a run and reports it if it differs from the
    * configured one.
@@ -51,6 +64,13 @@ final class BrokerPort {
   public void configure(SystemFile system, LaunchOptions launch, Terminal terminal) {
     if (throughBroker) {
       launch.throughBroker();
+    }
+    if (web != null && asked != null && asked == 0) {
+      throw new ParameterException(
+          command.commandLine(), "--web needs a broker, and --port 0 asks for none");
+    }
+    if (web != null) {
+      launch.override(MANAGER, ManagerVariables.WEB_PORT, web);
     }
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);

@@ -70,6 +70,11 @@ public final class LocalAccount implements AutoCloseable {
     }
   }
 
+  /** Name of the token's file in the account's folders. */
+  public String fileName() {
+    return fileName;
+  }
+
   /** User for programs with the token. */
   public ProcessAccount own() {
     return own;

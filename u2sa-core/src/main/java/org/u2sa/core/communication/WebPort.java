@@ -1,0 +1,38 @@
+package org.u2sa.core.communication;
+
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import org.u2sa.core.communication.web.SameOrigin;
+import org.u2sa.core.communication.web.WebResponses;
+import org.u2sa.core.communication.web.WebSite;
+
+/** Where the embedded broker serves the operator's page, and what it serves. */
+record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, boolean encrypted) {
+  /**
+   * The web port of a configuration; empty without one.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if there is no page to serve
+   */
+  static Optional<WebPort> of(ManagerVariables manager, boolean encrypted) {
+    if (manager.webPort() == 0) {
+      return Optional.empty();
+    }
+    InetSocketAddress address = new InetSocketAddress(manager.bindAddress(), manager.webPort());
+    return Optional.of(
+        new WebPort(
+            address,
+            new WebResponses(WebSite.discovered()),
+            SameOrigin.of(encrypted, address.getAddress()),
+            encrypted));
+  }
+
+  /** Address for a browser on this host. */
+  String link() {
+    String host = address.getAddress().isAnyLocalAddress() ? "localhost" : address.getHostString();
+    return (encrypted ? "https://" : "http://")
+        + (host.contains(":") ? "[" + host + "]" : host)
+        + ":"
+        + address.getPort()
+        + "/";
+  }
+}

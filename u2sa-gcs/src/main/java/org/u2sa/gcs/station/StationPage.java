@@ -1,0 +1,59 @@
+package org.u2sa.gcs.station;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.core.communication.web.WebSite;
+
+/** The files of the operator's page, from the resources of this module. */
+public final class StationPage implements WebSite {
+  private static final String PAGE = "index.html";
+
+  private static final List<String> NAMES =
+      List.of(
+          PAGE,
+          "style.css",
+          "icon.svg",
+          "app.js",
+          "cbor.js",
+          "editor.js",
+          "layers.js",
+          "link.js",
+          "map.js",
+          "model.js",
+          "mqtt.js",
+          "orders.js",
+          "panel.js",
+          "place.js");
+
+  private static final Map<String, String> MEDIA_TYPES =
+      Map.of(
+          "html", "text/html; charset=utf-8",
+          "css", "text/css; charset=utf-8",
+          "js", "text/javascript; charset=utf-8",
+          "svg", "image/svg+xml");
+
+  @Override
+  public Map<String, File> files() {
+    Map<String, File> files = new HashMap<>();
+    for (String name : NAMES) {
+      String mediaType = MEDIA_TYPES.get(name.substring(name.lastIndexOf('.') + 1));
+      files.put(name.equals(PAGE) ? "/" : "/" + name, new File(mediaType, read(name)));
+    }
+    return files;
+  }
+
+  private static byte[] read(String name) {
+    try (InputStream in = StationPage.class.getResourceAsStream("page/" + name)) {
+      if (in == null) {
+        throw new IllegalStateException("the page lacks its file " + name);
+      }
+      return in.readAllBytes();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,209 @@
+// Joins the parts: messages go into the model, the model onto the screen, buttons become orders.
+
+import {MissionEditor} from './editor.js';
+import {drawVehicle, extent} from './layers.js';
+import {Link} from './link.js';
+import {MapView} from './map.js';
+import {Model} from './model.js';
+import {Orders} from './orders.js';
+import {Panel, byId} from './panel.js';
+
+const PANEL_EVERY_MS = 250;
+const DRAW_EVERY_MS = 40; // spares the battery of a phone
+const TWICE_MS = 1000; // between two presses of Escape
+const REPORT_EVERY_MS = 2000;
+const LOCAL_USER = 'local';
+
+const link = new Link({changed: () => panel.showLink(), up: linkUp, message: received});
+const orders = new Orders(link);
+const model = new Model({answered: fields => orders.answered(fields), missionChanged: askMission});
+const editor = new MissionEditor(orders);
+const panel = new Panel({link, orders, editor, model, selected, select});
+const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
+
+let selectedId = '';
+let wasFitted = false;
+let escapeAt = -Infinity;
+
+function selected() {
+  return model.vehicles.get(selectedId);
+}
+
+function select(id) {
+  if (id === selectedId) return;
+  selectedId = id;
+  wasFitted = false;
+  editor.discard();
+  editor.selected = null;
+}
+
+function received(system, channel, type, fields) {
+  model.message(system, channel, type, fields);
+  if (!selectedId && model.vehicles.has(system)) select(system);
+  map.touch();
+}
+
+function linkUp() {
+  orders.linkUp();
+  for (const vehicle of model.vehicles.values()) askMission(vehicle);
+}
+
+/** Asks for the mission soon, once for several changes; who may not ask gets no answer. */
+function askMission(vehicle) {
+  clearTimeout(vehicle.asking);
+  vehicle.asking = setTimeout(() => {
+    vehicle.askedAt = performance.now();
+    orders.report(vehicle).catch(() => {
+      if (!vehicle.isMissionMissed) vehicle.log('no Mission Manager answers', 'warn');
+      vehicle.isMissionMissed = true;
+    });
+  }, 200);
+}
+
+function order(promise) {
+  panel.tell('…');
+  promise.then(text => panel.tell(text), error => panel.tell(error.message, true));
+}
+
+function onClick(id, action) {
+  byId(id).addEventListener('click', () => {
+    const vehicle = selected();
+    if (vehicle) action(vehicle);
+  });
+}
+
+onClick('estop', vehicle => orders.emergencyStop(vehicle));
+onClick('arm', vehicle => order(orders.arm(vehicle, true)));
+onClick('disarm', async vehicle => {
+  if (await panel.confirm(`Disarm ${vehicle.id}? Its actuators go neutral, even in mid-air.`)) order(orders.arm(vehicle, false));
+});
+onClick('hold', vehicle => order(orders.mission(vehicle, 'PAUSE')));
+onClick('resume', vehicle => order(orders.mission(vehicle, 'RESUME')));
+onClick('return', vehicle => order(orders.mission(vehicle, 'GOTO', {uid: 'home'})));
+onClick('skip', vehicle => order(orders.mission(vehicle, 'SKIP', editor.route(vehicle).some(goal => goal.isSelected && goal.isCurrent) ? {uid: editor.selected} : {})));
+onClick('clear', async vehicle => {
+  if (await panel.confirm(`Clear the emergency stop of ${vehicle.id}? It may move again once armed.`)) order(orders.clearStops(vehicle));
+});
+onClick('goto', vehicle => (editor.selected ? order(orders.mission(vehicle, 'GOTO', {uid: editor.selected})) : panel.tell('choose a goal first', true)));
+onClick('add', () => {
+  editor.isAdding = !editor.isAdding;
+  byId('add').setAttribute('aria-pressed', editor.isAdding);
+});
+onClick('remove', vehicle => {
+  const refusal = editor.refusalToRemove(vehicle);
+  if (refusal) panel.tell(refusal, true);
+  else editor.remove();
+});
+onClick('undo', () => editor.undo());
+onClick('discard', () => editor.discard());
+onClick('upload', vehicle => order(editor.upload(vehicle).finally(() => askMission(vehicle))));
+byId('zoom-in').onclick = () => map.zoom(1.5);
+byId('zoom-out').onclick = () => map.zoom(1 / 1.5);
+byId('fit').onclick = () => selected() && map.fit(extent(selected(), editor.route(selected())));
+byId('follow').onclick = () => {
+  map.follows = !map.follows;
+  map.touch();
+};
+
+document.addEventListener('keydown', event => {
+  if (event.key !== 'Escape' || event.repeat) return;
+  const now = performance.now();
+  if (now - escapeAt < TWICE_MS && selected() && link.state !== 'off') orders.emergencyStop(selected());
+  escapeAt = now;
+});
+
+function tapped(at) {
+  const vehicle = selected();
+  if (!vehicle) return;
+  const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
+  if (editor.isAdding && !hit && vehicle.place.origin) editor.add(vehicle, at);
+  else editor.selected = hit ? hit.uid : null;
+}
+
+/** Goals can be dragged while the mission is open, so that nobody moves one by accident. */
+function grabbed(at) {
+  const vehicle = selected();
+  if (!vehicle || byId('mission').hidden) return null;
+  const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
+  return hit ? {uid: hit.uid, at: hit.at} : null;
+}
+
+function dragged(handle, at) {
+  handle.at = at;
+  handle.isMoving = true;
+  dragging = handle;
+}
+
+function dropped(handle, at) {
+  dragging = null;
+  editor.selected = handle.uid;
+  editor.move(selected(), handle.uid, at);
+}
+
+let dragging = null;
+let drawnAt = -Infinity;
+
+function frame() {
+  requestAnimationFrame(frame);
+  const now = performance.now();
+  if (!map.isDirty || now - drawnAt < DRAW_EVERY_MS && !dragging) return;
+  map.isDirty = false;
+  drawnAt = now;
+  const vehicle = selected();
+  if (vehicle && vehicle.place.pose && map.follows) map.centre = {x: vehicle.place.pose.x, y: vehicle.place.pose.y};
+  map.clear();
+  map.drawGrid();
+  for (const other of model.vehicles.values()) {
+    if (other !== vehicle) drawVehicle(map, seenFrom(vehicle, other), [], false);
+  }
+  if (!vehicle) return;
+  const route = editor.route(vehicle);
+  const moving = dragging && route.find(goal => goal.uid === dragging.uid);
+  if (moving) moving.at = dragging.at;
+  drawVehicle(map, vehicle, route, true);
+  if (!wasFitted && vehicle.report && vehicle.place.pose) {
+    wasFitted = true;
+    map.fit(extent(vehicle, route));
+  }
+}
+
+/** Another vehicle on the chosen one's map; nowhere if their frames differ. */
+function seenFrom(vehicle, other) {
+  const {state} = other;
+  const pose = vehicle && state ? vehicle.place.of(state.referenceFrame, state.x, state.y) : undefined;
+  return {id: other.id, state, trail: [], isStale: now => other.isStale(now), place: {pose: pose && {...pose, heading: other.place.pose.heading}}};
+}
+
+setInterval(() => {
+  const vehicle = selected();
+  byId('follow').setAttribute('aria-pressed', map.follows);
+  panel.show(vehicle);
+  map.touch(); // what is stale turns grey without a message
+  if (vehicle && link.isUp && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
+  if (vehicle && link.isUp && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
+    vehicle.beatAt = performance.now();
+    link.publish(vehicle.id, 'operator', 'OperatorHeartbeat', {operator: orders.operator, interval: 1.0}).catch(() => undefined);
+  }
+}, PANEL_EVERY_MS);
+
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => map.resize());
+
+function enter(user, password) {
+  orders.operator = (user || 'observer') + '@web';
+  link.open({user, password});
+}
+
+byId('enter').addEventListener('click', () => enter(byId('user').value, byId('password').value));
+byId('login').addEventListener('cancel', event => event.preventDefault());
+byId('logout').onclick = () => {
+  byId('password').value = '';
+  link.close();
+  location.reload(); // forgets everything heard
+};
+
+// A link printed on the terminal has the token behind the #, which a browser sends to nobody.
+const token = location.hash.slice(1);
+history.replaceState(null, '', location.pathname);
+if (token) enter(LOCAL_USER, token);
+else byId('login').showModal();
+frame();

@@ -1,0 +1,187 @@
+// What the page knows of each vehicle, from the messages it has heard.
+
+import {Place} from './place.js';
+
+export const STALE_MS = 1000;
+const MAX_VEHICLES = 64; // names come from messages
+const MAX_NAMES = 256; // services, batteries and path planners of one vehicle
+const TRAIL_POINTS = 3000;
+const EVENTS = 500;
+
+/** One vehicle. Times are of the page's own clock [ms], since vehicles' clocks differ. */
+export class Vehicle {
+  constructor(id) {
+    this.id = id;
+    this.place = new Place();
+    this.state = null;
+    this.stateAt = -Infinity;
+    this.trail = [];
+    this.goals = [];
+    this.goalsPaused = false;
+    this.report = null; // MissionReport
+    this.objects = [];
+    this.objectsAt = -Infinity;
+    this.grid = null;
+    this.gridNumber = 0;
+    this.plans = new Map();
+    this.navigation = null;
+    this.navigationAt = -Infinity;
+    this.power = new Map();
+    this.services = new Map(); // name -> {report, at}
+    this.conditions = new Map();
+    this.arming = null;
+    this.failsafe = null;
+    this.events = [];
+  }
+
+  isStale(now = performance.now()) {
+    return now - this.stateAt > STALE_MS;
+  }
+
+  /** Services that obey emergency stops, and the identities of the stops in force. */
+  stops() {
+    const movers = [...this.services.values()].map(each => each.report).filter(each => each.emergencyStops && each.status === 'RUNNING');
+    return {movers, inForce: [...new Set(movers.flatMap(each => each.emergencyStops))]};
+  }
+
+  log(text, level = 'info') {
+    this.events.push({at: new Date(), text, level});
+    if (this.events.length > EVENTS) this.events.shift();
+  }
+}
+
+/** All vehicles. `answers` receives messages that answer a request. */
+export class Model {
+  constructor(answers) {
+    this.vehicles = new Map();
+    this.answers = answers;
+    this.version = 0; // counts changes
+  }
+
+  vehicle(id) {
+    let vehicle = this.vehicles.get(id);
+    if (!vehicle && this.vehicles.size < MAX_VEHICLES) {
+      vehicle = new Vehicle(id);
+      this.vehicles.set(id, vehicle);
+    }
+    return vehicle;
+  }
+
+  message(system, channel, type, fields) {
+    const vehicle = this.vehicle(system);
+    const handler = HANDLERS[channel];
+    if (!vehicle || !handler) return;
+    handler(vehicle, fields, type, this.answers);
+    this.version++;
+  }
+}
+
+function put(map, name, value) {
+  if (map.has(name) || map.size < MAX_NAMES) map.set(name, value);
+}
+
+const HANDLERS = {
+  state(vehicle, fields) {
+    vehicle.state = fields;
+    vehicle.stateAt = performance.now();
+    const at = vehicle.place.ofState(fields);
+    if (!at) return;
+    const last = vehicle.trail[vehicle.trail.length - 1];
+    const apart = last ? Math.hypot(at.x - last.x, at.y - last.y) : Infinity;
+    if (apart > Math.max(0.2, 0.1 * Math.hypot(fields.xDot || 0, fields.yDot || 0))) {
+      vehicle.trail.push(at);
+      if (vehicle.trail.length > TRAIL_POINTS) vehicle.trail.splice(0, TRAIL_POINTS / 10);
+    }
+  },
+
+  goals(vehicle, fields, type, answers) {
+    vehicle.goals = fields.goals || [];
+    vehicle.goalsPaused = fields.paused === true;
+    answers.missionChanged(vehicle);
+  },
+
+  mission(vehicle, fields, type, answers) {
+    if (type === 'MissionReport') vehicle.report = fields;
+    if (type === 'MissionReport' || type === 'MissionOrderResult') answers.answered(fields);
+  },
+
+  objects(vehicle, fields) {
+    vehicle.objects = fields.objects || [];
+    vehicle.objectsAt = performance.now();
+  },
+
+  grid(vehicle, fields) {
+    const number = ++vehicle.gridNumber;
+    unpack(fields).then(cells => {
+      if (cells && number === vehicle.gridNumber) vehicle.grid = {...fields, cells, image: null};
+    }, () => vehicle.log('a grid cannot be unpacked', 'warn'));
+  },
+
+  plans: (vehicle, fields) => put(vehicle.plans, fields.subsystem, fields),
+
+  navigation(vehicle, fields) {
+    vehicle.navigation = fields;
+    vehicle.navigationAt = performance.now();
+  },
+
+  power: (vehicle, fields) => put(vehicle.power, fields.sensorName, {...fields, at: performance.now()}),
+
+  health(vehicle, fields, type) {
+    if (!fields.serviceName || type !== 'HealthReport') return;
+    const before = vehicle.services.get(fields.serviceName);
+    if (before && before.report.status !== fields.status) vehicle.log(`${fields.serviceName}: ${fields.status.toLowerCase()}`);
+    if (fields.lastError && (!before || before.report.lastError !== fields.lastError)) {
+      vehicle.log(`${fields.serviceName}: ${fields.lastError}`, 'error');
+    }
+    put(vehicle.services, fields.serviceName, {report: fields, at: performance.now()});
+  },
+
+  conditions(vehicle, fields) {
+    const before = vehicle.conditions.get(fields.serviceName);
+    put(vehicle.conditions, fields.serviceName, fields);
+    if (before ? before.condition !== fields.condition : fields.condition !== 'ALIVE') {
+      const level = ['ALIVE', 'STOPPED', 'UNWATCHED'].includes(fields.condition) ? 'info' : 'error';
+      vehicle.log(`${fields.serviceName}: ${[fields.condition.toLowerCase(), fields.reason, fields.action].filter(Boolean).join(', ')}`, level);
+    }
+  },
+
+  'arming-state'(vehicle, fields, type, answers) {
+    if (!vehicle.arming || vehicle.arming.armed !== fields.armed) vehicle.log(fields.armed ? 'armed' : 'not armed', 'important');
+    vehicle.arming = fields;
+    answers.answered(fields);
+  },
+
+  failsafe(vehicle, fields) {
+    if (!vehicle.failsafe || vehicle.failsafe.action !== fields.action) {
+      vehicle.log(`failsafe ${fields.action}: ${(fields.causes || []).join('; ') || 'no cause'}`, fields.action === 'CONTINUE' ? 'info' : 'error');
+    }
+    vehicle.failsafe = fields;
+  },
+
+  'emergency-stop'(vehicle, fields) {
+    const by = [fields.operator, fields.reason].filter(Boolean).join(': ');
+    vehicle.log(fields.active ? `emergency stop by ${by}` : `emergency stop cleared by ${by}`, 'important');
+  },
+
+  'goal-reports'(vehicle, fields) {
+    if (fields.completed) vehicle.log(`goal ${fields.uid} reached`);
+    else if (fields.abandoned) vehicle.log(`goal ${fields.uid} abandoned: ${fields.reason || ''}`, 'warn');
+  },
+};
+
+/** Cells of an occupancy grid: base64 of zlib (RFC 1950); null if they do not fit the grid. */
+async function unpack(grid) {
+  const count = grid.columns * grid.rows;
+  if (!(count > 0 && count <= 4e6)) return null;
+  const packed = (grid.cells || []).map(piece => Uint8Array.from(atob(piece), letter => letter.charCodeAt(0)));
+  const reader = new Blob(packed).stream().pipeThrough(new DecompressionStream('deflate')).getReader();
+  const cells = new Int8Array(count);
+  let filled = 0;
+  for (;;) {
+    const {done, value} = await reader.read();
+    if (done) return filled === count ? cells : null;
+    if (filled + value.length > count) return reader.cancel().then(() => null); // never more than announced
+    cells.set(new Int8Array(value.buffer, value.byteOffset, value.length), filled);
+    filled += value.length;
+  }
+}

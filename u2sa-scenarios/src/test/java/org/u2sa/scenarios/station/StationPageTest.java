@@ -1,0 +1,124 @@
+package org.u2sa.scenarios.station;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.Repository;
+
+/** An operator at the page of a ground vehicle that drives, in Chromium. */
+@Tag("browser")
+@NeedsProgram("chromium")
+@Timeout(300)
+class StationPageTest {
+  private static final Duration LONG = Duration.ofSeconds(90);
+  private static final int WIDTH = 1400;
+  private static final int HEIGHT = 900;
+
+  @TempDir private Path folder;
+
+  private final int brokerPort = FreePort.find();
+  private final int webPort = FreePort.find();
+  private final String page = "http://127.0.0.1:" + webPort + "/";
+  private Process vehicle;
+  private HeadlessBrowser browser;
+
+  @BeforeEach
+  void start() throws IOException, InterruptedException {
+    Path output = folder.resolve("demo.txt");
+    List<String> command =
+        List.of(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-XX:+UseSerialGC",
+            "-Djava.awt.headless=true",
+            "-Du2sa.home=" + Repository.root(),
+            "-cp",
+            System.getProperty("java.class.path"),
+            "org.u2sa.cli.Main",
+            "demo",
+            "ugv",
+            "--realtime",
+            "--port=" + brokerPort,
+            "--web=" + webPort,
+            "--out=" + folder.resolve("out"));
+    vehicle =
+        new ProcessBuilder(command)
+            .redirectErrorStream(true)
+            .redirectOutput(output.toFile())
+            .start();
+    await()
+        .atMost(LONG)
+        .until(() -> Files.readString(output, UTF_8).contains("Operator's page: " + page));
+    browser = new HeadlessBrowser(folder.resolve("profile"), WIDTH, HEIGHT);
+  }
+
+  @AfterEach
+  void end() {
+    browser.close();
+    vehicle.destroyForcibly();
+  }
+
+  private String token() {
+    return new String(LocalToken.read("127.0.0.1", brokerPort).orElseThrow());
+  }
+
+  @Test
+  void operator_watchesEditsHoldsAndStops_theVehicleConfirmsEach() {
+    browser.open(page + "#" + token());
+    browser.awaitText("link", "link ");
+    browser.awaitText("doing", "to ");
+    browser.awaitText("instruments", "m/s");
+
+    browser.press("tab-mission");
+    browser.press("add");
+    browser.clickAt(WIDTH / 4.0, HEIGHT / 2.0);
+    browser.awaitText("goals", "w1");
+    browser.press("upload");
+    browser.awaitText("outcome", "inserted \"w1\"");
+
+    browser.press("tab-operate");
+    browser.press("hold");
+    browser.awaitText("doing", "held at");
+    browser.press("resume");
+    browser.awaitText("doing", "to ");
+
+    browser.key("Escape");
+    browser.key("Escape");
+    browser.awaitText("alert", "Emergency stop confirmed by");
+
+    vehicle.destroyForcibly();
+    browser.awaitText("link", "LINK LOST");
+    assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
+    assertThat(browser.errors).filteredOn(error -> !error.contains("ERR_CONNECTION")).isEmpty();
+  }
+
+  @Test
+  void observer_pressesEverything_theVehicleDoesNotObey() {
+    browser.open(page);
+    browser.awaitText("link", "not connected"); // the script runs
+    browser.press("enter");
+    browser.awaitText("doing", "to ");
+
+    browser.press("hold");
+    browser.awaitText("outcome", "no answer from the vehicle");
+    browser.press("estop");
+
+    browser.awaitText("alert", "Emergency stop NOT CONFIRMED");
+    assertThat(browser.text("doing")).contains("to ");
+    assertThat(browser.errors).isEmpty();
+  }
+}
