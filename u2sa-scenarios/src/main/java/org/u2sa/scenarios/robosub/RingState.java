@@ -49,7 +49,7 @@ final class RingState extends SightState {
       isRising = true;
       highestDownM = Double.POSITIVE_INFINITY;
     }
-    double downM = surroundings.here(state).z();
+    double downM = -way.z(); // below the ring
     long now = state.timestamp().orElseThrow();
     if (downM < highestDownM - STEP_M) {
       highestDownM = downM;

@@ -19,12 +19,13 @@ import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 /** {@code u2sa demo robosub}: tasks under water, without GPS (thesis 4.3). */
 @Command(
     name = "robosub",
     description = {
-      "Dive through a RoboSub layout: gate, two buoys in order, surfacing inside a ring.",
+      "Dive through a RoboSub layout: gate, two buoys in order, homing on a pinger, surfacing inside the ring above it.",
       "",
       "Layout, current and all noise follow from the seed. A judge with ground truth scores."
     })
@@ -32,6 +33,11 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   @Mixin private DemoFrame frame;
 
   @Mixin private VehicleFileChanges changes;
+
+  @Option(
+      names = "--without-estimator",
+      description = "Run without a State Estimator: all goals relative to what is seen and heard.")
+  private boolean isWithoutEstimator;
 
   private SubCourse course; // of the newest run
 
@@ -43,6 +49,11 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   @Override
   public Profile profile() {
     return new Profile("robosub", "robosub", "course.xml", Domain.WATER, 60.0, 0.1);
+  }
+
+  @Override
+  public String systemFile() {
+    return isWithoutEstimator ? "system-without-estimator.xml" : "system.xml";
   }
 
   @Override
@@ -66,11 +77,12 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   public Trial trial(Mission given, Path directory, long seed) {
     course = SubCourse.of(seed);
     SubCourse dived = course;
+    SubPinger sound = SubPinger.of(seed, dived);
     Mission mission = frame.isOwnMission() ? write(dived, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle.xml")),
-            dived.world(),
+            changes.load(system().resolveSibling("vehicle.xml"), sound.changes()),
+            dived.world().with(sound.objects()),
             Point.of(0.0, 0.0, -1.0),
             0.0,
             seed);
@@ -93,6 +105,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
                 + "  <passGate><name>gate</name><objectTypes>%s, white pole, %s</objectTypes></passGate>%n"
                 + "  <bumpBuoy><name>first buoy</name><objectTypes>%s, %s</objectTypes></bumpBuoy>%n"
                 + "  <bumpBuoy><name>second buoy</name><objectTypes>%s, yellow hoop</objectTypes></bumpBuoy>%n"
+                + "  <homeOnPinger><name>pinger</name><objectTypes>pinger, yellow hoop</objectTypes></homeOnPinger>%n"
                 + "  <surfaceInRing><name>ring</name><objectTypes>yellow hoop</objectTypes></surfaceInRing>%n"
                 + "</mission>%n",
             SubCourse.ORIGIN.longitudeDeg(),

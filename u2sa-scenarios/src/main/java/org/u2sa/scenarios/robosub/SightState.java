@@ -54,6 +54,12 @@ abstract class SightState implements PlannerState {
     return state.timestamp().orElseThrow();
   }
 
+  /** Objects in the vehicle's own axes suffice. */
+  @Override
+  public final boolean needsNoState() {
+    return true;
+  }
+
   @Override
   public final double distanceM(GoalInformation goal, StateInformation state) {
     return aim((SubTask) goal, state)
@@ -70,6 +76,8 @@ abstract class SightState implements PlannerState {
     if (seen.isPresent()) {
       aim = seen;
       seenMicros = now;
+    } else if (state.referenceFrame().isLocal()) {
+      aim = Optional.empty(); // relative to the vehicle, which has moved since
     }
     double unseenS = Clock.seconds(now - seenMicros);
     if (aim.isEmpty()) {

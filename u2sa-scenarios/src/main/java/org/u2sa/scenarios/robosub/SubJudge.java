@@ -12,6 +12,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
@@ -25,6 +26,7 @@ final class SubJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 600.0;
 
+  private static final double STOPPED_S = 30.0; // time to rise after a failsafe
   private static final double SURFACE_M = 0.3; // depth at which the hull breaks the surface
   private static final double GATE_HALF_M = 0.6; // half the height of its poles
   private static final String BUOY = "buoy";
@@ -34,6 +36,8 @@ final class SubJudge implements TruthObserver.Scorer {
   private final Path directory;
   private final LocalPlane plane = new LocalPlane(SubCourse.ORIGIN);
   private final List<String> log = new ArrayList<>();
+  private final SubEvents events = new SubEvents();
+  private double stoppedS = Double.POSITIVE_INFINITY; // when a failsafe stopped the thrusters
   private Point before; // null at the start
   private double travelledM;
   private double positionErrorM = Double.NaN; // of the newest state
@@ -57,7 +61,8 @@ final class SubJudge implements TruthObserver.Scorer {
       look(before, now, truth.timeS());
     }
     before = now;
-    over |= truth.timeS() >= RUN_S;
+    stoppedS = events.isStopped() ? Math.min(stoppedS, truth.timeS()) : Double.POSITIVE_INFINITY;
+    over |= truth.timeS() >= Math.min(RUN_S, stoppedS + STOPPED_S);
   }
 
   private void look(Point from, Point to, double timeS) {
@@ -92,13 +97,20 @@ final class SubJudge implements TruthObserver.Scorer {
 
   @Override
   public List<Channel<?>> listensTo() {
-    return List.of(Channels.STATE);
+    List<Channel<?>> channels = new ArrayList<>(events.listensTo());
+    channels.add(Channels.STATE);
+    return channels;
+  }
+
+  @Override
+  public void reported(GoalInformation report) {
+    events.reported(report);
   }
 
   @Override
   public boolean heard(U2SAData data) {
     if (!(data instanceof StateInformation state)) {
-      return false;
+      return events.heard(data);
     }
     if (before != null && state.referenceFrame().isEarth()) {
       StateInformation global = state.in(ReferenceFrame.GLOBAL);
@@ -163,13 +175,15 @@ final class SubJudge implements TruthObserver.Scorer {
     if (!isInRing) {
       violations.add(String.format(Locale.ROOT, "ring: ended %.2f m from its middle", offM));
     }
+    violations.addAll(events.troubles());
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, wanted.size() + 2);
+    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, wanted.size() + 3);
     counts.put("gatesPassed", isGatePassed ? 1 : 0);
     counts.put("buoysBumpedInOrder", inOrder);
     counts.put("surfacedInRing", isInRing ? 1 : 0);
+    counts.putAll(events.counts());
     Map<String, Double> figures = new LinkedHashMap<>();
     figures.put("travelledMetres", travelledM);
     if (Double.isFinite(offM)) {
