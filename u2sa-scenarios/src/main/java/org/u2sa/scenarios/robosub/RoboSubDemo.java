@@ -2,14 +2,10 @@ package org.u2sa.scenarios.robosub;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.marine.Buoy;
-import org.u2sa.messages.marine.Colour;
 import org.u2sa.mission.Mission;
-import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
@@ -25,7 +21,8 @@ import picocli.CommandLine.Option;
 @Command(
     name = "robosub",
     description = {
-      "Dive through a RoboSub layout: gate, two buoys in order, homing on a pinger, surfacing inside the ring above it.",
+      "Dive through a RoboSub layout: gate, two buoys in order, homing on a pinger, surfacing inside",
+      "the ring above it.",
       "",
       "Layout, current and all noise follow from the seed. A judge with ground truth scores."
     })
@@ -68,7 +65,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
         ? Surroundings.none()
         : new Surroundings(
             course.objects().stream()
-                .filter(object -> !(object instanceof Buoy))
+                .filter(object -> !SubObjects.isTouchable(object))
                 .collect(Collectors.toList()),
             0.0);
   }
@@ -77,12 +74,12 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
   public Trial trial(Mission given, Path directory, long seed) {
     course = SubCourse.of(seed);
     SubCourse dived = course;
-    SubPinger sound = SubPinger.of(seed, dived);
-    Mission mission = frame.isOwnMission() ? write(dived, directory.resolve("mission.xml")) : given;
+    Mission mission =
+        frame.isOwnMission() ? SubMission.write(dived, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle.xml"), sound.changes()),
-            dived.world().with(sound.objects()),
+            changes.load(system().resolveSibling("vehicle.xml"), PingerTask.changes(dived)),
+            dived.world(),
             Point.of(0.0, 0.0, -1.0),
             0.0,
             seed);
@@ -91,31 +88,5 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
         placed.name(),
         clock -> new SubJudge(dived, placed.run(), directory),
         launch -> {});
-  }
-
-  private static Mission write(SubCourse course, Path file) {
-    String side = SubCourse.type(course.isLeft() ? Colour.RED : Colour.GREEN, "pole");
-    String first = SubCourse.type(course.colours().get(0), "buoy");
-    String second = SubCourse.type(course.colours().get(1), "buoy");
-    String text =
-        String.format(
-            Locale.ROOT,
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>%n<mission>%n"
-                + "  <home><x>%.9f</x><y>%.9f</y><z>0</z><psi>0</psi></home>%n"
-                + "  <passGate><name>gate</name><objectTypes>%s, white pole, %s</objectTypes></passGate>%n"
-                + "  <bumpBuoy><name>first buoy</name><objectTypes>%s, %s</objectTypes></bumpBuoy>%n"
-                + "  <bumpBuoy><name>second buoy</name><objectTypes>%s, yellow hoop</objectTypes></bumpBuoy>%n"
-                + "  <homeOnPinger><name>pinger</name><objectTypes>pinger, yellow hoop</objectTypes></homeOnPinger>%n"
-                + "  <surfaceInRing><name>ring</name><objectTypes>yellow hoop</objectTypes></surfaceInRing>%n"
-                + "</mission>%n",
-            SubCourse.ORIGIN.longitudeDeg(),
-            SubCourse.ORIGIN.latitudeDeg(),
-            side,
-            first,
-            first,
-            second,
-            second);
-    ReportFile.writeText(file, out -> out.write(text));
-    return Mission.load(file);
   }
 }

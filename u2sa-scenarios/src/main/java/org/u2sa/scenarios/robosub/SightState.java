@@ -21,6 +21,7 @@ import org.u2sa.planning.Pursuit;
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
+  private static final double TURN_RAD = 0.15; // ahead of the heading: a turn in half a minute
   private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
 
   final PlannerView surroundings;
@@ -94,8 +95,11 @@ abstract class SightState implements PlannerState {
           String.format(
               Locale.ROOT, "abandoned: %s unseen for %.0f s", task.objectTypes(), unseenS));
     }
-    Point ahead = sinceS < STRAIGHT_S ? Point.of(2.0, 0.0, 0.0) : Point.of(0.2, 0.4, 0.0);
-    return Plan.underWay(List.of(NavigationPoint.at(ahead).speed(task.speed())));
+    NavigationPoint next =
+        sinceS < STRAIGHT_S
+            ? NavigationPoint.at(Point.of(2.0, 0.0, 0.0)).speed(task.speed())
+            : NavigationPoint.at(Point.ORIGIN).turn(TURN_RAD);
+    return Plan.underWay(List.of(next));
   }
 
   /** The nearest object of a type, on the planner's plane. */

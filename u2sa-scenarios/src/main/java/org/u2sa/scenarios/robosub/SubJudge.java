@@ -2,10 +2,13 @@ package org.u2sa.scenarios.robosub;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
@@ -21,17 +24,15 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
-/** Scores a run by the truth: gate, buoys in order, and surfacing inside the ring. */
+/** Scores a run by the truth: the judges of its tasks, contacts, and the estimate's errors. */
 final class SubJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 600.0;
 
   private static final double STOPPED_S = 30.0; // time to rise after a failsafe
-  private static final double SURFACE_M = 0.3; // depth at which the hull breaks the surface
-  private static final double GATE_HALF_M = 0.6; // half the height of its poles
-  private static final String BUOY = "buoy";
 
   private final SubCourse course;
+  private final List<TaskJudge> judges;
   private final RunningVehicle run;
   private final Path directory;
   private final LocalPlane plane = new LocalPlane(SubCourse.ORIGIN);
@@ -42,14 +43,13 @@ final class SubJudge implements TruthObserver.Scorer {
   private double travelledM;
   private double positionErrorM = Double.NaN; // of the newest state
   private double worstDepthErrorM = Double.NaN;
-  private boolean isGatePassed;
-  private boolean isWrongSide;
   private volatile boolean over;
 
   SubJudge(SubCourse course, RunningVehicle run, Path directory) {
     this.course = course;
     this.run = run;
     this.directory = directory;
+    judges = course.tasks().stream().map(CourseTask::judge).collect(Collectors.toList());
   }
 
   @Override
@@ -58,41 +58,15 @@ final class SubJudge implements TruthObserver.Scorer {
     Point now = Point.of(at.y(), at.x(), -at.z());
     if (before != null) {
       travelledM += now.minus(before).distance();
-      look(before, now, truth.timeS());
+      judges.forEach(judge -> say(truth.timeS(), judge.moved(before, now)));
     }
     before = now;
     stoppedS = events.isStopped() ? Math.min(stoppedS, truth.timeS()) : Double.POSITIVE_INFINITY;
     over |= truth.timeS() >= Math.min(RUN_S, stoppedS + STOPPED_S);
   }
 
-  private void look(Point from, Point to, double timeS) {
-    if (isGatePassed || isWrongSide) {
-      return;
-    }
-    Point across = course.right().minus(course.left());
-    double length = Math.hypot(across.x(), across.y());
-    Point unit = across.times(1.0 / length);
-    double was = along(from, unit);
-    double is = along(to, unit);
-    double aside =
-        (to.x() - course.middle().x()) * unit.x() + (to.y() - course.middle().y()) * unit.y();
-    boolean isInside =
-        Math.abs(aside) < length / 2.0 && Math.abs(to.z() - course.middle().z()) < GATE_HALF_M;
-    if (was < 0.0 && is >= 0.0 && isInside) {
-      isGatePassed = course.isLeft() == aside < 0.0;
-      isWrongSide = !isGatePassed;
-      say(timeS, String.format(Locale.ROOT, "gate passed, %+.2f m from its divider", aside));
-    }
-  }
-
-  /** Distance beyond the plane of the gate. */
-  private double along(Point at, Point across) {
-    return (at.x() - course.middle().x()) * across.y()
-        - (at.y() - course.middle().y()) * across.x();
-  }
-
-  private void say(double timeS, String line) {
-    log.add(String.format(Locale.ROOT, "%6.1f s  %s", timeS, line));
+  private void say(double timeS, Optional<String> line) {
+    line.ifPresent(text -> log.add(String.format(Locale.ROOT, "%6.1f s  %s", timeS, text)));
   }
 
   @Override
@@ -142,59 +116,33 @@ final class SubJudge implements TruthObserver.Scorer {
 
   @Override
   public RunOutcome outcome() {
-    List<String> bumped = new ArrayList<>();
     int contacts = 0;
     for (var contact : run.contacts()) {
       String uid = contact.object().uid();
-      say(contact.timeS(), "touches " + uid);
-      if (!uid.endsWith(BUOY)) {
-        contacts++;
-      } else if (!bumped.contains(uid)) {
-        bumped.add(uid);
-      }
+      say(contact.timeS(), Optional.of("touches " + uid));
+      contacts += SubObjects.isTouchable(contact.object()) ? 0 : 1;
+      judges.forEach(judge -> judge.touched(uid));
     }
-    List<String> wanted =
-        course.colours().stream().map(colour -> SubCourse.type(colour, BUOY)).toList();
-    int inOrder = 0;
-    while (inOrder < Math.min(bumped.size(), wanted.size())
-        && bumped.get(inOrder).equals(wanted.get(inOrder))) {
-      inOrder++;
-    }
-    double offM =
-        before == null
-            ? Double.POSITIVE_INFINITY
-            : Math.hypot(before.x() - course.ring().x(), before.y() - course.ring().y());
-    boolean isInRing = before != null && before.z() < SURFACE_M && offM < SubCourse.RING_M;
-    List<String> violations = new ArrayList<>();
-    if (!isGatePassed) {
-      violations.add(isWrongSide ? "gate: passed on the wrong side" : "gate: not passed");
-    }
-    if (inOrder < wanted.size()) {
-      violations.add("buoys: expected " + wanted + ", bumped " + bumped);
-    }
-    if (!isInRing) {
-      violations.add(String.format(Locale.ROOT, "ring: ended %.2f m from its middle", offM));
-    }
-    violations.addAll(events.troubles());
+    Collections.sort(log);
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
+    List<String> violations = new ArrayList<>();
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put(RunOutcome.GOALS_WITHOUT_PLACE, wanted.size() + 3);
-    counts.put("gatesPassed", isGatePassed ? 1 : 0);
-    counts.put("buoysBumpedInOrder", inOrder);
-    counts.put("surfacedInRing", isInRing ? 1 : 0);
-    counts.putAll(events.counts());
     Map<String, Double> figures = new LinkedHashMap<>();
+    counts.put(
+        RunOutcome.GOALS_WITHOUT_PLACE,
+        course.tasks().stream().mapToInt(task -> task.goals().size()).sum());
+    for (TaskJudge judge : judges) {
+      judge.violation().ifPresent(violations::add);
+      counts.putAll(judge.counts());
+      figures.putAll(judge.figures());
+    }
+    violations.addAll(events.troubles());
+    counts.putAll(events.counts());
     figures.put("travelledMetres", travelledM);
-    if (Double.isFinite(offM)) {
-      figures.put("metresFromRingsMiddle", offM);
-    }
-    if (!Double.isNaN(positionErrorM)) {
-      figures.put("finalPositionErrorMetres", positionErrorM);
-    }
-    if (!Double.isNaN(worstDepthErrorM)) {
-      figures.put("worstDepthErrorMetres", worstDepthErrorM);
-    }
+    figures.put("finalPositionErrorMetres", positionErrorM);
+    figures.put("worstDepthErrorMetres", worstDepthErrorM);
+    figures.values().removeIf(figure -> !Double.isFinite(figure));
     return new RunOutcome(contacts, false, violations, counts, figures);
   }
 }
