@@ -44,7 +44,9 @@ final class PingerState extends SightState {
     downM = Optional.of(keptM);
     double levelM = Math.hypot(way.x(), way.y());
     if (levelM < Math.max(ABOVE_M, SLOPE * way.z())) {
-      return completed(String.format(Locale.ROOT, "above it, %.2f m aside", levelM));
+      double slopeRad = Math.atan2(levelM, way.z());
+      return completed(
+          String.format(Locale.ROOT, "above it, within %.1f deg", Math.toDegrees(slopeRad)));
     }
     return to(task, state, Point.of(way.x(), way.y(), keptM - hereM));
   }

@@ -25,12 +25,16 @@ final class SubEvents {
   private int processed;
   private int skipped;
   private boolean isStopped;
+  private String completed = ""; // UID of the newest completed goal
 
   List<Channel<?>> listensTo() {
     return List.of(Channels.SENSED_OBJECTS, Channels.HEALTH, Channels.FAILSAFE);
   }
 
   void reported(GoalInformation report) {
+    if (report.completed()) {
+      completed = report.uid();
+    }
     if (report.abandoned()) {
       add("goal \"" + report.uid() + "\" " + report.reason().orElse("abandoned"));
     }
@@ -58,6 +62,13 @@ final class SubEvents {
 
   private void add(String trouble) {
     troubles.putIfAbsent(trouble.replaceAll("[0-9.]+", ""), trouble);
+  }
+
+  /** Whether the layout's last goal is completed, with which a run ends. */
+  boolean isComplete(SubCourse course) {
+    List<CourseTask> tasks = course.tasks();
+    List<CourseTask.Goal> goals = tasks.get(tasks.size() - 1).goals();
+    return goals.get(goals.size() - 1).name().equals(completed);
   }
 
   /** Whether a failsafe has stopped the thrusters. */

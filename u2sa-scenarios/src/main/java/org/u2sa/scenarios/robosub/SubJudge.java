@@ -29,6 +29,7 @@ final class SubJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 600.0;
 
+  private static final double DONE_S = 0.5; // from the last goal's report to the end
   private static final double STOPPED_S = 30.0; // time to rise after a failsafe
 
   private final SubCourse course;
@@ -38,6 +39,7 @@ final class SubJudge implements TruthObserver.Scorer {
   private final LocalPlane plane = new LocalPlane(SubCourse.ORIGIN);
   private final List<String> log = new ArrayList<>();
   private final SubEvents events = new SubEvents();
+  private double doneS = Double.POSITIVE_INFINITY; // when the last goal was seen to be completed
   private double stoppedS = Double.POSITIVE_INFINITY; // when a failsafe stopped the thrusters
   private Point before; // null at the start
   private double travelledM;
@@ -62,7 +64,9 @@ final class SubJudge implements TruthObserver.Scorer {
     }
     before = now;
     stoppedS = events.isStopped() ? Math.min(stoppedS, truth.timeS()) : Double.POSITIVE_INFINITY;
-    over |= truth.timeS() >= Math.min(RUN_S, stoppedS + STOPPED_S);
+    doneS = events.isComplete(course) ? Math.min(doneS, truth.timeS()) : doneS;
+    double endS = Math.min(doneS + DONE_S, stoppedS + STOPPED_S);
+    over |= truth.timeS() >= Math.min(RUN_S, endS);
   }
 
   private void say(double timeS, Optional<String> line) {

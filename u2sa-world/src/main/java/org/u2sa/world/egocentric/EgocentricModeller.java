@@ -30,7 +30,7 @@ public final class EgocentricModeller implements Modeller {
           double egocentricMemory,
       @Variable(unit = "m", min = 0.01, max = 1000, ifAbsent = 1.5)
           @Description(
-              "EGOCENTRIC: distance within which a sighting is an object of its type that is known, plus a quarter of the range.")
+              "EGOCENTRIC: distance within which a sighting is an object of its type that is known, plus an eighth of the range.")
           double egocentricGate) {}
 
   /** An object, with its place relative to the level vehicle: forward, left, down [m]. */
@@ -124,7 +124,7 @@ public final class EgocentricModeller implements Modeller {
     double gateM =
         isUnsure
             ? Double.POSITIVE_INFINITY
-            : tuning.get().egocentricGate() + at.distance() / 4.0;
+            : tuning.get().egocentricGate() + at.distance() / 8.0;
     return free.stream()
         .filter(each -> each.seen.objectType().equals(type))
         .filter(each -> each.place.distanceTo(at) < gateM)
