@@ -25,6 +25,8 @@ import picocli.CommandLine.Mixin;
       "Layout, current and all noise follow from the seed. A judge with ground truth scores."
     })
 final class RoboSubDemo implements Callable<Integer>, Demo {
+  private static final double AFLOAT_M = 0.12; // depth of the hull's middle at the start
+
   @Mixin private DemoFrame frame;
 
   @Mixin private VehicleFileChanges changes;
@@ -68,7 +70,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
         VehicleTrial.of(
             changes.load(system().resolveSibling("vehicle.xml")),
             dived.world(),
-            Point.of(0.0, 0.0, -1.0),
+            Point.of(0.0, 0.0, -AFLOAT_M),
             0.0,
             seed);
     return placed.trial(
