@@ -9,6 +9,10 @@ import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.robosub.course.SubCourse;
+import org.u2sa.scenarios.robosub.course.SubJudge;
+import org.u2sa.scenarios.robosub.course.SubMission;
+import org.u2sa.scenarios.robosub.course.SubObjects;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.VehicleFileChanges;
@@ -76,7 +80,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
     return placed.trial(
         mission,
         placed.name(),
-        clock -> new SubJudge(dived, placed.run(), directory),
+        clock -> new SubJudge(dived, placed.run(), placed.devices()::switchPercent, directory),
         launch -> {});
   }
 }
