@@ -47,6 +47,11 @@ public final class ReleaseControl extends ControlSystem {
   }
 
   @Override
+  protected boolean obeysWithoutState() {
+    return true;
+  }
+
+  @Override
   protected Map<String, Double> neutral() {
     Map<String, Double> safe = new LinkedHashMap<>();
     actuators.forEach(actuator -> safe.put(actuator, 0.0));

@@ -2,6 +2,7 @@ package org.u2sa.scenarios.robosub;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -9,13 +10,16 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 
 /**
- * {@link HomeOnPinger}: at the depth of the start until the pinger is straight below. Its direction
+ * {@link HomeOnPinger}: a little up, then level until the pinger is straight below. Its direction
  * suffices, with or without its distance.
  */
 final class PingerState extends SightState {
+  private static final double CLIMB_S = 4.0; // first, over what may stand in the way
+  private static final double CLIMB_M = 2.0; // far enough for full speed
   private static final double ABOVE_M = 0.3; // level distance that counts as above it
   private static final double SLOPE = 0.12; // or the level distance per height: 7 degrees
 
+  private long enteredMicros;
   private Optional<Double> downM = Optional.empty(); // depth to keep, on the planner's plane
 
   PingerState(PlannerView surroundings) {
@@ -30,15 +34,16 @@ final class PingerState extends SightState {
   @Override
   void begin() {
     downM = Optional.empty();
-  }
-
-  @Override
-  Optional<Point> aim(SubTask task, StateInformation state) {
-    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
+    enteredMicros = Long.MIN_VALUE;
   }
 
   @Override
   Plan approach(SubTask task, StateInformation state, Point way) {
+    long now = state.timestamp().orElseThrow();
+    enteredMicros = enteredMicros == Long.MIN_VALUE ? now : enteredMicros;
+    if (Clock.seconds(now - enteredMicros) < CLIMB_S) {
+      return to(task, state, Point.of(0.0, 0.0, -CLIMB_M));
+    }
     double hereM = surroundings.here(state).z();
     double keptM = downM.orElse(hereM);
     downM = Optional.of(keptM);

@@ -9,6 +9,11 @@ import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.robosub.course.PingerTask;
+import org.u2sa.scenarios.robosub.course.SubCourse;
+import org.u2sa.scenarios.robosub.course.SubJudge;
+import org.u2sa.scenarios.robosub.course.SubMission;
+import org.u2sa.scenarios.robosub.course.SubObjects;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.VehicleFileChanges;
@@ -27,6 +32,8 @@ import picocli.CommandLine.Option;
       "Layout, current and all noise follow from the seed. A judge with ground truth scores."
     })
 final class RoboSubDemo implements Callable<Integer>, Demo {
+  private static final double AFLOAT_M = 0.12; // depth of the hull's middle at the start
+
   @Mixin private DemoFrame frame;
 
   @Mixin private VehicleFileChanges changes;
@@ -80,13 +87,13 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
         VehicleTrial.of(
             changes.load(system().resolveSibling("vehicle.xml"), PingerTask.changes(dived)),
             dived.world(),
-            Point.of(0.0, 0.0, -1.0),
+            Point.of(0.0, 0.0, -AFLOAT_M),
             0.0,
             seed);
     return placed.trial(
         mission,
         placed.name(),
-        clock -> new SubJudge(dived, placed.run(), directory),
+        clock -> new SubJudge(dived, placed.run(), placed.devices()::switchPercent, directory),
         launch -> {});
   }
 }

@@ -23,6 +23,7 @@ import org.u2sa.world.modeller.Sighting;
  */
 public final class EgocentricModeller implements Modeller {
   private static final double LEAST_SHARE = 0.1; // of a sighting in the place
+  private static final double RANGE_SHARE = 0.125; // error of the range
 
   private record Variables(
       @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 20)
@@ -33,24 +34,23 @@ public final class EgocentricModeller implements Modeller {
               "EGOCENTRIC: distance within which a sighting is an object of its type that is known, plus an eighth of the range.")
           double egocentricGate) {}
 
-  /** An object, with its place relative to the level vehicle: forward, left, down [m]. */
+  /** An object in the frame of {@link OwnMotion}. */
   private static final class Remembered {
-    private ObjectDescription seen;
-    private Point place;
+    private ObjectDescription object;
     private int sightings = 1;
     private long seenMicros;
 
-    Remembered(ObjectDescription seen, Point place, long seenMicros) {
-      this.seen = seen;
-      this.place = place;
+    Remembered(ObjectDescription object, long seenMicros) {
+      this.object = object;
       this.seenMicros = seenMicros;
     }
 
-    void see(ObjectDescription object, Point at, boolean isUnsure, long micros) {
+    void see(ObjectDescription seen, boolean isUnsure, long micros) {
       sightings++;
       double share = isUnsure ? 1.0 : Math.max(LEAST_SHARE, 1.0 / sightings);
-      place = place.plus(at.minus(place).times(share));
-      seen = object;
+      Point before = object.center();
+      Point at = before.plus(seen.center().minus(before).times(share));
+      object = seen.copy().x(at.x()).y(at.y()).z(at.z());
       seenMicros = micros;
     }
   }
@@ -58,7 +58,7 @@ public final class EgocentricModeller implements Modeller {
   private final Settings<Variables> tuning;
   private final OwnMotion motion = new OwnMotion();
   private final List<Remembered> all = new ArrayList<>();
-  private long movedMicros = Long.MIN_VALUE; // time of the places
+  private boolean knowsSpeed;
 
   /**
    * @param configuration configuration of the World Modeler
@@ -74,36 +74,25 @@ public final class EgocentricModeller implements Modeller {
 
   @Override
   public void sensed(StateInformation measured) {
-    if (measured.timestamp().isPresent()) {
-      long micros = measured.timestamp().getAsLong();
-      moveTo(micros);
-      motion.sensed(measured, micros);
-    }
-  }
-
-  private void moveTo(long micros) {
-    if (movedMicros != Long.MIN_VALUE && micros > movedMicros) {
-      double seconds = Clock.seconds(micros - movedMicros);
-      all.forEach(each -> each.place = motion.after(each.place, seconds, micros));
-    }
-    movedMicros = Math.max(movedMicros, micros);
+    measured.timestamp().ifPresent(micros -> motion.sensed(measured, micros));
   }
 
   @Override
   public void objects(List<ObjectDescription> seen, Sighting sighting) {
-    moveTo(sighting.micros());
-    double agoS = Clock.seconds(movedMicros - sighting.micros());
+    StateInformation vehicle = motion.at(sighting.micros());
     List<Remembered> free = new ArrayList<>(all);
     for (ObjectDescription each : seen) {
       if (each.referenceFrame().equals(ReferenceFrame.BODY)) {
-        Point at = motion.after(motion.level(each.center()), agoS, movedMicros);
+        ObjectDescription placed = each.in(ReferenceFrame.LOCAL_NED, vehicle);
         boolean isUnsure = isUnsure(each);
-        Optional<Remembered> known = nearest(free, each.objectType(), at, isUnsure);
+        double gateM = tuning.get().egocentricGate() + RANGE_SHARE * each.center().distance();
+        Optional<Remembered> known =
+            nearest(free, placed, isUnsure ? Double.POSITIVE_INFINITY : gateM);
         if (known.isPresent()) {
-          known.get().see(each, at, isUnsure, sighting.micros());
+          known.get().see(placed, isUnsure, sighting.micros());
           free.remove(known.get());
         } else {
-          all.add(new Remembered(each, at, sighting.micros()));
+          all.add(new Remembered(placed, sighting.micros()));
         }
       }
     }
@@ -119,37 +108,28 @@ public final class EgocentricModeller implements Modeller {
         .isPresent();
   }
 
-  private Optional<Remembered> nearest(
-      List<Remembered> free, String type, Point at, boolean isUnsure) {
-    double gateM =
-        isUnsure
-            ? Double.POSITIVE_INFINITY
-            : tuning.get().egocentricGate() + at.distance() / 8.0;
+  private static Optional<Remembered> nearest(
+      List<Remembered> free, ObjectDescription placed, double gateM) {
+    Point at = placed.center();
     return free.stream()
-        .filter(each -> each.seen.objectType().equals(type))
-        .filter(each -> each.place.distanceTo(at) < gateM)
-        .min(Comparator.comparingDouble(each -> each.place.distanceTo(at)));
+        .filter(each -> each.object.objectType().equals(placed.objectType()))
+        .filter(each -> each.object.center().distanceTo(at) < gateM)
+        .min(Comparator.comparingDouble(each -> each.object.center().distanceTo(at)));
   }
 
   @Override
   public List<ObjectDescription> objects(Sighting now) {
+    knowsSpeed = motion.knowsSpeed(now.micros());
     long oldest = now.micros() - Clock.micros(tuning.get().egocentricMemory());
     all.removeIf(each -> each.seenMicros < oldest);
-    double sinceS = Math.max(0.0, Clock.seconds(now.micros() - movedMicros));
+    StateInformation level = motion.at(now.micros()).copy().phi(0.0).theta(0.0);
     List<ObjectDescription> objects = new ArrayList<>();
-    for (Remembered each : all) {
-      Point place = motion.after(each.place, sinceS, now.micros());
-      objects.add(each.seen.copy().x(place.x()).y(place.y()).z(place.z()));
-    }
+    all.forEach(each -> objects.add(each.object.in(ReferenceFrame.BODY, level)));
     return objects;
   }
 
   @Override
   public String remark() {
-    return all.size() + " objects remembered" + (isCarried() ? "" : "; speed unknown");
-  }
-
-  private boolean isCarried() {
-    return motion.knowsSpeed(movedMicros);
+    return all.size() + " objects remembered" + (knowsSpeed ? "" : "; speed unknown");
   }
 }

@@ -1,59 +1,70 @@
 package org.u2sa.world.egocentric;
 
-import java.util.OptionalDouble;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * The vehicle's own motion as its sensors measure it now: attitude and turn rate by an IMU, speed
- * by a velocity log. Values older than a second count as 0.
+ * The vehicle's own motion in the last seconds: attitude and turn rate by an IMU, speed by a
+ * velocity log, integrated in LOCAL_NED from an arbitrary place and heading.
  */
 final class OwnMotion {
-  private static final long STALE_MICROS = 1_000_000L;
+  private static final long STALE_MICROS = Clock.MICROS_PER_SECOND; // then it counts as 0
 
-  private double phi;
-  private double theta;
-  private double turnRadPerS; // of psi
+  private final PoseHistory poses = new PoseHistory();
+  private Point place = Point.ORIGIN;
+  private double psi;
   private Point velocity = Point.ORIGIN; // forward, left, down [m/s]
-  private long turnMicros = Long.MIN_VALUE / 2;
   private long velocityMicros = Long.MIN_VALUE / 2;
 
+  /** Takes note of what a sensor measured. */
   void sensed(StateInformation measured, long micros) {
-    if (measured.psiDot().isPresent() && !measured.referenceFrame().isBody()) {
-      turnRadPerS = measured.psiDot().getAsDouble();
-      phi = measured.phi().orElse(0.0);
-      theta = measured.theta().orElse(0.0);
-      turnMicros = micros;
-    }
-    OptionalDouble forward = measured.xDot();
-    if (forward.isPresent() && measured.referenceFrame().equals(ReferenceFrame.BODY)) {
+    boolean isBody = measured.referenceFrame().equals(ReferenceFrame.BODY);
+    if (isBody && measured.xDot().isPresent()) {
       velocity =
           Point.of(
-              forward.getAsDouble(), measured.yDot().orElse(0.0), measured.zDot().orElse(0.0));
+              measured.xDot().getAsDouble(),
+              measured.yDot().orElse(0.0),
+              measured.zDot().orElse(0.0));
       velocityMicros = micros;
+    }
+    if (!isBody && measured.psiDot().isPresent()) {
+      turned(measured, micros);
     }
   }
 
+  private void turned(StateInformation imu, long micros) {
+    long before = poses.newestMicros();
+    long step = before == Long.MIN_VALUE ? 0L : micros - before;
+    if (step < 0L) {
+      return;
+    }
+    double seconds = Clock.seconds(Math.min(step, STALE_MICROS));
+    psi += imu.psiDot().orElseThrow() * seconds;
+    Attitude attitude = new Attitude(imu.phi().orElse(0.0), imu.theta().orElse(0.0), psi);
+    Point ned = knowsSpeed(micros) ? attitude.nedOf(velocity) : Point.ORIGIN;
+    place = place.plus(ned.times(seconds));
+    StateInformation pose = level().phi(attitude.phi()).theta(attitude.theta());
+    pose.xDot(ned.x()).yDot(ned.y()).zDot(ned.z()).psiDot(imu.psiDot().orElseThrow());
+    pose.timestamp(micros);
+    poses.add(pose);
+  }
+
+  private StateInformation level() {
+    StateInformation pose = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED);
+    return pose.x(place.x()).y(place.y()).z(place.z()).psi(psi).phi(0.0).theta(0.0);
+  }
+
+  /** Whether the velocity log measures. */
   boolean knowsSpeed(long micros) {
     return micros - velocityMicros <= STALE_MICROS;
   }
 
-  /** A direction of BODY in the axes of a level vehicle with the same heading. */
-  Point level(Point body) {
-    Point ned = new Attitude(phi, theta, 0.0).nedOf(body);
-    return Point.of(ned.x(), -ned.y(), ned.z());
+  /** Pose at a time; the newest if there is none of about then. */
+  StateInformation at(long micros) {
+    return poses.at(micros, STALE_MICROS).orElseGet(this::level);
   }
-
-  /** Where a place at rest is after a while, in the level axes of the vehicle, which has moved. */
-  Point after(Point place, double seconds, long micros) {
-    Point moved = knowsSpeed(micros) ? level(velocity).times(seconds) : Point.ORIGIN;
-    double turned = micros - turnMicros <= STALE_MICROS ? turnRadPerS * seconds : 0.0;
-    Point way = place.minus(moved);
-    double c = Math.cos(turned);
-    double s = Math.sin(turned);
-    return Point.of(c * way.x() - s * way.y(), s * way.x() + c * way.y(), way.z());
-  }
-
 }

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import java.util.List;
 import java.util.Locale;

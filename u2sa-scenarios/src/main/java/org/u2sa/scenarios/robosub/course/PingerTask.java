@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import java.util.List;
 import java.util.Locale;
@@ -17,20 +17,18 @@ import org.u2sa.messages.marine.Hoop;
  * @param pinger its place
  * @param otherRing middle of the ring without pinger
  */
-record PingerTask(Point pinger, Point otherRing) implements CourseTask {
-  private static final double POOL_M = 4.5; // depth
-
+public record PingerTask(Point pinger, Point otherRing) implements CourseTask {
   /** That of a seed's layout. */
   static PingerTask below(Point ring, long seed) {
     Random random = new Random(seed * 0x9E3779B97F4A7C15L + 1);
     double side = random.nextBoolean() ? 1.0 : -1.0;
     Point aside =
         Point.of(3.0 * (random.nextDouble() - 0.5), side * (4.0 + random.nextDouble()), 0.0);
-    return new PingerTask(Point.of(ring.x(), ring.y(), POOL_M), ring.plus(aside));
+    return new PingerTask(Point.of(ring.x(), ring.y(), SubCourse.FLOOR_M), ring.plus(aside));
   }
 
   /** Changes of the vehicle file for a layout, so that its hydrophones hear the pinger. */
-  static Map<String, String> changes(SubCourse course) {
+  public static Map<String, String> changes(SubCourse course) {
     return course.tasks().stream()
         .filter(PingerTask.class::isInstance)
         .map(task -> ((PingerTask) task).pinger)

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -8,6 +8,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -25,9 +28,15 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /** Scores a run by the truth: the judges of its tasks, contacts, and the estimate's errors. */
-final class SubJudge implements TruthObserver.Scorer {
+public final class SubJudge implements TruthObserver.Scorer {
+  /** Markers, and torpedoes, that a vehicle may carry. */
+  static final int CARRIED = 2;
+
   /** Time limit of a run [s]. */
-  static final double RUN_S = 600.0;
+  public static final double RUN_S = 600.0;
+
+  private static final List<String> RELEASES = List.of("DROPPER", "LAUNCHER");
+  private static final double OPEN_PERCENT = 100.0;
 
   private static final double DONE_S = 0.5; // from the last goal's report to the end
   private static final double STOPPED_S = 30.0; // time to rise after a failsafe
@@ -36,6 +45,8 @@ final class SubJudge implements TruthObserver.Scorer {
   private final List<TaskJudge> judges;
   private final RunningVehicle run;
   private final Path directory;
+  private final ToDoubleFunction<String> switchPercent;
+  private final Set<String> released = new TreeSet<>(); // those open now
   private final LocalPlane plane = new LocalPlane(SubCourse.ORIGIN);
   private final List<String> log = new ArrayList<>();
   private final SubEvents events = new SubEvents();
@@ -47,9 +58,17 @@ final class SubJudge implements TruthObserver.Scorer {
   private double worstDepthErrorM = Double.NaN;
   private volatile boolean over;
 
-  SubJudge(SubCourse course, RunningVehicle run, Path directory) {
+  /**
+   * @param switchPercent level of a release now [%], by its name
+   */
+  public SubJudge(
+      SubCourse course,
+      RunningVehicle run,
+      ToDoubleFunction<String> switchPercent,
+      Path directory) {
     this.course = course;
     this.run = run;
+    this.switchPercent = switchPercent;
     this.directory = directory;
     judges = course.tasks().stream().map(CourseTask::judge).collect(Collectors.toList());
   }
@@ -63,10 +82,19 @@ final class SubJudge implements TruthObserver.Scorer {
       judges.forEach(judge -> say(truth.timeS(), judge.moved(before, now)));
     }
     before = now;
+    RELEASES.forEach(name -> release(name, truth));
     stoppedS = events.isStopped() ? Math.min(stoppedS, truth.timeS()) : Double.POSITIVE_INFINITY;
     doneS = events.isComplete(course) ? Math.min(doneS, truth.timeS()) : doneS;
     double endS = Math.min(doneS + DONE_S, stoppedS + STOPPED_S);
     over |= truth.timeS() >= Math.min(RUN_S, endS);
+  }
+
+  private void release(String name, VehicleTruth truth) {
+    if (switchPercent.applyAsDouble(name) < OPEN_PERCENT) {
+      released.remove(name);
+    } else if (released.add(name)) {
+      judges.forEach(judge -> say(truth.timeS(), judge.released(name, truth)));
+    }
   }
 
   private void say(double timeS, Optional<String> line) {

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,11 +11,11 @@ import org.u2sa.report.ReportFile;
  * Writes what a team is told of a layout: the tasks in order, and the types of their objects. After
  * a goal's own objects come those of the goals that may follow, so that they are known by then.
  */
-final class SubMission {
+public final class SubMission {
   private SubMission() {}
 
   /** Writes the mission of a layout. */
-  static Mission write(SubCourse course, Path file) {
+  public static Mission write(SubCourse course, Path file) {
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
     text.append("  <home><x>").append(SubCourse.ORIGIN.longitudeDeg());
     text.append("</x><y>").append(SubCourse.ORIGIN.latitudeDeg());

@@ -1,10 +1,10 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import java.util.List;
 import org.u2sa.messages.ObjectDescription;
 
 /** One task of a layout: its objects, its goals, and how it is judged. */
-interface CourseTask {
+public interface CourseTask {
   /**
    * A goal of a mission file.
    *

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import java.util.Locale;
 import org.u2sa.messages.ObjectDescription;
@@ -9,7 +9,7 @@ import org.u2sa.messages.marine.Buoy;
 import org.u2sa.messages.marine.Colour;
 
 /** Places a layout's objects in the world. */
-final class SubObjects {
+public final class SubObjects {
   private SubObjects() {}
 
   /** Type of an object, such as "red buoy". */
@@ -18,7 +18,7 @@ final class SubObjects {
   }
 
   /** Whether the rules let the vehicle touch an object. */
-  static boolean isTouchable(ObjectDescription object) {
+  public static boolean isTouchable(ObjectDescription object) {
     return object instanceof Buoy;
   }
 
