@@ -1,5 +1,6 @@
 package org.u2sa.device;
 
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.u2sa.device.port.DepthGauge;
 import org.u2sa.device.port.Pressure;
@@ -7,14 +8,19 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Publishes the depth of a vehicle, once per reading of an underwater pressure sensor: as altitude
  * in GLOBAL, or as z of a local frame. Out: sensed-state.
+ *
+ * <p>With ZERO TIME, the sensor's constant error is measured first, while the vehicle floats. A
+ * service that starts under water knows by the pressure that it does not float.
  */
 public final class DepthSensor extends DeviceSensor<Pressure> {
   private static final SensorKind<DepthGauge> KIND =
@@ -57,9 +63,23 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
       @Variable(ifAbsentText = "GLOBAL")
           @Description(
               "GLOBAL: z is the altitude; LOCAL_ENU: z is minus the depth; LOCAL_NED: z is the depth.")
-          DepthFrame depthFrame) {}
+          DepthFrame depthFrame,
+      @Variable(unit = "s", min = 0, max = 60, ifAbsent = 0)
+          @Description(
+              "Time after the start for which the vehicle floats at FLOATING DEPTH; the sensor's mean error in that time is subtracted from later readings, and no depth is published until then. 0: no correction.")
+          double zeroTime,
+      @Variable(unit = "m", min = -100, max = 100, ifAbsent = 0)
+          @Description("Depth of the vehicle's reference point while it floats.")
+          double floatingDepth,
+      @Variable(unit = "Pa", min = 0, max = 1_000_000, ifAbsent = 7_000)
+          @Description(
+              "Largest error that is corrected. A larger one at the start means that the vehicle does not float.")
+          double maxError) {}
+
+  private static final String ZERO = "ZERO";
 
   private final Settings<Variables> tuning = settings(Variables.class);
+  private final PressureZero zero = new PressureZero();
 
   public DepthSensor(ServiceContext context) {
     super(context, KIND);
@@ -74,7 +94,16 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
     Variables now = tuning.get();
     double gaugePa = pressure.pascals() - now.surfacePressure();
     // p = ρ g h (White, Fluid Mechanics, chapter 2); assumes level: roll and pitch are unknown
-    double depthM = gaugePa / (now.waterDensity() * Gravity.STANDARD_MPS2) - now.mountedZ();
+    double pascalsPerM = now.waterDensity() * Gravity.STANDARD_MPS2;
+    if (zero.errorPa().isEmpty()) {
+      zero(
+          pressure.measuredAtMicros(),
+          gaugePa - (now.floatingDepth() + now.mountedZ()) * pascalsPerM);
+    }
+    if (zero.errorPa().isEmpty()) {
+      return Stream.empty();
+    }
+    double depthM = (gaugePa - zero.errorPa().getAsDouble()) / pascalsPerM - now.mountedZ();
     StateInformation state =
         new StateInformation().sensorName(sensorName()).zSigma(now.depthSigma());
     switch (now.depthFrame()) {
@@ -83,5 +112,33 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
       case GLOBAL -> state.referenceFrame(ReferenceFrame.GLOBAL).z(now.waterLevel() - depthM);
     }
     return Stream.of(state);
+  }
+
+  private void zero(long measuredMicros, double offPa) {
+    Variables now = tuning.get();
+    if (now.zeroTime() == 0.0) {
+      zero.is(0.0);
+    } else if (Math.abs(offPa) > now.maxError()) {
+      log(
+          LogLevelEnum.WARN,
+          String.format(Locale.ROOT, "not afloat, or off by %.0f Pa: no correction", offPa));
+      zero.is(0.0);
+    } else {
+      zero.take(measuredMicros, offPa, now.zeroTime());
+      zero.errorPa()
+          .ifPresent(
+              pascals ->
+                  log(String.format(Locale.ROOT, "afloat: the gauge is off by %.0f Pa", pascals)));
+    }
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    zero.errorPa().ifPresent(pascals -> state.number(ZERO, pascals));
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    state.number(ZERO).ifPresent(zero::is);
   }
 }

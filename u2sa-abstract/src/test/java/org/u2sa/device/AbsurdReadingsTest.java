@@ -152,7 +152,7 @@ class AbsurdReadingsTest {
     add(
         "hydrophones",
         HydrophoneArray.Ping.class,
-        (c, device) -> new PingerSensor(c, device::read));
+        (c, device) -> new PingerSensor(c, now -> device.read(now).map(ping -> ping)));
     add(LOAD_CELL, LoadCell.Load.class, (c, device) -> new ThrustSensor(c, device::read));
     add("anemometer", Anemometer.Wind.class, (c, device) -> new WindSensor(c, device::read));
     add(

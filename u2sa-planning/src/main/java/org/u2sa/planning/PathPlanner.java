@@ -176,8 +176,8 @@ public class PathPlanner extends EventDrivenService {
 
   /**
    * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
-   * axes suffice for a goal that is one of them: the vehicle is at their origin (thesis 4.3.2). Any
-   * other goal, a holding position or a failsafe needs the vehicle's position; without it no
+   * axes suffice for a goal that is relative to them, and lists without any for its search: the
+   * vehicle is at their origin (thesis 4.3.2). Any other goal, a holding position or a failsafe needs the vehicle's position; without it no
    * navigation points are published.
    */
   private void onObjects(ObjectList list) {
@@ -186,10 +186,7 @@ public class PathPlanner extends EventDrivenService {
     boolean stateless =
         stateMicros == Long.MIN_VALUE
             || now - stateMicros > Clock.micros(settings.get().staleAfter());
-    if (stateless
-        && needsNoState()
-        && list.timestamp().isPresent()
-        && avoidance.world().isSeenFromVehicle()) {
+    if (stateless && needsNoState() && list.timestamp().isPresent()) {
       StateInformation origin = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED);
       origin.x(0.0).y(0.0).z(0.0).psi(0.0).timestamp(list.timestamp().getAsLong());
       plan(origin, true);

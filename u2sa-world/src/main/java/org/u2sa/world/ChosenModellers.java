@@ -11,6 +11,8 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.world.bearing.BearingModeller;
+import org.u2sa.world.egocentric.EgocentricModeller;
 import org.u2sa.world.grid.GridModeller;
 import org.u2sa.world.landmark.LandmarkModeller;
 import org.u2sa.world.modeller.MapFrame;
@@ -27,6 +29,8 @@ final class ChosenModellers {
   static final String GRID = "GRID";
   static final String SCAN_MAP = "SCAN MAP";
   static final String LANDMARKS = "LANDMARKS";
+  static final String EGOCENTRIC = "EGOCENTRIC";
+  static final String BEARINGS = "BEARINGS";
 
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
@@ -44,6 +48,8 @@ final class ChosenModellers {
     all.put(GRID, grid);
     all.put(SCAN_MAP, new ScanMapModeller(configuration, grid, files, saves));
     all.put(LANDMARKS, new LandmarkModeller(configuration));
+    all.put(EGOCENTRIC, new EgocentricModeller(configuration));
+    all.put(BEARINGS, new BearingModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));
     }
@@ -71,10 +77,10 @@ final class ChosenModellers {
       }
       names.add(name);
     }
-    if (names.contains(REACTIVE) && names.contains(OBJECTS)) {
+    if (names.stream().filter(List.of(REACTIVE, EGOCENTRIC, OBJECTS)::contains).count() > 1) {
       throw new IllegalArgumentException(
-          "MODELLERS: REACTIVE and OBJECTS would both publish the same objects; expected only "
-              + "one of them");
+          "MODELLERS: REACTIVE, EGOCENTRIC and OBJECTS would publish the same objects; expected "
+              + "only one of them");
     }
     if (names.contains(GRID) && names.contains(SCAN_MAP)) {
       throw new IllegalArgumentException(

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.ConfigurationException;
@@ -37,7 +38,7 @@ import org.u2sa.world.xml.WorldFile;
  * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's
  * state at its measurement time, to the {@link Modeller}s selected by MODELLERS, and publishes
  * their results at RATE. In: sensed-objects, scans, state, goals; local-state, if a modeller
- * measures the state. Out: objects, grid; sensed-state, if a modeller measures the state.
+ * measures the state; sensed-state, if one needs it. Out: objects, grid; sensed-state, if a modeller measures the state.
  *
  * <p>Without a vehicle state it works in BODY (thesis 4.3.2) and switches frames when a state
  * arrives.
@@ -59,6 +60,7 @@ public final class WorldModeler extends PeriodicService {
   private long knownMicros; // start time of the motion of the file's moving objects
   private long heardStateMicros; // run clock, not the state's timestamp
   private boolean isMeasuring; // has registered for what modellers that measure the state need
+  private boolean isSensing; // has subscribed to what the vehicle's own sensors measure
   private long gridDueMicros = Long.MIN_VALUE;
 
   public WorldModeler(ServiceContext context) {
@@ -132,6 +134,15 @@ public final class WorldModeler extends PeriodicService {
     modellers
         .choose(names, frame, now())
         .forEach(modeller -> modeller.known(placed(), known(now())));
+    if (!isSensing && working().anyMatch(Modeller::needsSensedState)) {
+      isSensing = true;
+      subscribe(
+          Channels.SENSED_STATE, measured -> working().forEach(each -> each.sensed(measured)));
+    }
+  }
+
+  private Stream<Modeller> working() {
+    return modellers.working().values().stream();
   }
 
   /** A priori objects are known from when the file was loaded, whichever modeller asks later. */

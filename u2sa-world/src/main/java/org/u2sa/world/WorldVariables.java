@@ -11,7 +11,7 @@ import org.u2sa.interfaces.time.Clock;
 record WorldVariables(
     @Variable(ifAbsentText = "OBJECTS, GRID")
         @Description(
-            "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), SCAN MAP (grid from matched scans, which correct the state), LANDMARKS (landmarks correct the state), LINES (painted lines), or an extension's.")
+            "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), SCAN MAP (grid from matched scans, which correct the state), LANDMARKS (landmarks correct the state), BEARINGS (objects by direction), EGOCENTRIC (objects relative to the vehicle), LINES (painted lines), or an extension's.")
         String modellers,
     @Variable(ifAbsentText = "")
         @Description(

@@ -17,7 +17,10 @@ import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.SoughtObjects;
+import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.marine.MarineObjects;
+import org.u2sa.messages.shape.Box;
+import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.service.ServiceContext;
 
 /**
@@ -89,6 +92,7 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
             -Math.sin(detection.elevationRad()));
     Point body = mounted.toBody(way.times(detection.rangeM()));
     ObjectDescription object = MarineObjects.named(detection.label(), detection.radiusM());
+    detection.axis().ifPresent(axis -> turn(object, direction(axis)));
     object
         .uid(sensorName() + " " + detection.label() + " " + number)
         .referenceFrame(ReferenceFrame.BODY)
@@ -99,8 +103,24 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
         .sensorName(sensorName());
     object
         .motion()
-        .sigma(sigma(detection, mounted.toBody(way).minus(mounted.toBody(Point.ORIGIN))));
+        .sigma(sigma(detection, direction(way)));
     return object;
+  }
+
+  /** A direction in the sensor's axes, in the vehicle's. */
+  private Point direction(Point way) {
+    return mounted.toBody(way).minus(mounted.toBody(Point.ORIGIN));
+  }
+
+  private static void turn(ObjectDescription object, Point axis) {
+    double psi = Math.atan2(axis.y(), axis.x());
+    if (object instanceof Rectangle flat) {
+      flat.psi(psi);
+    } else if (object instanceof Box box) {
+      box.psi(psi);
+    } else if (object instanceof Hoop hoop) {
+      hoop.psi(psi);
+    }
   }
 
   /** Standard deviations along the vehicle's axes [m], of an ellipsoid along the line of sight. */

@@ -1,12 +1,22 @@
 package org.u2sa.device.payload;
 
+import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.device.port.Device;
 
-/** An array of hydrophones with its processor: measures the direction of pings. */
-public interface HydrophoneArray extends Device<HydrophoneArray.Ping> {
+/**
+ * An array of hydrophones with its processor, which measures either the direction of a ping or its
+ * arrival times at the hydrophones.
+ */
+public interface HydrophoneArray extends Device<HydrophoneArray.Heard> {
+  /** One ping, in one of the two forms. */
+  interface Heard extends Reading {
+    /** Frequency of the ping [Hz]. */
+    double frequencyHz();
+  }
+
   /**
-   * One ping.
+   * Direction of one ping.
    *
    * @param frequencyHz its frequency [Hz]
    * @param azimuthRad direction it comes from, from the array's own zero, to the left positive
@@ -20,5 +30,15 @@ public interface HydrophoneArray extends Device<HydrophoneArray.Ping> {
       double azimuthRad,
       double elevationRad,
       OptionalDouble sigmaRad)
-      implements Reading {}
+      implements Heard {}
+
+  /**
+   * Arrival times of one ping.
+   *
+   * @param frequencyHz its frequency [Hz]
+   * @param arrivalsS arrival at each hydrophone after any common instant [s], in the order of the
+   *     array
+   */
+  record Arrivals(long measuredAtMicros, double frequencyHz, List<Double> arrivalsS)
+      implements Heard {}
 }

@@ -1,5 +1,7 @@
 package org.u2sa.device.payload;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.u2sa.device.DeviceSensor;
@@ -20,10 +22,13 @@ import org.u2sa.service.ServiceContext;
  * Publishes an acoustic pinger as a point object in BODY, once per ping (thesis 2.2, 3.2.2.3). Out:
  * sensed-objects, uid {@code pinger} and the kilohertz.
  *
+ * <p>An array that measures arrival times needs HYDROPHONE PLACES: the direction is then computed
+ * ({@link ArrivalDirection}).
+ *
  * <p>An array measures the direction, not the distance: the object is at RANGE along the direction,
  * and its standard deviations are those of RANGE SIGMA along and of the angles across it.
  */
-public final class PingerSensor extends DeviceSensor<HydrophoneArray.Ping> {
+public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
   private static final double HZ_PER_KHZ = 1_000.0;
   private static final SensorKind<HydrophoneArray> KIND =
       new SensorKind<>(
@@ -51,7 +56,50 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Ping> {
           double rangeSigma,
       @Variable(unit = "rad", min = 0.0001, max = 3, ifAbsent = 0.1)
           @Description("Standard deviation of the angles, if the array does not say.")
-          double angleSigma) {}
+          double angleSigma,
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Places of the hydrophones relative to MOUNTED X, Y, Z [m], forward, left and down of each, as \"0.1 0 0; 0 0.1 0; …\", for an array that measures arrival times.")
+          String hydrophonePlaces,
+      @Variable(unit = "m/s", min = 1000, max = 2000, ifAbsent = 1500)
+          @Description("Speed of sound in the water.")
+          double soundSpeed,
+      @Variable(unit = "s", min = 1e-9, max = 0.01, ifAbsent = 2e-6)
+          @Description("Standard deviation of an arrival time.")
+          double arrivalSigma,
+      @Variable(min = 1, max = 1000, ifAbsent = 4)
+          @Description(
+              "RMS error of the arrival times, in standard deviations, above which they are no plane wave: an echo, and ignored.")
+          double echoGate) {
+    Variables {
+      places(hydrophonePlaces);
+    }
+
+    private static List<Point> places(String text) {
+      List<Point> places = new ArrayList<>();
+      for (String place : text.split(";")) {
+        String[] parts = place.trim().split("[\\s,]+");
+        if (parts.length == 3) {
+          double left = Double.parseDouble(parts[1]);
+          places.add(Point.of(Double.parseDouble(parts[0]), left, Double.parseDouble(parts[2])));
+        } else if (!place.trim().isEmpty()) {
+          throw new IllegalArgumentException(
+              "HYDROPHONE PLACES \"" + place.trim() + "\": expected three numbers of m");
+        }
+      }
+      if (!places.isEmpty() && places.size() < 3) {
+        throw new IllegalArgumentException("HYDROPHONE PLACES: expected at least 3 places");
+      }
+      return places;
+    }
+
+    List<Point> places() {
+      return places(hydrophonePlaces);
+    }
+  }
+
+  private long heard;
+  private long echoes;
 
   private final Settings<Variables> tuning = settings(Variables.class);
   private final MountingPose mounted = settings(MountingPose.class).get();
@@ -67,7 +115,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Ping> {
   }
 
   @Override
-  protected Stream<ObjectDescription> messages(HydrophoneArray.Ping ping) {
+  protected Stream<ObjectDescription> messages(HydrophoneArray.Heard ping) {
     Variables now = tuning.get();
     boolean isOther =
         now.frequency() > 0.0
@@ -75,18 +123,47 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Ping> {
     if (isOther) {
       return Stream.empty();
     }
+    return ping instanceof HydrophoneArray.Arrivals times
+        ? computed(times, now)
+        : measured((HydrophoneArray.Ping) ping, now);
+  }
+
+  private Stream<ObjectDescription> measured(HydrophoneArray.Ping ping, Variables now) {
     double level = Math.cos(ping.elevationRad());
     Point direction =
         Point.of(
             level * Math.cos(ping.azimuthRad()),
             level * Math.sin(ping.azimuthRad()),
             -Math.sin(ping.elevationRad()));
+    double sigmaRad = ping.sigmaRad().orElse(now.angleSigma());
+    return Stream.of(pinger(direction, sigmaRad, ping.frequencyHz(), now));
+  }
+
+  private Stream<ObjectDescription> computed(HydrophoneArray.Arrivals ping, Variables now) {
+    List<Point> places = now.places();
+    if (ping.arrivalsS().size() != places.size()) {
+      throw new IllegalArgumentException(
+          ping.arrivalsS().size() + " arrival times; HYDROPHONE PLACES has " + places.size());
+    }
+    ArrivalDirection solved =
+        ArrivalDirection.of(places, ping.arrivalsS(), now.soundSpeed(), now.arrivalSigma());
+    boolean isEcho = !(solved.residualS() <= now.echoGate() * now.arrivalSigma());
+    heard++;
+    echoes += isEcho ? 1 : 0;
+    remark("HEARD", heard + " pings; " + echoes + " of them echoes, ignored");
+    return isEcho
+        ? Stream.empty()
+        : Stream.of(pinger(solved.direction(), solved.sigmaRad(), ping.frequencyHz(), now));
+  }
+
+  private ObjectDescription pinger(
+      Point direction, double sigmaRad, double frequencyHz, Variables now) {
     Point place = mounted.turn().toBody(scaled(direction, now.range()));
     Point along = mounted.turn().toBody(direction).minus(mounted.turn().toBody(Point.ORIGIN));
-    double acrossM = ping.sigmaRad().orElse(now.angleSigma()) * now.range();
+    double acrossM = sigmaRad * now.range();
     ObjectDescription pinger = new ObjectDescription();
     pinger
-        .uid(String.format(Locale.ROOT, "pinger %.1f", ping.frequencyHz() / HZ_PER_KHZ))
+        .uid(String.format(Locale.ROOT, "pinger %.1f", frequencyHz / HZ_PER_KHZ))
         .objectType(now.objectType())
         .referenceFrame(ReferenceFrame.BODY)
         .x(place.x())
@@ -101,7 +178,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Ping> {
                 sigma(along.x(), now.rangeSigma(), acrossM),
                 sigma(along.y(), now.rangeSigma(), acrossM),
                 sigma(along.z(), now.rangeSigma(), acrossM)));
-    return Stream.of(pinger);
+    return pinger;
   }
 
   private static Point scaled(Point direction, double length) {

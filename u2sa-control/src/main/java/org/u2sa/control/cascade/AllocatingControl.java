@@ -40,7 +40,7 @@ import org.u2sa.service.handover.HandOver;
  * actuator appears, disappears or weakens, the next state is allocated accordingly, and health
  * reports the remaining authority. Without fresh navigation the vehicle stops and keeps its
  * heading. Without any state it approaches the point using motion estimated from the sightings of
- * it ({@link SeenMotion}), and actuators are released when no point arrives (thesis 4.3.2).
+ * it ({@link SeenMotion}) or measured by its sensors ({@link SensedMotion}), and actuators are released when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
   /** Unit of actuator commands. */
@@ -68,7 +68,11 @@ public final class AllocatingControl extends ControlSystem {
           boolean watchesResponse,
       @Variable(unit = "s", min = 1, max = 3600, ifAbsent = 60)
           @Description("Time after which a failed or weak actuator is tried again.")
-          double retryTime) {
+          double retryTime,
+      @Variable(ifAbsentText = "false")
+          @Description(
+              "Whether without states the motion is taken from an IMU and a velocity log on sensed-state, while both measure.")
+          boolean sensesMotion) {
     Choices {
       axes(essential);
       Costs.parse(costs);
@@ -93,6 +97,7 @@ public final class AllocatingControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private final Cascade cascade = new Cascade(tuning);
   private final SeenMotion seen = new SeenMotion();
+  private final SensedMotion sensed = new SensedMotion();
   private final ResponseWatch response = new ResponseWatch();
   private final WeakActuators weak = new WeakActuators();
   private final double[] masses = new double[DegreeOfFreedom.COUNT];
@@ -117,6 +122,10 @@ public final class AllocatingControl extends ControlSystem {
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
     subscribe(Channels.HEALTH, roster::see);
     subscribe(Channels.ARMING_STATE, this::heed);
+    if (choices.get().sensesMotion()) {
+      subscribe(
+          Channels.SENSED_STATE, measured -> sensed.sensed(measured, clock().micros()));
+    }
   }
 
   private void heed(ArmingState state) {
@@ -179,7 +188,8 @@ public final class AllocatingControl extends ControlSystem {
       double turning = cascade.attained(DegreeOfFreedom.YAW);
       return point
           .flatMap(this::nedOf)
-          .map(place -> seen.step(place, acceleration, turning, stepS()));
+          .map(place -> seen.step(place, acceleration, turning, stepS()))
+          .map(motion -> sensed.now(clock().micros()).orElse(motion));
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();

@@ -79,4 +79,9 @@ final class PositionWatch implements Watch {
             "uncertain by " + CauseText.metres(sigmaM) + ", limit " + CauseText.metres(limitM))
         : Optional.empty();
   }
+
+  @Override
+  public Optional<String> objection(long nowMicros) {
+    return settings.get().positionRequired() ? trouble(nowMicros) : Optional.empty();
+  }
 }

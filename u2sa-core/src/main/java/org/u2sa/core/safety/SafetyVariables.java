@@ -19,6 +19,10 @@ record SafetyVariables(
         @Description(
             "Standard deviation of x or y above which the position counts as lost; a state without one is trusted.")
         double positionSigmaLimit,
+    @Variable(ifAbsentText = "true")
+        @Description(
+            "Whether arming requires a position; false for vehicles that find their way by sight alone.")
+        boolean positionRequired,
     @Variable(ifAbsentText = "StateEstimator")
         @Description("Service that estimates the vehicle's state.")
         String estimatorService,

@@ -1,5 +1,7 @@
 package org.u2sa.drivers.sonar;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.payload.HydrophoneArray;
@@ -12,11 +14,13 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 /**
  * A hydrophone array whose processor sends a sentence for each ping, in the form of NMEA 0183:
  * {@code $YXPNG,frequency [Hz],azimuth clockwise from ahead [deg],elevation up [deg],sigma
- * [deg]*hh}; sigma may be empty. The sentence is U2SA's own: arrays share no protocol.
+ * [deg]*hh}; sigma may be empty. Or its arrival times: {@code $YXTOA,frequency [Hz],first
+ * hydrophone [µs],second,…*hh}, from any common instant. The sentences are U2SA's own: arrays share no protocol.
  */
-public final class NmeaHydrophones extends ParsedDevice<HydrophoneArray.Ping>
+public final class NmeaHydrophones extends ParsedDevice<HydrophoneArray.Heard>
     implements HydrophoneArray {
   private static final double MAX_HZ = 1e6;
+  private static final double MAX_MICROS = 1e9;
   private static final double FULL_CIRCLE_DEG = 360.0;
   private static final double RIGHT_ANGLE_DEG = 90.0;
 
@@ -24,7 +28,10 @@ public final class NmeaHydrophones extends ParsedDevice<HydrophoneArray.Ping>
     super(link, new NmeaParser<>(NmeaHydrophones::ping));
   }
 
-  private static Optional<Ping> ping(NmeaSentence sentence, long nowMicros) {
+  private static Optional<Heard> ping(NmeaSentence sentence, long nowMicros) {
+    if (sentence.is("TOA")) {
+      return Optional.of(arrivals(sentence, nowMicros));
+    }
     if (!sentence.is("PNG")) {
       return Optional.empty();
     }
@@ -41,6 +48,15 @@ public final class NmeaHydrophones extends ParsedDevice<HydrophoneArray.Ping>
             sigma.isEmpty()
                 ? OptionalDouble.empty()
                 : OptionalDouble.of(Math.toRadians(number(sigma, "sigma", 0.0, FULL_CIRCLE_DEG)))));
+  }
+
+  private static Heard arrivals(NmeaSentence sentence, long nowMicros) {
+    List<Double> arrivalsS = new ArrayList<>();
+    for (int i = 2; !sentence.field(i).isEmpty(); i++) {
+      arrivalsS.add(number(sentence.field(i), "arrival", -MAX_MICROS, MAX_MICROS) / 1e6);
+    }
+    return new Arrivals(
+        nowMicros, number(sentence.field(1), "frequency", 0.0, MAX_HZ), List.copyOf(arrivalsS));
   }
 
   private static double number(String text, String what, double min, double max) {

@@ -18,13 +18,13 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.testkit.DeviceContract;
 
 /** Every hydrophone array on a vehicle that points north; the pinger is in the west, 45° below. */
-class HydrophonePortTest extends DeviceContract<HydrophoneArray.Ping> {
+class HydrophonePortTest extends DeviceContract<HydrophoneArray.Heard> {
   private static final VehicleTruth NORTH =
       new VehicleTruth(
           0.0, Point.ORIGIN, new Attitude(0.0, 0.0, 0.0), Point.ORIGIN, Point.ORIGIN, Point.ORIGIN);
 
   @Override
-  protected List<Bench<HydrophoneArray.Ping>> benches() {
+  protected List<Bench<HydrophoneArray.Heard>> benches() {
     MemoryLink wire = new MemoryLink();
     return List.of(
         new LinkedBench<>(
@@ -44,7 +44,8 @@ class HydrophonePortTest extends DeviceContract<HydrophoneArray.Ping> {
   }
 
   @Override
-  protected void judge(HydrophoneArray.Ping ping) {
+  protected void judge(HydrophoneArray.Heard heard) {
+    HydrophoneArray.Ping ping = (HydrophoneArray.Ping) heard;
     assertThat(ping.frequencyHz()).isEqualTo(25_000.0);
     assertThat(ping.azimuthRad()).as("to the left").isCloseTo(Math.PI / 2.0, within(0.1));
     assertThat(ping.elevationRad()).as("down").isCloseTo(-Math.PI / 4.0, within(0.1));

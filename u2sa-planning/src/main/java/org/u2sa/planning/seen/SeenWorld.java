@@ -219,12 +219,6 @@ public final class SeenWorld {
     return found;
   }
 
-  /** Whether an object is given in the vehicle's own axes, so that no State Estimator is needed. */
-  public boolean isSeenFromVehicle() {
-    return objects != null
-        && objects.objects().stream().anyMatch(object -> object.referenceFrame().isBody());
-  }
-
   /**
    * Updates everything.
    *

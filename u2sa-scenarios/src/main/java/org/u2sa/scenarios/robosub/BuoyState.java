@@ -1,6 +1,5 @@
 package org.u2sa.scenarios.robosub;
 
-import java.util.Optional;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -18,11 +17,6 @@ final class BuoyState extends SightState {
   @Override
   public Class<? extends GoalInformation> goalClass() {
     return BumpBuoy.class;
-  }
-
-  @Override
-  Optional<Point> aim(SubTask task, StateInformation state) {
-    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
   }
 
   @Override

@@ -50,9 +50,10 @@ final class GateState extends SightState {
     Point way = middle.minus(surroundings.here(state));
     Point through = Point.of(-across.y() / width, across.x() / width, 0.0);
     boolean isAhead = through.x() * way.x() + through.y() * way.y() > 0.0;
-    if (axis.isEmpty()) {
-      axis = Optional.of(isAhead ? through : through.times(-1.0));
-    }
+    // Without a state the plane turns with the vehicle, so the axis is computed again each time.
+    boolean isSame =
+        axis.map(old -> old.x() * through.x() + old.y() * through.y() > 0.0).orElse(isAhead);
+    axis = Optional.of(isSame ? through : through.times(-1.0));
     return Optional.of(middle);
   }
 

@@ -1,6 +1,5 @@
 package org.u2sa.scenarios.robosub;
 
-import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -12,6 +11,7 @@ import org.u2sa.planning.PlannerView;
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
   private static final double DEPTH_M = 1.5; // below the ring on the way there
+  private static final double CLIMB_M = 0.3; // too deep by more than this, it climbs on the spot
   private static final double ABOVE_M =
       1.0; // the ring's height is known roughly: rise until it ends
   private static final double STEP_M = 0.05; // a smaller rise is none
@@ -36,20 +36,19 @@ final class RingState extends SightState {
   }
 
   @Override
-  Optional<Point> aim(SubTask task, StateInformation state) {
-    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
-  }
-
-  @Override
   Plan approach(SubTask task, StateInformation state, Point way) {
     if (!isRising) {
+      double upM = way.z() + DEPTH_M; // down to that depth
+      if (upM < -CLIMB_M) {
+        return to(task, state, Point.of(0.0, 0.0, upM)); // over what may stand in the way
+      }
       if (Math.hypot(way.x(), way.y()) > BELOW_M) {
-        return to(task, state, Point.of(way.x(), way.y(), way.z() + DEPTH_M));
+        return to(task, state, Point.of(way.x(), way.y(), upM));
       }
       isRising = true;
       highestDownM = Double.POSITIVE_INFINITY;
     }
-    double downM = surroundings.here(state).z();
+    double downM = -way.z(); // below the ring
     long now = state.timestamp().orElseThrow();
     if (downM < highestDownM - STEP_M) {
       highestDownM = downM;

@@ -6,9 +6,13 @@ import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.marine.Hoop;
+import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerView;
@@ -21,6 +25,7 @@ import org.u2sa.planning.Pursuit;
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
+  private static final double TURN_RAD = 0.15; // ahead of the heading: a turn in half a minute
   private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
 
   final PlannerView surroundings;
@@ -32,8 +37,13 @@ abstract class SightState implements PlannerState {
     this.surroundings = surroundings;
   }
 
-  /** Where to go, on the planner's plane; empty while it is out of sight. */
-  abstract Optional<Point> aim(SubTask task, StateInformation state);
+  /**
+   * Where to go, on the planner's plane; empty while it is out of sight. Unless overridden, the
+   * nearest object of the first type.
+   */
+  Optional<Point> aim(SubTask task, StateInformation state) {
+    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
+  }
 
   /** Next step towards the place. */
   abstract Plan approach(SubTask task, StateInformation state, Point way);
@@ -54,6 +64,12 @@ abstract class SightState implements PlannerState {
     return state.timestamp().orElseThrow();
   }
 
+  /** Objects in the vehicle's own axes suffice. */
+  @Override
+  public final boolean needsNoState() {
+    return true;
+  }
+
   @Override
   public final double distanceM(GoalInformation goal, StateInformation state) {
     return aim((SubTask) goal, state)
@@ -70,6 +86,8 @@ abstract class SightState implements PlannerState {
     if (seen.isPresent()) {
       aim = seen;
       seenMicros = now;
+    } else if (state.referenceFrame().isLocal()) {
+      aim = Optional.empty(); // relative to the vehicle, which has moved since
     }
     double unseenS = Clock.seconds(now - seenMicros);
     if (aim.isEmpty()) {
@@ -86,17 +104,55 @@ abstract class SightState implements PlannerState {
           String.format(
               Locale.ROOT, "abandoned: %s unseen for %.0f s", task.objectTypes(), unseenS));
     }
-    Point ahead = sinceS < STRAIGHT_S ? Point.of(2.0, 0.0, 0.0) : Point.of(0.2, 0.4, 0.0);
-    return Plan.underWay(List.of(NavigationPoint.at(ahead).speed(task.speed())));
+    NavigationPoint next =
+        sinceS < STRAIGHT_S
+            ? NavigationPoint.at(Point.of(2.0, 0.0, 0.0)).speed(task.speed())
+            : NavigationPoint.at(Point.ORIGIN).turn(TURN_RAD);
+    return Plan.underWay(List.of(next));
+  }
+
+  private Optional<ObjectDescription> object(String type, StateInformation state) {
+    Point here = surroundings.here(state);
+    return surroundings.objects().stream()
+        .filter(object -> object.objectType().equals(type))
+        .min(
+            Comparator.comparingDouble(
+                object -> surroundings.centre(object, state).minus(here).distance()));
   }
 
   /** The nearest object of a type, on the planner's plane. */
   final Optional<Point> nearest(String type, StateInformation state) {
-    Point here = surroundings.here(state);
-    return surroundings.objects().stream()
-        .filter(object -> object.objectType().equals(type))
-        .map(object -> surroundings.centre(object, state))
-        .min(Comparator.comparingDouble(place -> place.minus(here).distance()));
+    return object(type, state).map(object -> surroundings.centre(object, state));
+  }
+
+  /** Level unit vector along the task's first object, or along a hoop's normal: north, east. */
+  final Optional<Point> axis(SubTask task, StateInformation state) {
+    return task.objectTypes().stream()
+        .findFirst()
+        .flatMap(type -> object(type, state))
+        .flatMap(object -> headingRad(object, state))
+        .map(heading -> Point.of(Math.cos(heading), Math.sin(heading), 0.0));
+  }
+
+  private static Optional<Double> headingRad(ObjectDescription object, StateInformation state) {
+    double psi;
+    if (object instanceof Rectangle flat) {
+      psi = flat.psi();
+    } else if (object instanceof Hoop hoop) {
+      psi = hoop.psi();
+    } else {
+      return Optional.empty();
+    }
+    if (object.referenceFrame().equals(ReferenceFrame.BODY)) {
+      return Optional.of(state.psi().orElse(0.0) - psi); // positive to the left
+    }
+    return Optional.of(
+        object.referenceFrame().equals(ReferenceFrame.LOCAL_ENU) ? Math.PI / 2.0 - psi : psi);
+  }
+
+  /** An axis, or its opposite, whichever leads rather towards a way. */
+  static Point towards(Point axis, Point way) {
+    return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
   /** Straight to a place that lies in a direction from the vehicle: north, east, down [m]. */

@@ -21,6 +21,17 @@ public final class VehicleFileChanges {
    * @throws org.u2sa.interfaces.BadInputException naming file, line, field, value and expectation
    */
   public VehicleFile load(Path file) {
-    return VehicleFile.load(file, changes);
+    return load(file, Map.of());
+  }
+
+  /**
+   * Reads a vehicle file with a demo's changes and then these, which take precedence.
+   *
+   * @throws org.u2sa.interfaces.BadInputException as above
+   */
+  public VehicleFile load(Path file, Map<String, String> own) {
+    Map<String, String> all = new LinkedHashMap<>(own);
+    all.putAll(changes);
+    return VehicleFile.load(file, all);
   }
 }

@@ -10,7 +10,9 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.marine.Hoop;
+import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Rectangle;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.sim.device.NoisyDevice;
 import org.u2sa.sim.device.SensorErrors;
@@ -110,7 +112,31 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
             Math.max(0.0, range * (1.0 + optics.rangeShare() * gaussian())),
             optics.angleSigmaRad(),
             optics.rangeShare() * range,
-            radiusM(object)));
+            radiusM(object),
+            axis(object, scene).map(axis -> turned(axis, now))));
+  }
+
+  /** A level direction, clockwise from north [rad], in the sensor's axes forward, left, down. */
+  private Point turned(double axisRad, VehicleTruth now) {
+    double seenRad = axisRad + optics.angleSigmaRad() * gaussian();
+    Point ned = Point.of(Math.cos(seenRad), Math.sin(seenRad), 0.0);
+    Point frd = now.attitude().nedFromFrd().transposed().times(ned);
+    return Point.of(frd.x(), -frd.y(), frd.z());
+  }
+
+  /** Direction of an object's length or normal, clockwise from north [rad]. */
+  private static Optional<Double> axis(ObjectDescription object, World scene) {
+    double psi;
+    if (object instanceof Rectangle flat) {
+      psi = flat.psi();
+    } else if (object instanceof Box box) {
+      psi = box.psi();
+    } else if (object instanceof Hoop hoop && !hoop.lying()) {
+      psi = hoop.psi();
+    } else {
+      return Optional.empty();
+    }
+    return Optional.of(object.referenceFrame().isEarth() ? psi : Math.PI / 2.0 - psi);
   }
 
   private static Point enu(ObjectDescription object, World scene) {

@@ -8,7 +8,7 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** A hydrophone array that hears one pinger in open water, without echoes, at any distance. */
-public final class SimulatedHydrophones extends NoisyDevice<HydrophoneArray.Ping>
+public final class SimulatedHydrophones extends NoisyDevice<HydrophoneArray.Heard>
     implements HydrophoneArray {
   private final double frequencyHz;
   private final Point pinger;
@@ -41,7 +41,7 @@ public final class SimulatedHydrophones extends NoisyDevice<HydrophoneArray.Ping
   }
 
   @Override
-  protected Ping measure(double timeS, long measuredAtMicros) {
+  protected Heard measure(double timeS, long measuredAtMicros) {
     VehicleTruth now = truth.get();
     Point seen = VehicleAxes.of(now, pinger.minus(now.position()));
     double azimuth = noisy(StrictMath.atan2(seen.y(), seen.x()) + azimuthBiasRad);

@@ -11,6 +11,7 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.detection.SimulatedDetector;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedCamera;
+import org.u2sa.sim.device.SimulatedHydrophoneTimes;
 import org.u2sa.sim.device.SimulatedHydrophones;
 import org.u2sa.sim.device.SimulatedLaser;
 import org.u2sa.sim.device.SimulatedPointScanner;
@@ -26,6 +27,7 @@ import org.u2sa.sim.world.World;
 
 /** Sensors of the surroundings. */
 final class SightSensors {
+  private static final int MAX_HYDROPHONES = 32;
   private static final int MAX_BEAMS = 20_000;
   private static final int MAX_PIXELS = 4_000;
   private static final double RADAR_TIP_M = 1.0; // ends before the ground on which a target stands
@@ -275,6 +277,9 @@ final class SightSensors {
   }
 
   static SensorKinds.Reader hydrophones(FileElement file) {
+    if (file.has("places")) {
+      return hydrophoneTimes(file);
+    }
     SensorErrors errors = StateSensors.errors(file, "rad");
     double frequency = file.positive("frequency", "Hz", 1e6);
     Point pinger = file.vector("pinger", "m", -1e6, 1e6);
@@ -284,6 +289,27 @@ final class SightSensors {
         vehicle ->
             new SimulatedHydrophones(
                 errors, frequency, pinger, vehicle.streams(), vehicle.at(mount)));
+  }
+
+  private static SensorKinds.Reader hydrophoneTimes(FileElement file) {
+    SensorErrors errors = StateSensors.errors(file, "s");
+    List<Double> numbers = file.numbers("places", "m", -100.0, 100.0, 3 * MAX_HYDROPHONES);
+    List<Point> places = new ArrayList<>();
+    for (int i = 0; i + 2 < numbers.size(); i += 3) {
+      places.add(Point.of(numbers.get(i), -numbers.get(i + 1) + 0.0, numbers.get(i + 2)));
+    }
+    SimulatedHydrophoneTimes.Source source =
+        new SimulatedHydrophoneTimes.Source(
+            file.positive("frequency", "Hz", 1e6),
+            file.vector("pinger", "m", -1e6, 1e6),
+            file.number("soundSpeed", "m/s", 1_000.0, 2_000.0, 1_500.0),
+            file.number("echoes", "1", 0.0, 1.0, 0.0));
+    Mount mount = Mount.pose(file);
+    return new SensorKinds.Reader(
+        mounted(mount),
+        vehicle ->
+            new SimulatedHydrophoneTimes(
+                errors, source, places, vehicle.streams(), vehicle.at(mount)));
   }
 
   static SensorKinds.Reader camera(FileElement file) {

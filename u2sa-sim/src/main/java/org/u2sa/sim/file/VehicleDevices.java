@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.device.port.Device;
@@ -22,6 +23,7 @@ import org.u2sa.sim.device.VehicleServo;
 import org.u2sa.sim.device.VehicleThruster;
 import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
+import org.u2sa.sim.payload.SimulatedSwitch;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
@@ -42,6 +44,7 @@ public final class VehicleDevices implements DeviceSource {
   private final RunningVehicle run;
   private final long seed;
   private Supplier<List<SimulatedTraffic.Other>> traffic = List::of;
+  private final Map<String, SimulatedSwitch> switches = new ConcurrentHashMap<>(); // by service
   private final Map<String, NoiseStreams> noise = new HashMap<>(); // by service
 
   /**
@@ -115,7 +118,17 @@ public final class VehicleDevices implements DeviceSource {
     for (Map.Entry<String, Double> each : entry.variables().entrySet()) {
       unlessStated(service, each.getKey(), each.getValue());
     }
-    return entry.make(Aboard.of(run, clock::micros, () -> traffic.get(), streams(name)));
+    Device<?> device =
+        entry.make(Aboard.of(run, clock::micros, () -> traffic.get(), streams(name)));
+    if (device instanceof SimulatedSwitch output) {
+      switches.put(name, output);
+    }
+    return device;
+  }
+
+  /** Level of the switched payload of a service [%]; 0 if it has none. Thread-safe. */
+  public double switchPercent(String service) {
+    return Optional.ofNullable(switches.get(service)).map(SimulatedSwitch::percent).orElse(0.0);
   }
 
   private BadInputException none(String service, String port) {

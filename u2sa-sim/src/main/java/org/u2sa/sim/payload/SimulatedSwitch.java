@@ -12,7 +12,7 @@ public final class SimulatedSwitch extends SimulatedPayload<SwitchOutput.Level>
 
   private final double timeS;
   private OptionalDouble wanted = OptionalDouble.empty();
-  private OptionalDouble level = OptionalDouble.empty();
+  private volatile OptionalDouble level = OptionalDouble.empty();
   private long atMicros = Long.MIN_VALUE;
 
   /**
@@ -22,6 +22,11 @@ public final class SimulatedSwitch extends SimulatedPayload<SwitchOutput.Level>
   public SimulatedSwitch(double rateHz, double timeS) {
     super(rateHz, 0.0);
     this.timeS = timeS;
+  }
+
+  /** Its level now [%]; 0 before it was set. Thread-safe. */
+  public double percent() {
+    return level.orElse(0.0);
   }
 
   @Override

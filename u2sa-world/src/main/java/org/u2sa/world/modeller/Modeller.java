@@ -58,6 +58,14 @@ public interface Modeller {
     return Optional.empty();
   }
 
+  /** Whether {@link #sensed} is needed. */
+  default boolean needsSensedState() {
+    return false;
+  }
+
+  /** Processes what a proprioceptive sensor measured, such as rates and speeds. */
+  default void sensed(StateInformation measured) {}
+
   /** Processes a dead-reckoned state of local-state, which never jumps. */
   default void local(StateInformation state) {}
 

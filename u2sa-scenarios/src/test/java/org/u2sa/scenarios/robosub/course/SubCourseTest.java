@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.robosub;
+package org.u2sa.scenarios.robosub.course;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -12,7 +12,9 @@ class SubCourseTest {
     SubCourse course = SubCourse.of(seed);
 
     assertThat(SubCourse.of(seed)).isEqualTo(course);
-    assertThat(course.objects()).hasSize(6).allMatch(object -> object.z() <= 0.0);
-    assertThat(course.buoys().get(0).distanceTo(course.buoys().get(1))).isGreaterThan(3.0);
+    assertThat(course.objects()).hasSize(12).allMatch(object -> object.z() <= 0.0);
+    assertThat(course.tasks().stream().flatMap(task -> task.goals().stream()))
+        .extracting(CourseTask.Goal::name)
+        .doesNotHaveDuplicates();
   }
 }

@@ -1,0 +1,22 @@
+package org.u2sa.scenarios.robosub;
+
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+
+/** Goes above the acoustic pinger of the first type, which hydrophones hear. */
+public final class HomeOnPinger extends SubTask {
+  private static final Schema<HomeOnPinger> SCHEMA =
+      Schema.of(HomeOnPinger.class, HomeOnPinger::new, SubTask.TYPE);
+
+  public static final MessageType<HomeOnPinger> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends HomeOnPinger> type() {
+    return TYPE;
+  }
+
+  @Override
+  public HomeOnPinger copy() {
+    return (HomeOnPinger) super.copy();
+  }
+}

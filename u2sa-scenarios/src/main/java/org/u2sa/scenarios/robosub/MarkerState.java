@@ -1,0 +1,58 @@
+package org.u2sa.scenarios.robosub;
+
+import java.util.Optional;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerView;
+
+/** {@link FollowMarker}: above a path marker, then along it, onwards. */
+final class MarkerState extends SightState {
+  private static final double ABOVE_M = 0.3; // level distance from the marker
+  private static final double ALONG_M = 1.2; // way along it, after which the direction is taken
+  private static final double AHEAD_M = 1.0; // of the point on the axis to steer to
+
+  private Optional<Point> came = Optional.empty(); // level way to the marker when first seen
+  private Optional<Point> axis = Optional.empty(); // level unit vector, once above it
+
+  MarkerState(PlannerView surroundings) {
+    super(surroundings);
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return FollowMarker.class;
+  }
+
+  @Override
+  void begin() {
+    came = Optional.empty();
+    axis = Optional.empty();
+  }
+
+  @Override
+  Plan approach(SubTask task, StateInformation state, Point way) {
+    Point ahead = Point.of(1.0, 0.0, 0.0); // without a state: it faces its way
+    came = came.or(() -> Optional.of(state.referenceFrame().isLocal() ? ahead : way));
+    boolean isAbove = axis.isPresent() || Math.hypot(way.x(), way.y()) < ABOVE_M;
+    if (isAbove && (axis.isEmpty() || state.referenceFrame().isLocal())) {
+      Point side = axis.orElse(came.get()); // without a state, both turn with the vehicle
+      axis = axis(task, state).map(along -> towards(along, side)).or(() -> axis);
+    }
+    if (axis.isEmpty()) {
+      return to(task, state, Point.of(way.x(), way.y(), 0.0));
+    }
+    Point along = axis.get();
+    double passedM = -(along.x() * way.x() + along.y() * way.y());
+    if (passedM > ALONG_M) {
+      return completed(
+          String.format(
+              java.util.Locale.ROOT,
+              "followed, towards %.0f deg",
+              Math.toDegrees(Math.atan2(along.y(), along.x()))));
+    }
+    Point target = Point.of(way.x(), way.y(), 0.0).plus(along.times(passedM + AHEAD_M));
+    return to(task, state, target);
+  }
+}

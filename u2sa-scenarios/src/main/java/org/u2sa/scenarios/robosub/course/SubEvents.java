@@ -1,0 +1,91 @@
+package org.u2sa.scenarios.robosub.course;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * What the services say of a dive: why goals were given up, why the vehicle was stopped, and how
+ * many recognised objects the current goals needed (thesis 4.3.2).
+ */
+final class SubEvents {
+  private static final Pattern SKIPPED = Pattern.compile("not sought by the goal (\\d+)");
+
+  private final Map<String, String> troubles = new LinkedHashMap<>(); // by words without figures
+  private int processed;
+  private int skipped;
+  private boolean isStopped;
+  private String completed = ""; // UID of the newest completed goal
+
+  List<Channel<?>> listensTo() {
+    return List.of(Channels.SENSED_OBJECTS, Channels.HEALTH, Channels.FAILSAFE);
+  }
+
+  void reported(GoalInformation report) {
+    if (report.completed()) {
+      completed = report.uid();
+    }
+    if (report.abandoned()) {
+      add("goal \"" + report.uid() + "\" " + report.reason().orElse("abandoned"));
+    }
+  }
+
+  /** Takes note of a message; false if it is of another kind. */
+  boolean heard(U2SAData data) {
+    if (data instanceof ObjectDescription object) {
+      processed += object.sensorName().startsWith("ObjectDetectorSensor") ? 1 : 0;
+    } else if (data instanceof HealthReport health) {
+      for (String remark : health.remarks()) {
+        Matcher matcher = SKIPPED.matcher(remark);
+        skipped = matcher.find() ? Integer.parseInt(matcher.group(1)) : skipped;
+      }
+    } else if (data instanceof FailsafeState failsafe) {
+      isStopped = failsafe.action() == FailsafeAction.STOP;
+      if (failsafe.action() != FailsafeAction.CONTINUE) {
+        add("failsafe " + failsafe.action() + ": " + String.join("; ", failsafe.causes()));
+      }
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private void add(String trouble) {
+    troubles.putIfAbsent(trouble.replaceAll("[0-9.]+", ""), trouble);
+  }
+
+  /** Whether the layout's last goal is completed, with which a run ends. */
+  boolean isComplete(SubCourse course) {
+    List<CourseTask> tasks = course.tasks();
+    List<CourseTask.Goal> goals = tasks.get(tasks.size() - 1).goals();
+    return goals.get(goals.size() - 1).name().equals(completed);
+  }
+
+  /** Whether a failsafe has stopped the thrusters. */
+  boolean isStopped() {
+    return isStopped;
+  }
+
+  /** Reasons of an incomplete run, in words, in the order of their appearance. */
+  List<String> troubles() {
+    return List.copyOf(troubles.values());
+  }
+
+  /** Objects that the detector's service published, and left out. */
+  Map<String, Integer> counts() {
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    counts.put("objectsProcessed", processed);
+    counts.put("objectsSkipped", skipped);
+    return counts;
+  }
+}

@@ -1,0 +1,36 @@
+package org.u2sa.scenarios.robosub.course;
+
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/**
+ * Scores one task of a run by the truth. Places are north, east and down of the start [m]; what is
+ * returned by an event goes to the log.
+ */
+public interface TaskJudge {
+  /** The vehicle's centre moved. */
+  default Optional<String> moved(Point from, Point to) {
+    return Optional.empty();
+  }
+
+  /** The vehicle touched an object. */
+  default void touched(String uid) {}
+
+  /** A mechanism of the vehicle released what it holds. */
+  default Optional<String> released(String actuator, VehicleTruth truth) {
+    return Optional.empty();
+  }
+
+  /** What is wanting at the end of the run; empty if the task is done. */
+  Optional<String> violation();
+
+  /** Its lines of the score sheet. */
+  Map<String, Integer> counts();
+
+  /** Its other figures. */
+  default Map<String, Double> figures() {
+    return Map.of();
+  }
+}

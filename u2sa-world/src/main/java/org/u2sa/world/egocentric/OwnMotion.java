@@ -1,0 +1,70 @@
+package org.u2sa.world.egocentric;
+
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.world.modeller.PoseHistory;
+
+/**
+ * The vehicle's own motion in the last seconds: attitude and turn rate by an IMU, speed by a
+ * velocity log, integrated in LOCAL_NED from an arbitrary place and heading.
+ */
+final class OwnMotion {
+  private static final long STALE_MICROS = Clock.MICROS_PER_SECOND; // then it counts as 0
+
+  private final PoseHistory poses = new PoseHistory();
+  private Point place = Point.ORIGIN;
+  private double psi;
+  private Point velocity = Point.ORIGIN; // forward, left, down [m/s]
+  private long velocityMicros = Long.MIN_VALUE / 2;
+
+  /** Takes note of what a sensor measured. */
+  void sensed(StateInformation measured, long micros) {
+    boolean isBody = measured.referenceFrame().equals(ReferenceFrame.BODY);
+    if (isBody && measured.xDot().isPresent()) {
+      velocity =
+          Point.of(
+              measured.xDot().getAsDouble(),
+              measured.yDot().orElse(0.0),
+              measured.zDot().orElse(0.0));
+      velocityMicros = micros;
+    }
+    if (!isBody && measured.psiDot().isPresent()) {
+      turned(measured, micros);
+    }
+  }
+
+  private void turned(StateInformation imu, long micros) {
+    long before = poses.newestMicros();
+    long step = before == Long.MIN_VALUE ? 0L : micros - before;
+    if (step < 0L) {
+      return;
+    }
+    double seconds = Clock.seconds(Math.min(step, STALE_MICROS));
+    psi += imu.psiDot().orElseThrow() * seconds;
+    Attitude attitude = new Attitude(imu.phi().orElse(0.0), imu.theta().orElse(0.0), psi);
+    Point ned = knowsSpeed(micros) ? attitude.nedOf(velocity) : Point.ORIGIN;
+    place = place.plus(ned.times(seconds));
+    StateInformation pose = level().phi(attitude.phi()).theta(attitude.theta());
+    pose.xDot(ned.x()).yDot(ned.y()).zDot(ned.z()).psiDot(imu.psiDot().orElseThrow());
+    pose.timestamp(micros);
+    poses.add(pose);
+  }
+
+  private StateInformation level() {
+    StateInformation pose = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED);
+    return pose.x(place.x()).y(place.y()).z(place.z()).psi(psi).phi(0.0).theta(0.0);
+  }
+
+  /** Whether the velocity log measures. */
+  boolean knowsSpeed(long micros) {
+    return micros - velocityMicros <= STALE_MICROS;
+  }
+
+  /** Pose at a time; the newest if there is none of about then. */
+  StateInformation at(long micros) {
+    return poses.at(micros, STALE_MICROS).orElseGet(this::level);
+  }
+}

@@ -1,0 +1,2 @@
+/** Objects remembered relative to the vehicle, without its state. */
+package org.u2sa.world.egocentric;
