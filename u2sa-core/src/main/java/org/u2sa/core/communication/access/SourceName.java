@@ -11,6 +11,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Source name of a message: a service on the channels of the contract, a sensor, actuator or
@@ -79,11 +81,18 @@ public record SourceName(
     String name =
         field.isEmpty()
             ? ""
-            : codec.peek(ByteBufUtil.getBytes(payload), field).orElse(topic.source());
+            : codec
+                .peek(ByteBufUtil.getBytes(payload), field)
+                .orElseGet(() -> unset(rule.type(), field).orElse(topic.source()));
     boolean isService = OF_SERVICES.contains(rule.channel());
     String kind = isService ? "" : topic.channel(); // never empty
     String key = key(topic.systemId(), kind, name);
     return Optional.of(new SourceName(key, topic.systemId(), topic.channel(), name, isService));
+  }
+
+  /** Name that readers take from a message without the field: its default. */
+  private static <M extends U2SAData> Optional<String> unset(MessageType<M> type, String field) {
+    return type.field(field).flatMap(each -> each.get(type.create())).map(String::valueOf);
   }
 
   /**
