@@ -143,6 +143,16 @@ class SourceNamesTest {
     assertThat(refusal(first, topic, nameless, false)).isEmpty();
   }
 
+  @Test
+  void refusalOf_deletionOfARetainedMessage_isOfTheTopicsSource() {
+    PlannedPath path = new PlannedPath().planner("A").status(PathStatus.FOLLOWED);
+    publishes(first, Channels.PLANS, frozen(path.subsystem("GIMBAL")));
+    String topic = "u2sa/cessna/plans/PlannedPath/=GIMBAL";
+
+    assertThat(refusal(second, topic, new byte[0], true)).contains(SourceNames.TAKEN);
+    assertThat(refusal(first, topic, new byte[0], true)).isEmpty();
+  }
+
   @ParameterizedTest
   @ValueSource(booleans = {true, false})
   void refusalOf_sensorActuatorOrOnlyWriterOfAnother_isRefused(boolean isCompact) {

@@ -83,7 +83,8 @@ public record SourceName(
             ? ""
             : codec
                 .peek(ByteBufUtil.getBytes(payload), field)
-                .orElseGet(() -> unset(rule.type(), field).orElse(topic.source()));
+                .or(() -> payload.isReadable() ? unset(rule.type(), field) : Optional.empty())
+                .orElse(topic.source()); // which a message without bytes deletes
     boolean isService = OF_SERVICES.contains(rule.channel());
     String kind = isService ? "" : topic.channel(); // never empty
     String key = key(topic.systemId(), kind, name);
