@@ -143,6 +143,21 @@ class SourceNamesTest {
     assertThat(refusal(first, topic, nameless, false)).isEmpty();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"state", "local-state"})
+  void refusalOf_stateOfASecondEstimator_isRefusedWhateverItsName(String name) {
+    Channel<?> channel = Channels.named(name).orElseThrow();
+    StateInformation one = frozen(new StateInformation().sensorName("StateEstimator").x(1.0));
+    StateInformation other = frozen(new StateInformation().sensorName("Impostor").x(1.0));
+    assertThat(publishes(first, channel, one)).isTrue();
+    assertThat(publishes(second, channel, other)).isFalse();
+
+    pipeline.broker.sources.join(bus);
+    bus.connect("StateEstimator", new RecordingReceiver()).publish(channel, one);
+
+    assertThat(publishes(first, channel, other)).as("the vehicle has an estimator").isFalse();
+  }
+
   @Test
   void refusalOf_deletionOfARetainedMessage_isOfTheTopicsSource() {
     PlannedPath path = new PlannedPath().planner("A").status(PathStatus.FOLLOWED);

@@ -27,6 +27,7 @@ import org.u2sa.messages.schema.U2SAData;
 public record SourceName(
     String key, String systemId, String channel, String name, boolean isService) {
   private static final String SERVICE_NAME = "serviceName";
+  private static final String ONLY_WRITER = "";
 
   /** Channels on which services report or answer under their own names. */
   private static final Set<Channel<?>> OF_SERVICES =
@@ -45,8 +46,6 @@ public record SourceName(
     OF_SERVICES.forEach(channel -> fields.put(channel.name(), SERVICE_NAME));
     Set.of(
             Channels.SENSED_STATE,
-            Channels.STATE,
-            Channels.LOCAL_STATE,
             Channels.SENSED_OBJECTS,
             Channels.SCANS,
             Channels.IMAGES,
@@ -57,12 +56,14 @@ public record SourceName(
     fields.put(Channels.NAVIGATION.name(), "subsystem");
     fields.put(Channels.PLANS.name(), "subsystem");
     Set.of(
+            Channels.STATE,
+            Channels.LOCAL_STATE,
             Channels.GOALS,
             Channels.OBJECTS,
             Channels.GRID,
             Channels.FAILSAFE,
             Channels.ARMING_STATE)
-        .forEach(channel -> fields.put(channel.name(), ""));
+        .forEach(channel -> fields.put(channel.name(), ONLY_WRITER));
     return fields;
   }
 
@@ -106,6 +107,11 @@ public record SourceName(
   /** The name of a channel's only writer. */
   static SourceName ofOnlyWriter(String systemId, Channel<?> channel) {
     return new SourceName(key(systemId, channel.name(), ""), systemId, channel.name(), "", false);
+  }
+
+  /** Whether it is the name of a channel's only writer. */
+  boolean isOfOnlyWriter() {
+    return ONLY_WRITER.equals(FIELDS.get(channel));
   }
 
   boolean isOf(Channel<?> of) {
