@@ -39,10 +39,18 @@ record GoalElement(
           "repeatFrom",
           "repeatTimes");
 
+  /** Required fields that the Mission Manager sets where a file leaves them out. */
+  private static final List<String> SET_LATER = Arrays.asList("uid", "horizontalThreshold");
+
   private static final String FRAME = "referenceFrame";
 
-  /** Reads the children of a goal's element as fields of its class, converting units. */
-  static <T extends GoalInformation> GoalElement read(XmlElement element, MessageType<T> type) {
+  /**
+   * Reads the children of a goal's element as fields of its class, converting units.
+   *
+   * @param complete whether fields that the class requires have to be there
+   */
+  static <T extends GoalInformation> GoalElement read(
+      XmlElement element, MessageType<T> type, boolean complete) {
     element.refuseUnknownAttributes();
     T message = type.create();
     GoalLinks links = new GoalLinks(element);
@@ -57,8 +65,20 @@ record GoalElement(
       fill(message, type.field(entry.getKey()).orElseThrow(), entry.getValue(), frame);
       fields.put(entry.getKey(), entry.getValue().get(0));
     }
+    if (complete) {
+      refuseMissing(element, type, message, frame);
+    }
     links.readInto(message);
     return new GoalElement(element, message, fields, links);
+  }
+
+  private static <T extends GoalInformation> void refuseMissing(
+      XmlElement element, MessageType<T> type, T message, ReferenceFrame frame) {
+    for (MessageField<T> field : type.fields()) {
+      if (field.isRequired() && !field.isSet(message) && !SET_LATER.contains(field.name())) {
+        throw element.error("lacks <" + field.name() + ">; expected " + expected(field, frame));
+      }
+    }
   }
 
   /** Copy with another goal that extends the elements' content. */

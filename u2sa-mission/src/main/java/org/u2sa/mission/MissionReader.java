@@ -109,7 +109,7 @@ record MissionReader(MessageTypes types, OptionalDouble defaultThresholdM) {
     List<GoalElement> read = new ArrayList<>();
     for (XmlElement child : root.children()) {
       if (!child.name().equals(Home.NAME) && !child.name().equals(MissionLimit.ELEMENT)) {
-        read.add(GoalElement.read(child, goalClass(child)));
+        read.add(GoalElement.read(child, goalClass(child), complete));
       }
     }
     Map<String, GoalElement> goals = new LinkedHashMap<>();

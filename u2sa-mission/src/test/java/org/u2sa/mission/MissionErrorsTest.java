@@ -21,6 +21,8 @@ class MissionErrorsTest {
           <wayoint><x>1</x></wayoint> | m.xml, line 2, <wayoint>: unknown element in <mission>; expected home or a class of goals: waypoint, objectGoal, station; did you mean "waypoint"?
           <circle><x>1</x></circle> | m.xml, line 2, <circle>: is not a class of goals; expected one of waypoint, objectGoal, station
           <goalInformation><uid>1</uid></goalInformation> | m.xml, line 2, <goalInformation>: is abstract: no goal can be of this class; expected one of waypoint, objectGoal, station
+          <objectGoal><name>1</name></objectGoal> | m.xml, line 2, <objectGoal>: lacks <objectType>; expected a value
+          <objectGoal><objectType>barrel</objectType></objectGoal> | m.xml, line 2, <objectGoal>: lacks <within>; expected a number of m
           <waypoint><name>1</name></waypoint> | m.xml, line 2, <waypoint>: has no coordinates; expected at least one of x, y, z
           <waypoint><x>ten</x></waypoint> | m.xml, line 2, <x>: "ten" is not a number of deg
           <waypoint><x unit="deg">ten</x></waypoint> | m.xml, line 2, <x>: "ten" is not a number of deg

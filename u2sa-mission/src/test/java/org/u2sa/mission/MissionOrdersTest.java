@@ -191,6 +191,16 @@ class MissionOrdersTest extends ThreeWaypoints {
   }
 
   @Test
+  void insert_goalWithoutARequiredField_isRefusedAndTheMissionGoesOn() {
+    kit.start(MissionManager::new);
+    refused(
+        goals(MissionAction.INSERT, "<objectGoal><name>a</name></objectGoal>"),
+        "more.xml, line 2, <objectGoal>: lacks <objectType>; expected a value");
+    run("1", "2", "3");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
   void insert_goalsThatBranch_leadIntoTheMission() {
     kit.start(MissionManager::new);
     accepted(

@@ -19,7 +19,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the vehicle at a {@link Station}: to the place, or to the start of its straight way and
- * along it, then there until its time is over. The time starts again when the vehicle leaves the
+ * along it, then there until its time is over. The time starts again when the vehicle leaves a
  * threshold or the heading.
  */
 final class StationState implements PlannerState {
@@ -165,6 +165,7 @@ final class StationState implements PlannerState {
     boolean isThere =
         phase == Phase.THERE
             && length(to) <= station.horizontalThreshold()
+            && Math.abs(to.z()) <= station.verticalThreshold().orElse(Double.POSITIVE_INFINITY)
             && isOnHeading(station, vehicle);
     if (!isThere) {
       sinceMicros = Long.MIN_VALUE;

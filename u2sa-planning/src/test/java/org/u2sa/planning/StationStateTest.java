@@ -36,12 +36,17 @@ class StationStateTest {
   }
 
   private NavigationPoint at(double north, double east, double heading) {
+    return at(north, east, 0.0, heading);
+  }
+
+  private NavigationPoint at(double north, double east, double down, double heading) {
     kit.advance(0.1);
     StateInformation state =
         new StateInformation()
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .x(north)
             .y(east)
+            .z(down)
             .xDot(0.0)
             .yDot(0.0)
             .psi(heading);
@@ -100,6 +105,20 @@ class StationStateTest {
     }
 
     assertThat(reports()).isEmpty();
+  }
+
+  @Test
+  void plan_outsideTheVerticalThreshold_doesNotCountAsThere() {
+    pursue((Station) new Station().duration(1.0).z(3.0).verticalThreshold(0.3));
+    for (int i = 0; i < 30; i++) {
+      at(0.1, 0.0, 2.6, 0.0);
+    }
+    assertThat(reports()).isEmpty();
+    for (int i = 0; i < 12; i++) {
+      at(0.1, 0.0, 2.8, 0.0);
+    }
+
+    assertThat(reports()).isNotEmpty();
   }
 
   @Test

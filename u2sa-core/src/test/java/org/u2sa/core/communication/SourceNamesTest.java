@@ -11,11 +11,15 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.core.communication.access.SourceNames;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.mqtt.ClientIds;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.PathStatus;
+import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
@@ -25,6 +29,7 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
@@ -115,6 +120,52 @@ class SourceNamesTest {
                 frozen(new FunctionalityRequest().serviceName("Lidar"))))
         .as("a question, which names whom it asks")
         .isTrue();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "u2sa/cessna/navigation/NavigationPoint",
+        "u2sa/cessna/plans/PlannedPath",
+        "u2sa/cessna/plans/PlannedPath/=GIMBAL"
+      })
+  void refusalOf_nameLeftOut_isTheDefaultThatReadersTake(String topic) {
+    U2SAData named =
+        topic.contains("navigation")
+            ? new NavigationPoint().subsystem("VEHICLE").point(Point.of(1.0, 0.0, 0.0))
+            : new PlannedPath().subsystem("VEHICLE").planner("A").status(PathStatus.FOLLOWED);
+    Channel<?> channel = topic.contains("navigation") ? Channels.NAVIGATION : Channels.PLANS;
+    assertThat(publishes(first, channel, frozen(named))).isTrue();
+
+    byte[] nameless = {(byte) 0xA0}; // the broker reads no more than the name
+
+    assertThat(refusal(second, topic, nameless, false)).contains(SourceNames.TAKEN);
+    assertThat(refusal(first, topic, nameless, false)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"state", "local-state"})
+  void refusalOf_stateOfASecondEstimator_isRefusedWhateverItsName(String name) {
+    Channel<?> channel = Channels.named(name).orElseThrow();
+    StateInformation one = frozen(new StateInformation().sensorName("StateEstimator").x(1.0));
+    StateInformation other = frozen(new StateInformation().sensorName("Impostor").x(1.0));
+    assertThat(publishes(first, channel, one)).isTrue();
+    assertThat(publishes(second, channel, other)).isFalse();
+
+    pipeline.broker.sources.join(bus);
+    bus.connect("StateEstimator", new RecordingReceiver()).publish(channel, one);
+
+    assertThat(publishes(first, channel, other)).as("the vehicle has an estimator").isFalse();
+  }
+
+  @Test
+  void refusalOf_deletionOfARetainedMessage_isOfTheTopicsSource() {
+    PlannedPath path = new PlannedPath().planner("A").status(PathStatus.FOLLOWED);
+    publishes(first, Channels.PLANS, frozen(path.subsystem("GIMBAL")));
+    String topic = "u2sa/cessna/plans/PlannedPath/=GIMBAL";
+
+    assertThat(refusal(second, topic, new byte[0], true)).contains(SourceNames.TAKEN);
+    assertThat(refusal(first, topic, new byte[0], true)).isEmpty();
   }
 
   @ParameterizedTest

@@ -90,6 +90,13 @@ public final class LocalBus implements Transport {
     return publisher != null && !publisher.closed;
   }
 
+  /** Whether a connected local service has published on a channel. */
+  public boolean isPublished(String channelName) {
+    Route route = routes.get(channelName);
+    return route != null
+        && route.publishers.values().stream().anyMatch(publisher -> !publisher.closed);
+  }
+
   /** Counts messages from other processes lost on the way here, at most {@link Long#MAX_VALUE}. */
   public void missed(Channel<?> channel, long messages) {
     for (Subscription subscription : route(channel).subscriptions) {

@@ -9,8 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /**
  * A position to keep, with a heading if {@link #psi} is given: station keeping, or a berth that is
- * entered along its axis. It is reached when the vehicle has stayed within the horizontal threshold
- * and on its heading for the {@link #duration}.
+ * entered along its axis. It is reached when the vehicle has stayed within both thresholds and on
+ * its heading for the {@link #duration}.
  */
 public class Station extends Waypoint {
   private static final Schema<Station> SCHEMA =

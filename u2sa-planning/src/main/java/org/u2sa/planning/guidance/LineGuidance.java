@@ -40,6 +40,9 @@ public final class LineGuidance implements WaypointGuidance {
   /** Longer gaps between states do not count for a law with a memory [s]. */
   private static final double LONGEST_STEP_S = 1.0;
 
+  /** A slower vehicle, moored, drifting or not armed, teaches such a law nothing [m/s]. */
+  private static final double SLOWEST_MPS = 0.2;
+
   private final Supplier<LineSettings> settings;
   private final GuidanceLaw law;
   private Optional<Place> start = Optional.empty();
@@ -218,7 +221,10 @@ public final class LineGuidance implements WaypointGuidance {
   private void advance(Vehicle vehicle, Leg leg, double lookAheadM) {
     long now = vehicle.timestampMicros();
     double stepS = Clock.seconds(now - steppedMicros.orElse(now));
-    if (stepS > 0.0 && stepS <= LONGEST_STEP_S) {
+    double alongMps =
+        vehicle.northMps() * Math.cos(leg.bearingRad())
+            + vehicle.eastMps() * Math.sin(leg.bearingRad());
+    if (stepS > 0.0 && stepS <= LONGEST_STEP_S && alongMps >= SLOWEST_MPS) {
       law.advance(leg, lookAheadM, stepS);
     }
     steppedMicros = OptionalLong.of(now);

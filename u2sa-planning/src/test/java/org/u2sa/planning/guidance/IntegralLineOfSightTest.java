@@ -25,7 +25,9 @@ class IntegralLineOfSightTest {
     double east = 0.0;
     double heading = 0.0;
     for (int i = 0; i * STEP_S < seconds; i++) {
-      Vehicle boat = Vehicle.of(at(north, east, heading, i)).orElseThrow();
+      StateInformation state = at(north, east, heading, i);
+      state.xDot(Math.cos(heading)).yDot(Math.sin(heading) + currentMps);
+      Vehicle boat = Vehicle.of(state).orElseThrow();
       Point body = guidance.towards(boat, end, 1.0, Optional.empty());
       double wanted = heading - Math.atan2(body.y(), body.x()); // BODY: y is to the left
       heading += 0.5 * Math.IEEEremainder(wanted - heading, 2.0 * Math.PI);
@@ -41,6 +43,8 @@ class IntegralLineOfSightTest {
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .x(north)
             .y(east)
+            .xDot(0.0)
+            .yDot(0.0)
             .psi(heading);
     state.timestamp(Math.round(step * STEP_S * 1e6));
     return state;
@@ -56,6 +60,22 @@ class IntegralLineOfSightTest {
   @Test
   void towards_withoutIntegralGain_isPlainLineOfSight() {
     assertThat(offAfter(new IntegralLineOfSight(() -> 0.0), 0.3, 300.0)).isGreaterThan(1.0);
+  }
+
+  @Test
+  void towards_mooredBesideTheLine_learnsNothing() {
+    LineGuidance guidance = new LineGuidance(() -> SETTINGS, new IntegralLineOfSight(() -> 0.1));
+    Place end = Place.of(at(1000.0, 0.0, 0.0, 0));
+    guidance.begin(Optional.of(Place.of(at(0.0, 0.0, 0.0, 0))));
+    Vehicle boat = Vehicle.of(at(10.0, 2.0, 0.0, 0)).orElseThrow();
+    Point first = guidance.towards(boat, end, 1.0, Optional.empty());
+    Point last = first;
+    for (int i = 1; i < 3000; i++) {
+      boat = Vehicle.of(at(10.0, 2.0, 0.0, i)).orElseThrow();
+      last = guidance.towards(boat, end, 1.0, Optional.empty());
+    }
+
+    assertThat(last).isEqualTo(first);
   }
 
   @Test

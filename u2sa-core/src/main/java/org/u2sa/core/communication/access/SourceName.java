@@ -11,6 +11,8 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.schema.MessageCodec;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Source name of a message: a service on the channels of the contract, a sensor, actuator or
@@ -25,6 +27,7 @@ import org.u2sa.messages.schema.MessageCodec;
 public record SourceName(
     String key, String systemId, String channel, String name, boolean isService) {
   private static final String SERVICE_NAME = "serviceName";
+  private static final String ONLY_WRITER = "";
 
   /** Channels on which services report or answer under their own names. */
   private static final Set<Channel<?>> OF_SERVICES =
@@ -43,8 +46,6 @@ public record SourceName(
     OF_SERVICES.forEach(channel -> fields.put(channel.name(), SERVICE_NAME));
     Set.of(
             Channels.SENSED_STATE,
-            Channels.STATE,
-            Channels.LOCAL_STATE,
             Channels.SENSED_OBJECTS,
             Channels.SCANS,
             Channels.IMAGES,
@@ -55,12 +56,14 @@ public record SourceName(
     fields.put(Channels.NAVIGATION.name(), "subsystem");
     fields.put(Channels.PLANS.name(), "subsystem");
     Set.of(
+            Channels.STATE,
+            Channels.LOCAL_STATE,
             Channels.GOALS,
             Channels.OBJECTS,
             Channels.GRID,
             Channels.FAILSAFE,
             Channels.ARMING_STATE)
-        .forEach(channel -> fields.put(channel.name(), ""));
+        .forEach(channel -> fields.put(channel.name(), ONLY_WRITER));
     return fields;
   }
 
@@ -79,11 +82,19 @@ public record SourceName(
     String name =
         field.isEmpty()
             ? ""
-            : codec.peek(ByteBufUtil.getBytes(payload), field).orElse(topic.source());
+            : codec
+                .peek(ByteBufUtil.getBytes(payload), field)
+                .or(() -> payload.isReadable() ? unset(rule.type(), field) : Optional.empty())
+                .orElse(topic.source()); // which a message without bytes deletes
     boolean isService = OF_SERVICES.contains(rule.channel());
     String kind = isService ? "" : topic.channel(); // never empty
     String key = key(topic.systemId(), kind, name);
     return Optional.of(new SourceName(key, topic.systemId(), topic.channel(), name, isService));
+  }
+
+  /** Name that readers take from a message without the field: its default. */
+  private static <M extends U2SAData> Optional<String> unset(MessageType<M> type, String field) {
+    return type.field(field).flatMap(each -> each.get(type.create())).map(String::valueOf);
   }
 
   /**
@@ -96,6 +107,11 @@ public record SourceName(
   /** The name of a channel's only writer. */
   static SourceName ofOnlyWriter(String systemId, Channel<?> channel) {
     return new SourceName(key(systemId, channel.name(), ""), systemId, channel.name(), "", false);
+  }
+
+  /** Whether it is the name of a channel's only writer. */
+  boolean isOfOnlyWriter() {
+    return ONLY_WRITER.equals(FIELDS.get(channel));
   }
 
   boolean isOf(Channel<?> of) {

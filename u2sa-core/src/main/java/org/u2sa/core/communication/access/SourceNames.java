@@ -153,7 +153,9 @@ public final class SourceNames {
         || !name.isService()
             && services != null
             && services.systemId().equals(name.systemId())
-            && services.isLocal(name.channel(), name.name());
+            && (name.isOfOnlyWriter()
+                ? services.isPublished(name.channel())
+                : services.isLocal(name.channel(), name.name()));
   }
 
   private void hold(String key, Speaker before, Speaker speaker) {
