@@ -18,7 +18,7 @@ import org.u2sa.planning.Pursuit;
 
 /**
  * Circles the objects of a {@link CircleObjects} that the world model has, nearest first, on
- * tangents from one to the next, and around those to be avoided.
+ * tangents from one to the next, and around the others.
  */
 final class CircleState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of objects that nobody has seen
@@ -26,7 +26,9 @@ final class CircleState implements PlannerState {
   private static final double LEAD_RAD = Math.toRadians(50.0); // of the point to steer to
   private static final double CIRCLING_MPS = 2.5;
   private static final double MARGIN_M = 0.5; // of the distance on a circle
+  private static final double OTHER_SHARE = 0.7; // of the radius, clearance from other objects
   private static final double BEYOND_M = 2.0; // clearance of the point aside an avoided object
+  private static final double FULL_SPEED_M = 8.0; // to a point at which control does not slow down
   private static final double GIVE_UP_S = 60.0; // without any object
 
   private final PlannerView surroundings;
@@ -83,7 +85,9 @@ final class CircleState implements PlannerState {
     double at = bearing + sign * Math.max(LEAD_RAD, tangent);
     Point aim =
         way.plus(Point.of(goal.radius() * Math.cos(at), goal.radius() * Math.sin(at), 0.0));
-    NavigationPoint point = to(around(goal, state, aim), state);
+    Point around = around(goal, state, aim);
+    double longer = isOnIt ? 1.0 : Math.max(1.0, FULL_SPEED_M / Math.max(1e-3, length(around)));
+    NavigationPoint point = to(around.times(longer), state);
     return Plan.underWay(List.of(isOnIt ? point.speed(CIRCLING_MPS) : point));
   }
 
@@ -117,23 +121,33 @@ final class CircleState implements PlannerState {
     return Point.of(way.x(), way.y(), 0.0);
   }
 
-  /** A way, or one to a point aside the first object to be avoided that is too near it. */
+  /** A way, or one to a point aside the first other object that is too near it. */
   private Point around(CircleObjects goal, StateInformation state, Point way) {
-    double length = Math.max(1e-6, length(way));
-    Optional<Point> obstacle =
-        surroundings.objects().stream()
-            .filter(object -> goal.avoided().contains(object.objectType()))
-            .map(object -> way(object, state))
-            .filter(other -> length(aside(other, way)) < goal.clearance())
-            .filter(other -> along(other, way) > 0.0 && along(other, way) < length)
-            .min(Comparator.comparingDouble(CircleState::length));
-    if (obstacle.isEmpty()) {
+    double length = length(way);
+    ObjectDescription nearest = null;
+    for (ObjectDescription object : surroundings.objects()) {
+      Point other = way(object, state);
+      if (!object.uid().equals(circled)
+          && length(aside(other, way)) < clearance(object, goal)
+          && along(other, way) > 0.0
+          && along(other, way) < length
+          && (nearest == null || length(other) < length(way(nearest, state)))) {
+        nearest = object;
+      }
+    }
+    if (nearest == null) {
       return way;
     }
-    Point other = obstacle.get();
+    Point other = way(nearest, state);
     Point off = aside(other, way);
-    double share = (goal.clearance() + BEYOND_M) / Math.max(1e-6, length(off));
+    double share = (clearance(nearest, goal) + BEYOND_M) / Math.max(1e-6, length(off));
     return other.plus(off.times(share));
+  }
+
+  private static double clearance(ObjectDescription object, CircleObjects goal) {
+    return goal.avoided().contains(object.objectType())
+        ? goal.clearance()
+        : OTHER_SHARE * goal.radius();
   }
 
   private static double along(Point other, Point way) {
