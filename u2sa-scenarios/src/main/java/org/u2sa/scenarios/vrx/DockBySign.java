@@ -34,6 +34,10 @@ public final class DockBySign extends GoalInformation {
     return require(DURATION);
   }
 
+  public DockBySign duration(double seconds) {
+    return put(DURATION, seconds);
+  }
+
   /** Colours of the light buoy; empty until they have been read. */
   public List<Colour> sequence() {
     return get(SEQUENCE).stream().map(Colour::valueOf).collect(Collectors.toUnmodifiableList());

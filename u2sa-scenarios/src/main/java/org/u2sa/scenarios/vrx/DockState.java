@@ -34,7 +34,9 @@ final class DockState implements PlannerState {
   private static final double LIGHT_M = 10.0; // from the light buoy while it is read
   private static final double ROUND_M = 24.0; // from the middle of the dock, looking for signs
   private static final double STEP_RAD = 0.5; // ahead on the way around it
-  private static final double READ_M = 18.0; // before the middle of the signs
+  private static final double READ_M = 14.0; // before the middle of the signs
+  private static final double READ_WITHIN_M = 2.0;
+  private static final double READ_S = 4.0; // there, for accurate places
   private static final double LINE_UP_M = 15.0; // before a sign
   private static final double BERTH_M = 4.2;
   private static final double OUT_M = 9.2;
@@ -50,6 +52,7 @@ final class DockState implements PlannerState {
   private Phase phase = Phase.SCANS;
   private Optional<Point> inwards = Optional.empty(); // unit vector into the bays
   private Optional<Point> sign = Optional.empty(); // of the bay
+  private long readMicros; // before the signs since
   private long thereMicros; // in the bay since
 
   DockState(PlannerView surroundings) {
@@ -67,6 +70,7 @@ final class DockState implements PlannerState {
     phase = Phase.SCANS;
     inwards = Optional.empty();
     sign = Optional.empty();
+    readMicros = Long.MAX_VALUE;
     thereMicros = Long.MAX_VALUE;
   }
 
@@ -87,12 +91,14 @@ final class DockState implements PlannerState {
     if (phase == Phase.SCANS && !goal.sequence().isEmpty()) {
       next(Phase.LOOKS);
     }
-    if (phase == Phase.LOOKS && signs.size() == SIGNS) {
-      sign = Optional.ofNullable(signs.get(goal.sign()));
-      if (sign.isEmpty()) {
+    if (phase == Phase.LOOKS && hasRead(signs, state)) {
+      if (!signs.containsKey(goal.sign())) {
         return abandoned("no bay has a " + goal.sign() + ", but " + signs.keySet());
       }
       next(Phase.LINES_UP);
+    }
+    if (phase == Phase.LINES_UP || phase == Phase.ENTERS) {
+      sign = Optional.ofNullable(signs.get(goal.sign())).or(() -> sign);
     }
     return switch (phase) {
       case SCANS -> scan(pursuit);
@@ -165,10 +171,23 @@ final class DockState implements PlannerState {
         : Plan.underWay(List.of());
   }
 
+  private boolean hasRead(Map<String, Point> signs, StateInformation state) {
+    long now = state.timestamp().orElseThrow();
+    boolean isThere =
+        signs.size() == SIGNS
+            && apart(readPlace(signs), surroundings.here(state)) < READ_WITHIN_M;
+    readMicros = isThere ? Math.min(readMicros, now) : Long.MAX_VALUE;
+    return isThere && Clock.seconds(now - readMicros) >= READ_S;
+  }
+
+  private Point readPlace(Map<String, Point> signs) {
+    return middle(List.copyOf(signs.values())).minus(inwards.orElseThrow().times(READ_M));
+  }
+
   private Plan look(Pursuit pursuit, Map<String, Point> signs) {
     StateInformation state = pursuit.state();
-    if (inwards.isPresent()) {
-      return towards(pursuit, middle(List.copyOf(signs.values())).minus(inwards.get().times(READ_M)));
+    if (inwards.isPresent() && !signs.isEmpty()) {
+      return towards(pursuit, readPlace(signs));
     }
     List<Point> blocks = places(Docking.BLOCK, state);
     if (blocks.isEmpty()) {
