@@ -19,7 +19,7 @@ final class NmeaFramer {
 
   private final byte[] bytes = new byte[LONGEST];
   private final NmeaSentence sentence = new NmeaSentence(bytes);
-  private int count; // 0 while waiting for a dollar sign
+  private int count; // 0 while waiting for a dollar sign, or for AIS's exclamation mark
   private final Consumer<NmeaSentence> sink;
   private final Consumer<String> refusals;
 
@@ -44,7 +44,7 @@ final class NmeaFramer {
   }
 
   private void accept(byte next) {
-    if (next == '$') {
+    if (next == '$' || next == '!' && count == 0) {
       if (count > 0) {
         refuse("cut off: ");
       }

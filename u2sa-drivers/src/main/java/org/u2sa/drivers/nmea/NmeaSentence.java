@@ -64,7 +64,7 @@ public final class NmeaSentence {
     return new String(bytes, begin, end - begin, StandardCharsets.US_ASCII);
   }
 
-  /** Full text, from the dollar sign to the checksum. */
+  /** Full text, from the dollar sign or exclamation mark to the checksum. */
   public String text() {
     return new String(bytes, 0, whole, StandardCharsets.US_ASCII);
   }

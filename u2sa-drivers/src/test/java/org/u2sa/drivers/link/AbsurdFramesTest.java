@@ -49,6 +49,7 @@ import org.u2sa.drivers.sonar.Ping1d;
 import org.u2sa.drivers.sonar.Ping360;
 import org.u2sa.drivers.sonar.SerialSonar;
 import org.u2sa.drivers.sonar.SonarModel;
+import org.u2sa.drivers.traffic.AisReceiver;
 import org.u2sa.drivers.traffic.Gdl90Receiver;
 import org.u2sa.drivers.water.SerialVelocityLog;
 import org.u2sa.drivers.wind.NmeaAnemometer;
@@ -187,6 +188,10 @@ class AbsurdFramesTest {
           int[] message = ubx[random.nextInt(ubx.length)];
           return Frames.ubx(random, message[0], message[1]);
         });
+    add(
+        "AIS",
+        (context, link) -> new TrafficSensor(context, new AisReceiver(link)),
+        random -> Frames.nmea(random, "AIVDM,1,1,,A,15MgK45P3@G?fl0E`JbR0OwT0@MS,0"));
     add(
         "GDL 90",
         (context, link) -> new TrafficSensor(context, new Gdl90Receiver(link)),

@@ -10,8 +10,8 @@ public final class MarineObjects {
   /**
    * Creates the object of a name, with this name as its type.
    *
-   * @param name a kind (buoy, pole, hoop, bin, button, puck, dock, hot target, path marker), after its
-   *     colour if it has one; any other name yields a plain ObjectDescription
+   * @param name a kind (buoy, marker, pole, hoop, bin, button, puck, dock, hot target, path marker),
+   *     after its colour if it has one; any other name yields a plain ObjectDescription
    * @param radiusM half its width [m]; 0 if unknown
    */
   public static ObjectDescription named(String name, double radiusM) {
@@ -34,7 +34,7 @@ public final class MarineObjects {
       return new Puck().radius(radiusM);
     } else if (kind.equals("dock")) {
       return new Dock().width(width);
-    } else if (colour != null && kind.equals("buoy")) {
+    } else if (colour != null && (kind.equals("buoy") || kind.equals("marker"))) {
       return new Buoy().colour(colour).radius(radiusM);
     } else if (colour != null && kind.equals("pole")) {
       return new Pole().colour(colour).radius(radiusM);

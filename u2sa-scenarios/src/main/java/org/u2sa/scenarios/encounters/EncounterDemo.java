@@ -31,6 +31,7 @@ import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.HomeFolder;
 import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.Water;
@@ -62,6 +63,7 @@ final class EncounterDemo implements Callable<Integer>, Demo {
   private static final double THRESHOLD_M = 5.0;
   private static final double FAR_S = 900.0;
   private static final double FASTEST_CURRENT_MPS = 0.3;
+  private static final double FASTEST_WIND_MPS = 6.0;
   private static final double RANGE_SIGMA_M = 1.5;
   private static final double ANGLE_SIGMA_DEG = 0.5;
 
@@ -82,7 +84,8 @@ final class EncounterDemo implements Callable<Integer>, Demo {
       names = "--vary",
       description =
           "Change each case by the seed: speeds by up to 20 %%, courses by up to 10 degrees, a "
-              + "current of up to 0.3 m/s, and up to twice the radar's noise.")
+              + "current of up to 0.3 m/s, a wind of up to 6 m/s with gusts, and up to twice the "
+              + "radar's noise.")
   private boolean vary;
 
   private EncounterCase encounter; // if there is only one
@@ -157,7 +160,7 @@ final class EncounterDemo implements Callable<Integer>, Demo {
   public Trial trial(Mission given, Path directory, long seed) {
     Mission mission = frame.isOwnMission() ? mission(given, directory) : given;
     VehicleFile vehicle =
-        VehicleFile.load(HomeFolder.holding("config/vehicles").resolve(VEHICLE), noise(seed));
+        VehicleFile.load(HomeFolder.holding("config/vehicles").resolve(VEHICLE), changes(seed));
     RunPlan.Start start = start(mission);
     VehicleTrial placed =
         VehicleTrial.of(vehicle, world(start, seed), Point.ORIGIN, start.headingRad(), seed);
@@ -191,12 +194,17 @@ final class EncounterDemo implements Callable<Integer>, Demo {
     return Mission.load(file);
   }
 
-  private Map<String, String> noise(long seed) {
+  /** The radar's noise; and the area that the wind finds, which the model of the Otter lacks. */
+  private Map<String, String> changes(long seed) {
     Map<String, String> changes = new LinkedHashMap<>();
     if (vary) {
       Random random = new Random(seed);
       changes.put("radar/sigma", "" + RANGE_SIGMA_M * (1.0 + random.nextDouble()));
       changes.put("radar/angleSigma", "" + ANGLE_SIGMA_DEG * (1.0 + random.nextDouble()));
+      changes.put("vessel/windage", "");
+      changes.put("vessel/windage/ahead", "0.2"); // ½ ρ C A of 0.4 m² from ahead
+      changes.put("vessel/windage/aside", "0.4"); // and 0.65 m² from the side
+      changes.put("vessel/windage/turning", "0.1");
     }
     return changes;
   }
@@ -205,9 +213,12 @@ final class EncounterDemo implements Callable<Integer>, Demo {
     Random random = new Random(seed + 1);
     double speed = vary ? FASTEST_CURRENT_MPS * random.nextDouble() : 0.0;
     double towards = 2.0 * Math.PI * random.nextDouble();
-    World world =
+    World still =
         VehicleTrial.at(start)
             .with(new Water(0.0, speed * Math.sin(towards), speed * Math.cos(towards)));
+    double windMps = FASTEST_WIND_MPS * random.nextDouble();
+    double windFrom = 2.0 * Math.PI * random.nextDouble();
+    World world = vary ? still.with(Wind.gusty(windFrom, windMps, seed)) : still;
     return world.withMovers(
         encounter.vessels().stream()
             .map(vessel -> mover(vessel, world))

@@ -2,14 +2,10 @@ package org.u2sa.scenarios.vrx;
 
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
-import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
-import org.u2sa.sim.world.World;
 
 /**
  * Follow the path: 10 points a gate, 1 for consecutive ones, 1 for the last, −3 a collision; higher
@@ -34,21 +30,17 @@ final class PathJudge extends VrxJudge {
     VOID
   }
 
-  private final World buoys;
-  private final Footprint outline;
+  private final Collisions collisions;
   private final Place[] places;
-  private final Map<String, Double> touched = new HashMap<>();
   private int last = -1;
   private int lastGood = Integer.MIN_VALUE;
   private int crossed;
-  private int contacts;
   private double collidedS = Double.NEGATIVE_INFINITY;
   private double score;
 
   PathJudge(VrxWorld world, Footprint outline, Path directory) {
     super(world, directory);
-    this.outline = outline;
-    buoys = World.at(world.origin()).with(world.buoys());
+    collisions = new Collisions(world, outline);
     places = new Place[world.gates().size()];
     Arrays.fill(places, Place.OUTSIDE);
   }
@@ -114,16 +106,7 @@ final class PathJudge extends VrxJudge {
   }
 
   private void collide(VehicleTruth truth, double sinceS) {
-    Point flat = Point.of(truth.position().x(), truth.position().y(), 0.0);
-    List<ObjectDescription> all = buoys.contacts(outline, flat, truth.headingRad());
-    for (ObjectDescription each : all) {
-      Double before = touched.put(each.uid(), sinceS);
-      if (before == null || sinceS - before > 1.0) {
-        contacts++;
-        say(sinceS, "touches " + each.uid());
-      }
-    }
-    if (!all.isEmpty() && sinceS - collidedS >= BUFFER_S) {
+    if (collisions.see(truth, sinceS, this) && sinceS - collidedS >= BUFFER_S) {
       collidedS = sinceS;
       score = Math.max(0.0, score - PENALTY);
     }
@@ -136,7 +119,7 @@ final class PathJudge extends VrxJudge {
 
   @Override
   int contacts() {
-    return contacts;
+    return collisions.count();
   }
 
   @Override

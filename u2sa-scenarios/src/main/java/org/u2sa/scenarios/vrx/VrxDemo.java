@@ -10,6 +10,8 @@ import java.util.concurrent.Callable;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
@@ -75,7 +77,11 @@ final class VrxDemo implements Callable<Integer>, Demo {
 
   @Override
   public String systemFile() {
-    return world.task() == VrxTask.PATH ? "system-path.xml" : "system.xml";
+    return switch (world.task()) {
+      case STATIONKEEPING, WAYFINDING -> "system.xml";
+      case PATH, DOCK -> "system-path.xml";
+      case WILDLIFE -> "system-wildlife.xml";
+    };
   }
 
   @Override
@@ -103,7 +109,7 @@ final class VrxDemo implements Callable<Integer>, Demo {
 
   @Override
   public Surroundings surroundings() {
-    return new Surroundings(world.buoysFromStart(), 0.0);
+    return new Surroundings(world.objectsFromStart(), 0.0);
   }
 
   @Override
@@ -118,6 +124,16 @@ final class VrxDemo implements Callable<Integer>, Demo {
         mission,
         placed.name(),
         clock -> VrxJudge.of(world, placed.run().vehicle().footprint(), directory),
-        launch -> {});
+        launch -> readLights(launch, placed, seed));
+  }
+
+  /** Adds the reader of the light buoy, whose camera is simulated. */
+  private void readLights(LaunchOptions launch, VehicleTrial placed, long seed) {
+    if (world.task() == VrxTask.DOCK) {
+      LightSight sight =
+          new LightSight(world.docking(), timeS -> placed.run().at(Clock.micros(timeS)), seed);
+      launch.beside(
+          XmlConfiguration.inMemory("LightReader", Map.of()), context -> new LightReader(context, sight));
+    }
   }
 }

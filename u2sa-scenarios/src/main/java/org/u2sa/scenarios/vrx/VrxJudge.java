@@ -45,6 +45,8 @@ abstract class VrxJudge implements TruthObserver.Scorer {
       case STATIONKEEPING -> new StationJudge(world, directory);
       case WAYFINDING -> new WayfindingJudge(world, directory);
       case PATH -> new PathJudge(world, outline, directory);
+      case WILDLIFE -> new WildlifeJudge(world, outline, directory);
+      case DOCK -> new DockJudge(world, outline, directory);
     };
   }
 

@@ -14,6 +14,11 @@ final class VrxMission {
   private static final double WITHIN_M = 0.15; // of the place, while the smallest error counts
   private static final double START_WITHIN_M = 1.0;
   private static final double STAY_S = 4.0;
+  private static final double CIRCLE_SHARE = 0.55; // of the engagement distance
+  private static final double CLEARANCE_M = 3.0; // beyond it, from animals to be avoided
+  private static final String GATES =
+      "  <gateCourse><name>gates</name>"
+          + "<objectTypes>white marker, green marker, black marker, red marker</objectTypes></gateCourse>\n";
 
   private VrxMission() {}
 
@@ -32,7 +37,9 @@ final class VrxMission {
           stayS = STAY_S;
         }
       }
-      case PATH -> gates(world, text);
+      case PATH -> text.append(start(world)).append(GATES);
+      case WILDLIFE -> text.append(start(world)).append(animals(world.wildlife()));
+      case DOCK -> text.append(start(world)).append(berth(world.docking()));
     }
     ReportFile.writeText(file, out -> out.write(text.append("</mission>\n").toString()));
     return Mission.load(file);
@@ -58,26 +65,35 @@ final class VrxMission {
   }
 
   /**
-   * The gates, once the running state has begun: one crossed before does not count. VRX publishes
-   * the state of the task; here the wait stands for it.
+   * Waits at the start until the running state has begun: nothing counts before. VRX publishes the
+   * state of the task; here the wait stands for it.
    */
-  private static void gates(VrxWorld world, StringBuilder text) {
+  private static String start(VrxWorld world) {
     Geodetic start = world.plane().at(VrxWorld.START.x(), VrxWorld.START.y(), 0.0);
     VrxWorld.Goal here =
         new VrxWorld.Goal(start.longitudeDeg(), start.latitudeDeg(), VrxWorld.START_HEADING_RAD);
-    text.append(station("start", here, START_WITHIN_M, world.times().readyS()));
-    for (int i = 0; i < world.gates().size(); i++) {
-      VrxWorld.Gate gate = world.gates().get(i);
-      boolean isLast = i == world.gates().size() - 1;
-      double beyondM = isLast ? 6.0 : 0.0;
-      double heading = gate.headingRad();
-      Point to =
-          gate.centre()
-              .plus(Point.of(beyondM * Math.sin(heading), beyondM * Math.cos(heading), 0.0));
-      text.append("  <waypoint><name>gate ").append(i + 1).append("</name>");
-      text.append(place(world, to));
-      text.append("<horizontalThreshold>2</horizontalThreshold></waypoint>\n");
-    }
+    return station("start", here, START_WITHIN_M, world.times().readyS());
+  }
+
+  /** The species and what to do with them are the same in all worlds; places are announced. */
+  private static String animals(Wildlife wildlife) {
+    return String.format(
+        Locale.ROOT,
+        "  <circleObjects><name>animals</name><clockwise>%s</clockwise><anticlockwise>%s</anticlockwise>"
+            + "<avoided>%s</avoided><radius>%.1f</radius><within>%.1f</within><clearance>%.1f</clearance></circleObjects>%n",
+        Wildlife.Part.CLOCKWISE.species(),
+        Wildlife.Part.ANTICLOCKWISE.species(),
+        Wildlife.Part.AVOID.species(),
+        CIRCLE_SHARE * wildlife.engagementM(),
+        wildlife.engagementM(),
+        wildlife.engagementM() + CLEARANCE_M);
+  }
+
+  private static String berth(Docking docking) {
+    return String.format(
+        Locale.ROOT,
+        "  <dockBySign><name>dock</name><duration>%.1f</duration></dockBySign>%n",
+        docking.stayS() + 1.0);
   }
 
   /** Shortest order of the goals from the start, by trying all: VRX has five at most. */

@@ -42,7 +42,8 @@ final class VrxTable implements Callable<Integer> {
       published (VRX 2019, rehearsal; older simulator, two thrusters that turn), best team of each run:
         stationkeeping  0.14  0.27  1.26  19.56  4.41  5.59; best team's mean 7.35
         wayfinding      0     0.03  0.18  0.03   0.03  0.03
-        path            finished by two teams""";
+        path            finished by two teams
+        wildlife, dock  not part of it""";
 
   @Parameters(
       paramLabel = "FOLDER",
@@ -153,17 +154,21 @@ final class VrxTable implements Callable<Integer> {
     int contacts = 0;
     for (Score each : scores) {
       line.append(
-          String.format(Locale.ROOT, task.isMoreBetter() ? " %6.0f" : " %6.3f", each.score()));
+          String.format(Locale.ROOT, task.isFine() ? " %6.3f" : " %6.1f", each.score()));
       contacts += each.contacts();
     }
     return line + (contacts > 0 ? "  contacts " + contacts : "");
   }
 
-  /** Most points of a path: 11 a gate. */
+  /** Most points of a path, 11 a gate, and of a dock; unit of times. */
   private static String ofAll(Path world, VrxTask task) {
-    return task == VrxTask.PATH
-        ? " of " + PathJudge.most(VrxWorldReader.read(world).gates().size())
-        : "";
+    return switch (task) {
+      case PATH -> " of " + PathJudge.most(VrxWorldReader.read(world).gates().size());
+      case DOCK -> String.format(
+          Locale.ROOT, " of %.0f", VrxWorldReader.read(world).docking().most());
+      case WILDLIFE -> " s";
+      case STATIONKEEPING, WAYFINDING -> "";
+    };
   }
 
   private static Optional<String> total(VrxTask task, List<Score> all) {

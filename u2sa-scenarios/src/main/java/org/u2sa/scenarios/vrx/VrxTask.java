@@ -7,7 +7,11 @@ enum VrxTask {
   /** Visit places with headings. */
   WAYFINDING("WayfindingScoringPlugin", false),
   /** Pass gates in order, among obstacles. */
-  PATH("NavigationScoringPlugin", true);
+  PATH("NavigationScoringPlugin", true),
+  /** Circle animals, and keep away from others. */
+  WILDLIFE("WildlifeScoringPlugin", false),
+  /** Read a light buoy, and dock in the bay that it names. */
+  DOCK("ScanDockScoringPlugin", true);
 
   private final String plugin;
   private final boolean isMoreBetter;
@@ -20,6 +24,11 @@ enum VrxTask {
   /** Last part of the name of its scoring plugin. */
   String plugin() {
     return plugin;
+  }
+
+  /** Whether its score is an error far below 1. */
+  boolean isFine() {
+    return this == STATIONKEEPING || this == WAYFINDING;
   }
 
   /** Whether a higher score is better. */

@@ -4,9 +4,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.CurrentField;
 import org.u2sa.sim.world.LocalPlane;
@@ -25,6 +27,8 @@ import org.u2sa.sim.world.World;
  * @param goals places with headings, in the order of the file
  * @param gates in the order of the course
  * @param buoys markers and obstacles, in LOCAL_ENU
+ * @param wildlife animals of that task
+ * @param docking dock and light buoy of that task
  */
 record VrxWorld(
     Path file,
@@ -35,7 +39,9 @@ record VrxWorld(
     Times times,
     List<Goal> goals,
     List<Gate> gates,
-    List<ObjectDescription> buoys) {
+    List<ObjectDescription> buoys,
+    Wildlife wildlife,
+    Docking docking) {
 
   /** Where the WAM-V is spawned: east, north [m]; yaw 1 rad, by VRX's competition launch files. */
   static final Point START = Point.of(-532.0, 162.0, 0.0);
@@ -109,15 +115,25 @@ record VrxWorld(
     return Math.IEEEremainder(0.5 * Math.PI - yawRad, 2.0 * Math.PI);
   }
 
-  /** Buoys relative to the start instead of the origin, for maps of a run. */
-  List<ObjectDescription> buoysFromStart() {
+  /** What stands and swims, relative to the start instead of the origin, for maps of a run. */
+  List<ObjectDescription> objectsFromStart() {
     List<ObjectDescription> moved = new ArrayList<>();
-    for (ObjectDescription buoy : buoys) {
-      ObjectDescription copy = buoy.copy();
-      copy.x(buoy.x() - START.x()).y(buoy.y() - START.y()).freeze();
-      moved.add(copy);
+    for (ObjectDescription object : SimulatedWorld.surroundings(solid(), 300.0).objects()) {
+      moved.add(object.movedTo(object.center().minus(START)));
     }
     return moved;
+  }
+
+  /** What can be touched. */
+  World solid() {
+    List<ObjectDescription> all = new ArrayList<>(buoys);
+    all.addAll(docking.objects());
+    return World.at(origin)
+        .with(all)
+        .withMovers(
+            wildlife.animals().stream()
+                .map(Wildlife.Animal::mover)
+                .collect(Collectors.toList()));
   }
 
   LocalPlane plane() {
@@ -132,9 +148,8 @@ record VrxWorld(
    * @param seed of gusts and waves
    */
   World simulated(long seed) {
-    World calm = World.at(origin).with(buoys);
     World wet =
-        calm.with(
+        solid().with(
             new Water(
                 0.0,
                 CurrentField.uniform(0.0, 0.0),

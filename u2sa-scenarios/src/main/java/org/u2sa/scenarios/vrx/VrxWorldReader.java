@@ -1,8 +1,13 @@
 package org.u2sa.scenarios.vrx;
 
-import java.nio.file.Files;
+import static org.u2sa.scenarios.vrx.SdfValues.number;
+import static org.u2sa.scenarios.vrx.SdfValues.numbers;
+import static org.u2sa.scenarios.vrx.SdfValues.required;
+import static org.u2sa.scenarios.vrx.SdfValues.text;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -10,35 +15,38 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.marine.Colour;
 import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.sim.world.LocalPlane;
+import org.u2sa.sim.world.ScriptedMover;
 
 /** Reads the plugins of a world of VRX: task, goals, gates, wind, waves, and the buoys around. */
 final class VrxWorldReader {
-  private static final double LARGEST = 1e7;
   private static final Pattern PARAMETER =
       Pattern.compile("key: \"(\\w+)\".*?double_value: ([-+.0-9eE]+)", Pattern.DOTALL);
 
-  // mb_marker_buoy and mb_round_buoy of the models that the courses include
-  private static final double MARKER_RADIUS_M = 0.325;
-  private static final double ROUND_RADIUS_M = 0.25;
-  private static final double MARKER_HEIGHT_M = 1.1;
+  /** Speed of animals [m/s]. VRX pushes them with forces; their masses are not in its repository. */
+  private static final double ANIMAL_MPS = 0.3;
+
+  private static final double ANIMAL_RADIUS_M = 0.45;
+  private static final double ANIMAL_HEIGHT_M = 0.6;
 
   private final Path file;
   private final XmlElement world;
-  private final Map<String, Point> places = new HashMap<>(); // of all buoys, by name
-  private final List<ObjectDescription> buoys = new ArrayList<>();
+  private final VrxObjects objects;
 
   private VrxWorldReader(Path file) {
     this.file = file;
     XmlElement root = XmlReader.read(file, "sdf");
     world = required(root, "world");
+    objects = new VrxObjects(file, world);
   }
 
   /**
@@ -71,12 +79,14 @@ final class VrxWorldReader {
             .orElseThrow(
                 () ->
                     world.error(
-                        "has no task that this demo runs; expected a StationkeepingScoringPlugin, WayfindingScoringPlugin or NavigationScoringPlugin"));
+                        "has no task that this demo runs; expected one of "
+                            + Arrays.stream(VrxTask.values())
+                                .map(VrxTask::plugin)
+                                .collect(Collectors.joining(", "))));
     XmlElement scoring = plugin(task.plugin()).orElseThrow();
     XmlElement sphere = required(world, "spherical_coordinates");
     Geodetic origin =
         new Geodetic(number(sphere, "longitude_deg"), number(sphere, "latitude_deg"), 0.0);
-    world.children("include").forEach(include -> include(include, Point.ORIGIN, 0.0));
     return new VrxWorld(
         file,
         task,
@@ -87,7 +97,9 @@ final class VrxWorldReader {
             number(scoring, "ready_state_duration"), number(scoring, "running_state_duration")),
         goals(task, scoring),
         task == VrxTask.PATH ? gates(required(scoring, "gates")) : List.of(),
-        List.copyOf(buoys));
+        objects.buoys(),
+        task == VrxTask.WILDLIFE ? wildlife(scoring, new LocalPlane(origin)) : Wildlife.none(),
+        task == VrxTask.DOCK ? docking(scoring) : Docking.none());
   }
 
   private Optional<XmlElement> plugin(String name) {
@@ -174,85 +186,95 @@ final class VrxWorldReader {
   }
 
   private Point marker(XmlElement name) {
-    Point place = places.get(name.text().trim());
-    if (place == null) {
-      throw name.error(
-          "\""
-              + name.text()
-              + "\": no such marker; expected the name of an <include> of the world or of its course in ../models");
+    return objects.named(name).place();
+  }
+
+  private Wildlife wildlife(XmlElement scoring, LocalPlane plane) {
+    List<Wildlife.Animal> animals = new ArrayList<>();
+    for (XmlElement buoy : required(scoring, "buoys").children("buoy")) {
+      XmlElement goal = required(buoy, "goal");
+      Wildlife.Part part =
+          switch (goal.text().trim()) {
+            case "avoid" -> Wildlife.Part.AVOID;
+            case "circumnavigate_clockwise" -> Wildlife.Part.CLOCKWISE;
+            case "circumnavigate_counterclockwise" -> Wildlife.Part.ANTICLOCKWISE;
+            default -> throw goal.error(
+                "\""
+                    + goal.text()
+                    + "\": expected avoid, circumnavigate_clockwise or circumnavigate_counterclockwise");
+          };
+      XmlElement named = required(buoy, "name");
+      String name = named.text().trim().replaceFirst("::.*", "");
+      animals.add(
+          new Wildlife.Animal(name, part, mover(objects.named(named), name, part, plane)));
     }
-    return place;
+    return new Wildlife(
+        animals,
+        number(scoring, "engagement_distance", 10.0),
+        number(scoring, "time_bonus", 30.0));
   }
 
-  /** Adds the buoys of an included model, and those that it includes. */
-  private void include(XmlElement include, Point at, double yawRad) {
-    double[] pose = include.child("pose").map(each -> numbers(each, 6)).orElse(new double[6]);
-    Point place =
-        Point.of(
-            at.x() + pose[0] * Math.cos(yawRad) - pose[1] * Math.sin(yawRad),
-            at.y() + pose[0] * Math.sin(yawRad) + pose[1] * Math.cos(yawRad),
-            0.0);
-    String uri = required(include, "uri").text().trim();
-    String model = uri.substring(uri.lastIndexOf('/') + 1);
-    String name = include.child("name").map(each -> each.text().trim()).orElse(model);
-    if (model.contains("buoy")) {
-      places.put(name, place);
-      boolean isRound = model.contains("round");
-      double radiusM = isRound ? ROUND_RADIUS_M : MARKER_RADIUS_M;
-      ObjectDescription buoy =
-          new Cylinder().radius(radiusM).height(isRound ? radiusM : MARKER_HEIGHT_M);
-      buoy.uid(name).objectType(model).referenceFrame(ReferenceFrame.LOCAL_ENU);
-      buoy.x(place.x()).y(place.y()).z(0.0).freeze();
-      buoys.add(buoy);
-      return;
-    }
-    modelFile(model)
-        .map(each -> XmlReader.read(each, "sdf"))
-        .ifPresent(
-            root ->
-                root.children("model").stream()
-                    .flatMap(each -> each.children("include").stream())
-                    .forEach(each -> include(each, place, yawRad + pose[5])));
-  }
-
-  /** A model beside the worlds: in a folder "models" of the world's folder or of one above. */
-  private Optional<Path> modelFile(String model) {
-    Path folder = file.toAbsolutePath().normalize().getParent();
-    for (int i = 0; i < 3 && folder != null; i++) {
-      Path candidate = folder.resolve("models").resolve(model).resolve("model.sdf");
-      if (Files.isRegularFile(candidate)) {
-        return Optional.of(candidate);
-      }
-      folder = folder.getParent();
-    }
-    return Optional.empty();
-  }
-
-  private static XmlElement required(XmlElement parent, String name) {
-    return parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
-  }
-
-  private static double number(XmlElement parent, String name) {
-    return numbers(required(parent, name), 1)[0];
-  }
-
-  private static double[] numbers(XmlElement element, int count) {
-    String[] words = element.text().trim().split("\\s+");
-    if (words.length < count) {
-      throw element.error(
-          String.format(Locale.ROOT, "\"%s\": expected %d numbers", element.text(), count));
-    }
-    double[] numbers = new double[count];
-    for (int i = 0; i < count; i++) {
-      try {
-        numbers[i] = Double.parseDouble(words[i]);
-      } catch (NumberFormatException e) {
-        throw element.error("\"" + words[i] + "\" is not a number", e);
-      }
-      if (!(Math.abs(numbers[i]) <= LARGEST)) {
-        throw element.error("\"" + words[i] + "\": expected a number of at most 10,000,000");
+  /** To and fro between the waypoints of the model's TrajectoryFollower. */
+  private static ScriptedMover mover(
+      VrxObjects.Included model, String name, Wildlife.Part part, LocalPlane plane) {
+    Cylinder animal = new Cylinder().radius(ANIMAL_RADIUS_M).height(ANIMAL_HEIGHT_M);
+    animal.uid(name).objectType(part.species()).referenceFrame(ReferenceFrame.LOCAL_ENU);
+    animal.x(model.place().x()).y(model.place().y()).z(0.0);
+    List<ScriptedMover.Waypoint> way = new ArrayList<>();
+    for (XmlElement plugin : model.element().children("plugin")) {
+      for (XmlElement waypoints : plugin.children("waypoints")) {
+        for (XmlElement each : waypoints.children("waypoint")) {
+          double[] at = numbers(each, 2);
+          way.add(new ScriptedMover.Waypoint(Point.of(at[0], at[1], 0.0), ANIMAL_MPS, 0.0));
+        }
       }
     }
-    return numbers;
+    if (way.isEmpty()) {
+      way.add(new ScriptedMover.Waypoint(model.place(), ANIMAL_MPS, 0.0));
+    }
+    return new ScriptedMover(
+        animal, plane, way, ScriptedMover.End.LOOP, 0.0, true, true);
+  }
+
+  private Docking docking(XmlElement scoring) {
+    VrxObjects.Included dock =
+        objects.first("dock").orElseThrow(() -> world.error("includes no dock"));
+    VrxObjects.Included light =
+        objects.first("robotx_light").orElseThrow(() -> world.error("includes no light buoy"));
+    List<Docking.Bay> bays = new ArrayList<>();
+    double stayS = 0.0;
+    for (XmlElement bay : required(scoring, "bays").children("bay")) {
+      String[] sign = text(bay, "symbol").split("_");
+      bays.add(
+          new Docking.Bay(
+              colour(required(bay, "symbol"), sign[0]),
+              sign[sign.length - 1],
+              text(bay, "correct_dock").equalsIgnoreCase("true")));
+      stayS = number(bay, "min_dock_time");
+    }
+    List<Colour> sequence = new ArrayList<>();
+    for (String name : List.of("color_1", "color_2", "color_3")) {
+      XmlElement each = required(scoring, name);
+      sequence.add(colour(each, each.text().trim()));
+    }
+    return new Docking(
+        dock.place(),
+        dock.yawRad(),
+        bays,
+        sequence,
+        light.place(),
+        new Docking.Points(
+            number(scoring, "color_bonus_points", 10.0),
+            number(scoring, "dock_bonus_points", 10.0),
+            number(scoring, "correct_dock_bonus_points", 10.0)),
+        stayS);
+  }
+
+  private static Colour colour(XmlElement element, String name) {
+    return Arrays.stream(Colour.values())
+        .filter(each -> each.name().equalsIgnoreCase(name))
+        .findFirst()
+        .orElseThrow(
+            () -> element.error("\"" + name + "\": expected red, green, blue or yellow"));
   }
 }

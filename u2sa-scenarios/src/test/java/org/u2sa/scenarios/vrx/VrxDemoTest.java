@@ -43,10 +43,31 @@ class VrxDemoTest {
   }
 
   @Test
-  void call_gatesWithObstacles_allPointsWithoutAContact() throws IOException {
+  void call_gatesWithObstacles_areFoundByTheirColours() throws IOException {
     JsonNode summary = run("gates.sdf", "--seed", "7", "--task", "path");
 
     assertThat(summary.get("score").asDouble()).isEqualTo(33.0);
+    assertThat(summary.get("contacts").asInt()).isZero();
+    assertThat(Files.readString(folder.resolve("out/mission.xml")))
+        .as("no gate is told")
+        .contains("gateCourse")
+        .doesNotContain("waypoint");
+  }
+
+  @Test
+  void call_animals_areCircledAndTheCrocodileAvoided() throws IOException {
+    JsonNode summary = run("animals.sdf", "--seed", "7", "--task", "wildlife");
+
+    assertThat(summary.get("animalsDealtWith").asDouble()).isEqualTo(3.0);
+    assertThat(summary.get("score").asDouble()).isLessThan(-30.0);
+    assertThat(summary.get("contacts").asInt()).isZero();
+  }
+
+  @Test
+  void call_dockWithTwoSignsOfTheColour_docksAtTheOneOfTheSequence() throws IOException {
+    JsonNode summary = run("dock.sdf", "--seed", "7", "--task", "dock");
+
+    assertThat(summary.get("score").asDouble()).isEqualTo(30.0);
     assertThat(summary.get("contacts").asInt()).isZero();
   }
 

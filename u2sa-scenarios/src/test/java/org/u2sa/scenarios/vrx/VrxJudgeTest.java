@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.marine.Colour;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -105,5 +107,101 @@ class VrxJudgeTest {
 
     assertThat(judge.outcome().contacts()).isEqualTo(2);
     assertThat(score(judge)).isEqualTo(10.0 - 3.0 + 11.0);
+  }
+
+  /** Sails around an animal at 6 m, from 20° on. */
+  private void circle(VrxJudge judge, int animal, double turns) {
+    for (int i = 0; i <= 400; i++) {
+      timeS += 0.05;
+      Point centre =
+          judge.world().wildlife().animals().get(animal).mover().at(timeS).position();
+      double angle = Math.toRadians(20.0) + turns * 2.0 * Math.PI * i / 400.0;
+      judge.see(
+          at(
+              Point.of(
+                  centre.x() + 6.0 * Math.cos(angle), centre.y() + 6.0 * Math.sin(angle), 0.0),
+              0.0));
+    }
+  }
+
+  @Test
+  void score_bothCircledInTheirDirection_isTimeLessBonuses() {
+    VrxJudge judge = judge("animals.sdf");
+    timeS = 10.0;
+    circle(judge, 1, -1.1); // platypus, clockwise
+    circle(judge, 2, 1.1); // turtle, anticlockwise
+
+    assertThat(judge.isOver()).isTrue();
+    assertThat(score(judge)).isBetween(36.0 - 90.0, 41.0 - 90.0);
+  }
+
+  @Test
+  void score_circledTheWrongWayOrNotWhole_givesNoBonus() {
+    VrxJudge judge = judge("animals.sdf");
+    timeS = 10.0;
+    circle(judge, 1, 1.5);
+    circle(judge, 2, 0.8);
+
+    assertThat(judge.isOver()).isFalse();
+    assertThat(judge.outcome().figures().get("animalsDealtWith")).isEqualTo(1.0); // avoided
+  }
+
+  @Test
+  void score_nearTheCrocodile_losesItsBonus() {
+    VrxJudge judge = judge("animals.sdf");
+    timeS = 10.0;
+    judge.see(at(Point.of(-540.0, 185.0, 0.0), 0.0));
+
+    assertThat(judge.outcome().figures().get("animalsDealtWith")).isEqualTo(0.0);
+  }
+
+  /** Lies at a place of the dock's axes for a time. */
+  private void lie(VrxJudge judge, double x, double y, double seconds) {
+    Docking docking = judge.world().docking();
+    double cos = Math.cos(docking.yawRad());
+    double sin = Math.sin(docking.yawRad());
+    Point at = docking.place().plus(Point.of(x * cos - y * sin, x * sin + y * cos, 0.0));
+    for (int i = 0; i <= seconds * 20.0; i++) {
+      timeS += 0.05;
+      judge.see(at(at, Math.PI / 2.0 - docking.yawRad()));
+    }
+  }
+
+  @Test
+  void score_rightBayAndSequence_isAllPoints() {
+    VrxJudge judge = judge("dock.sdf");
+    timeS = 10.0;
+    lie(judge, -10.0, 9.0, 1.0);
+    judge.reported(new DockBySign().sequence(judge.world().docking().sequence()));
+    lie(judge, 1.5, 9.0, 10.2);
+    lie(judge, -3.5, 9.0, 1.0);
+
+    assertThat(judge.isOver()).isTrue();
+    assertThat(score(judge)).isEqualTo(30.0);
+    assertThat(judge.outcome().contacts()).isZero();
+  }
+
+  @Test
+  void score_wrongBayAfterAWrongSequence_isDockingOnly() {
+    VrxJudge judge = judge("dock.sdf");
+    timeS = 10.0;
+    lie(judge, -10.0, 3.0, 1.0);
+    judge.reported(new DockBySign().sequence(List.of(Colour.RED, Colour.RED, Colour.RED)));
+    judge.reported(new DockBySign().sequence(judge.world().docking().sequence())); // too late
+    lie(judge, 1.5, 3.0, 10.2);
+    lie(judge, -3.5, 3.0, 1.0);
+
+    assertThat(score(judge)).isEqualTo(15.0);
+  }
+
+  @Test
+  void score_leavesTheBayTooSoon_hasNotDocked() {
+    VrxJudge judge = judge("dock.sdf");
+    timeS = 10.0;
+    lie(judge, 1.5, 9.0, 9.0);
+    lie(judge, -3.5, 9.0, 1.0);
+
+    assertThat(judge.isOver()).isFalse();
+    assertThat(score(judge)).isZero();
   }
 }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.marine.Colour;
 
 class VrxWorldReaderTest {
   static final Path WORLDS = Path.of("../missions/vrx");
@@ -94,12 +95,54 @@ class VrxWorldReaderTest {
   }
 
   @Test
+  void read_animals_swimAndHaveParts() {
+    VrxWorld world = VrxWorldReader.read(WORLDS.resolve("animals.sdf"));
+
+    assertThat(world.wildlife().animals())
+        .extracting(Wildlife.Animal::part)
+        .containsExactly(
+            Wildlife.Part.AVOID, Wildlife.Part.CLOCKWISE, Wildlife.Part.ANTICLOCKWISE);
+    assertThat(world.wildlife().engagementM()).isEqualTo(10.0);
+    assertThat(world.wildlife().animals().get(1).mover().at(5.0).position())
+        .isNotEqualTo(Point.of(-520.0, 190.0, 0.0));
+  }
+
+  @Test
+  void read_dock_hasBaysSequenceAndZonesInItsOwnAxes() {
+    Docking docking = VrxWorldReader.read(WORLDS.resolve("dock.sdf")).docking();
+
+    assertThat(docking.sequence()).containsExactly(Colour.RED, Colour.GREEN, Colour.BLUE);
+    assertThat(docking.bays()).extracting(Docking.Bay::sign)
+        .containsExactly("red triangle", "red cross", "blue cross");
+    assertThat(docking.most()).isEqualTo(30.0);
+    Point inBay2 = // x 1.5, y 9 m of the dock
+        Point.of(
+            -525.0 + 1.5 * Math.cos(1.2) - 9.0 * Math.sin(1.2),
+            192.0 + 1.5 * Math.sin(1.2) + 9.0 * Math.cos(1.2),
+            0.0);
+    assertThat(docking.isInside(1, inBay2)).isTrue();
+    assertThat(docking.isInside(0, inBay2)).isFalse();
+    assertThat(docking.isBefore(1, inBay2)).isFalse();
+  }
+
+  @Test
+  void read_unknownGoalOfAnAnimal_isRefused() throws IOException {
+    Path world = folder.resolve("wrong.sdf");
+    String text = Files.readString(WORLDS.resolve("animals.sdf"));
+    Files.writeString(world, text.replace("<goal>avoid", "<goal>feed"));
+
+    assertThatThrownBy(() -> VrxWorldReader.read(world))
+        .hasMessageContaining("wrong.sdf, line")
+        .hasMessageContaining("\"feed\": expected avoid");
+  }
+
+  @Test
   void read_worldWithoutATask_saysWhatIsExpected() throws IOException {
     Path world = folder.resolve("none.sdf");
     String text = Files.readString(WORLDS.resolve("station.sdf"));
     Files.writeString(world, text.replace("vrx::Stationkeeping", "vrx::Perception"));
 
     assertThatThrownBy(() -> VrxWorldReader.read(world))
-        .hasMessageContaining("expected a StationkeepingScoringPlugin");
+        .hasMessageContaining("expected one of StationkeepingScoringPlugin");
   }
 }

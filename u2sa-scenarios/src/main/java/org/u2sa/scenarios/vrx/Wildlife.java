@@ -1,0 +1,45 @@
+package org.u2sa.scenarios.vrx;
+
+import java.util.List;
+import org.u2sa.sim.world.ScriptedMover;
+
+/**
+ * Animals, each a buoy that swims to and fro.
+ *
+ * @param engagementM distance up to which the boat is engaged with an animal [m]
+ * @param bonusS time bonus of each goal that is reached [s]
+ */
+record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
+  /** What is to be done with an animal. VRX calls it crocodile, platypus or turtle by that. */
+  enum Part {
+    /** Keep away from it. */
+    AVOID("crocodile"),
+    /** Circle it clockwise. */
+    CLOCKWISE("platypus"),
+    /** Circle it anticlockwise. */
+    ANTICLOCKWISE("turtle");
+
+    private final String species;
+
+    Part(String species) {
+      this.species = species;
+    }
+
+    /** What VRX announces. */
+    String species() {
+      return species;
+    }
+  }
+
+  /**
+   * One of them.
+   *
+   * @param mover its way
+   */
+  record Animal(String name, Part part, ScriptedMover mover) {}
+
+  /** An empty one, of the other tasks. */
+  static Wildlife none() {
+    return new Wildlife(List.of(), 0.0, 0.0);
+  }
+}
