@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Sets the simulated Cessna 172 beside JSBSim's c172p and prints a Markdown table.
+"""Sets U2SA's simulated aircraft beside JSBSim's c172p and prints a Markdown table.
 
     pip install jsbsim==1.3.3
     ./u2sa --help
-    python3 scripts/jsbsim/compare.py
+    python3 scripts/jsbsim/compare.py              # <jsbsim>: the same aircraft file
+    python3 scripts/jsbsim/compare.py cessna172    # the built-in Cessna
 
-Our side is measured by PerformanceTable.java, JSBSim's here with the same procedures. JSBSim's aircraft is loaded to the
-same 2400 lb by its front seats, which leaves its centre of gravity where it was. JSBSim's rudder is positive to the left.
+<jsbsim> is flown from here by Bridge.java, with JSBSim's procedures. Where JSBSim is trimmed, it flies until it is steady.
+<cessna172> is measured by PerformanceTable.java with procedures of the same effect. JSBSim's aircraft is loaded to
+2400 lb by its front seats, which leaves its centre of gravity where it was. It flies at 45 degrees of latitude, where gravity
+is the standard one. JSBSim's rudder is positive to the left.
 """
 
 import argparse
@@ -48,13 +51,80 @@ def ours(classes):
     return {(r["kind"], r["condition"], r["quantity"]): float(r["value"]) for r in rows}
 
 
-def aircraft(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
+class Ours:
+    """An aircraft of <jsbsim> with the properties of a JSBSim object that the procedures use."""
+
+    file = None
+    bridge = None
+    given = {}
+
+    @classmethod
+    def connect(cls, classes):
+        root = pathlib.Path(jsbsim.get_default_root_dir())
+        cls.file = root / "aircraft/c172p/c172p.xml"
+        command = ["java", "-cp", str(classes), str(ROOT / "scripts/jsbsim/Bridge.java"), str(cls.file)]
+        cls.bridge = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
+        seat = (MASS_LB - 1500.0 - 200.0) / 2.0
+        cls.given = {f"inertia/pointmass-weight-lbs[{i}]": seat for i in (0, 1)}
+
+    def __init__(self, feet, speed_fps, theta=0.0, phi=0.0, body=None, psi=0.0, **given):
+        self.inputs = {}
+        body = body or (speed_fps, 0.0, 0.0)
+        numbers = [feet * 0.3048, *(each * 0.3048 for each in body), phi, theta, psi]
+        all_given = {**self.given, **{name.replace("__", "/"): value for name, value in given.items()}}
+        self.ask("start " + " ".join(map(repr, numbers)) + "".join(f" {n}={v!r}" for n, v in all_given.items()))
+
+    def ask(self, line):
+        self.bridge.stdin.write(line + "\n")
+        self.bridge.stdin.flush()
+        answer = self.bridge.stdout.readline()
+        if not answer:
+            sys.exit("Bridge.java ended; build first: ./u2sa --help")
+        self.state = {name: float(value) for name, value in (each.split("=") for each in answer.split())}
+
+    def __getitem__(self, name):
+        return self.inputs.get(name, 0.0) if name.startswith("fcs/") and "cmd" in name else self.state[name.replace("[0]", "")]
+
+    def __setitem__(self, name, value):
+        self.inputs[name] = value
+
+    def run(self):
+        names = {"AILERON": "aileron", "ELEVATOR": "elevator", "RUDDER": "rudder", "THROTTLE": "throttle", "FLAPS": "flap"}
+        words = []
+        for actuator, name in names.items():
+            value = self[f"fcs/{name}-cmd-norm"] * (-1.0 if actuator == "RUDDER" else 1.0)
+            words.append(f"{actuator}={value!r}")
+        self.ask(f"step {1.0 / RATE!r} " + " ".join(words))
+
+    def do_trim(self, _):
+        """Flies until steady: height by pitch, airspeed by throttle."""
+        knots, feet = self["velocities/vc-kts"], self["position/h-sl-ft"]
+        pilot = Pilot(self, feet=feet)
+        integral = self["fcs/throttle-cmd-norm"]
+        for _ in seconds(150.0):
+            error = knots - self["velocities/vc-kts"]
+            integral = max(0.0, min(1.0, integral + 0.005 * error / RATE))
+            self["fcs/throttle-cmd-norm"] = max(0.0, min(1.0, integral + 0.05 * error))
+            pilot.step()
+        self["fcs/throttle-cmd-norm"] = integral
+
+
+def fly_ours(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
+    theirs = fly_theirs(feet, knots, gamma, bank, flaps, throttle)
+    fdm = Ours(feet, theirs["velocities/vt-fps"], theta=math.radians(gamma), phi=math.radians(bank))
+    fdm["fcs/flap-cmd-norm"] = flaps
+    fdm["fcs/throttle-cmd-norm"] = throttle
+    return fdm
+
+
+def fly_theirs(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
     if not fdm.load_model("c172p"):
         sys.exit("JSBSim has no c172p")
     fdm.set_dt(1.0 / RATE)
     fdm["ic/h-sl-ft"] = feet
+    fdm["ic/lat-geod-deg"] = 45.0
     fdm["ic/terrain-elevation-ft"] = -10000.0
     fdm["ic/vc-kts"] = knots
     fdm["ic/gamma-deg"] = gamma
@@ -71,6 +141,9 @@ def aircraft(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
     fdm.run_ic()
     fdm["propulsion/set-running"] = -1
     return fdm
+
+
+aircraft = fly_theirs
 
 
 def trimmed(**start):
@@ -264,21 +337,33 @@ def turn(table):
         table["turn", condition, "alpha deg"] = fdm["aero/alpha-deg"]
 
 
+def measured(fly):
+    global aircraft
+    aircraft = fly
+    table = {}
+    for measure in (level, climb, glide, cruise, stall, turn, modes):
+        measure(table)
+    return table
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("model", nargs="?", choices=("jsbsim", "cessna172"), default="jsbsim")
     parser.add_argument("--classes", default=f"{ROOT}/target/u2sa/lib/*")
     arguments = parser.parse_args()
-    mine = ours(arguments.classes)
-    theirs = {}
-    for measure in (level, climb, glide, cruise, stall, turn, modes):
-        measure(theirs)
-    print(f"| kind | condition | quantity | U2SA | JSBSim {jsbsim.__version__} c172p | difference | handbook |")
+    theirs = measured(fly_theirs)
+    if arguments.model == "jsbsim":
+        Ours.connect(arguments.classes)
+        mine = measured(fly_ours)
+    else:
+        mine = ours(arguments.classes)
+    print(f"| kind | condition | quantity | <{arguments.model}> | JSBSim {jsbsim.__version__} c172p | difference | handbook |")
     print("|---|---|---|---:|---:|---:|---:|")
     for key, value in mine.items():
         other = theirs.get(key)
         digits = 0 if abs(value) >= 500 else 1 if abs(value) >= 20 else 2
         beside = "no trim" if other is None else f"{other:.{digits}f}"
-        gap = "" if other is None else f"{value - other:+.{digits}f}"
+        gap = "" if other is None else f"{100.0 * (value / other - 1.0):+.1f} %"
         print(f"| {' | '.join(key)} | {value:.{digits}f} | {beside} | {gap} | {HANDBOOK.get(key, '')} |")
     both = [(value, theirs[key]) for key, value in mine.items() if theirs.get(key) is not None]
     near = sum(abs(value - other) <= WITHIN * abs(other) for value, other in both)
