@@ -27,7 +27,7 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RATE = 120
-MASS_LB = 2400.0
+SEAT_LB = (2400.0 - 1500.0 - 200.0) / 2.0  # c172p: 2400 lb with the fuel of its file
 FULL_TRIM = 1
 WITHIN = 0.03
 
@@ -54,18 +54,15 @@ def ours(classes):
 class Ours:
     """An aircraft of <jsbsim> with the properties of a JSBSim object that the procedures use."""
 
-    file = None
     bridge = None
     given = {}
 
     @classmethod
-    def connect(cls, classes):
-        root = pathlib.Path(jsbsim.get_default_root_dir())
-        cls.file = root / "aircraft/c172p/c172p.xml"
-        command = ["java", "-cp", str(classes), str(ROOT / "scripts/jsbsim/Bridge.java"), str(cls.file)]
+    def connect(cls, classes, name):
+        file = pathlib.Path(jsbsim.get_default_root_dir()) / f"aircraft/{name}/{name}.xml"
+        command = ["java", "-cp", str(classes), str(ROOT / "scripts/jsbsim/Bridge.java"), str(file)]
         cls.bridge = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
-        seat = (MASS_LB - 1500.0 - 200.0) / 2.0
-        cls.given = {f"inertia/pointmass-weight-lbs[{i}]": seat for i in (0, 1)}
+        cls.given = {f"inertia/pointmass-weight-lbs[{i}]": SEAT_LB for i in (0, 1)} if name == "c172p" else {}
 
     def __init__(self, feet, speed_fps, theta=0.0, phi=0.0, body=None, psi=0.0, **given):
         self.inputs = {}
@@ -117,11 +114,11 @@ def fly_ours(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
     return fdm
 
 
-def fly_theirs(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
+def fly_theirs(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5, model="c172p"):
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
-    if not fdm.load_model("c172p"):
-        sys.exit("JSBSim has no c172p")
+    if not fdm.load_model(model):
+        sys.exit(f"JSBSim has no {model}")
     fdm.set_dt(1.0 / RATE)
     fdm["ic/h-sl-ft"] = feet
     fdm["ic/lat-geod-deg"] = 45.0
@@ -134,10 +131,8 @@ def fly_theirs(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
     fdm["fcs/flap-pos-norm"] = flaps
     fdm["fcs/mixture-cmd-norm"] = 1.0
     fdm["fcs/throttle-cmd-norm"] = throttle
-    fuel = fdm["propulsion/tank[0]/contents-lbs"] + fdm["propulsion/tank[1]/contents-lbs"]
-    seat = (MASS_LB - 1500.0 - fuel) / 2.0
-    fdm["inertia/pointmass-weight-lbs[0]"] = seat
-    fdm["inertia/pointmass-weight-lbs[1]"] = seat
+    for i in (0, 1) if model == "c172p" else ():
+        fdm[f"inertia/pointmass-weight-lbs[{i}]"] = SEAT_LB
     fdm.run_ic()
     fdm["propulsion/set-running"] = -1
     return fdm
@@ -353,7 +348,7 @@ def main():
     arguments = parser.parse_args()
     theirs = measured(fly_theirs)
     if arguments.model == "jsbsim":
-        Ours.connect(arguments.classes)
+        Ours.connect(arguments.classes, "c172p")
         mine = measured(fly_ours)
     else:
         mine = ours(arguments.classes)

@@ -3,7 +3,7 @@
 
     pip install jsbsim==1.3.3
     ./u2sa --help
-    python3 scripts/jsbsim/flights.py [--aircraft c172p]
+    python3 scripts/jsbsim/flights.py [--aircraft J3Cub --speed 0.7]
 
 Each flight lasts 60 s, without any feedback, from level flight as JSBSim trims it. A number is the largest difference in that
 time, in percent of the span of JSBSim's values.
@@ -39,7 +39,6 @@ def doublet(t, start, size, length=1.0):
 
 # name: trim speed, height, and commands added to those of the trim
 FLIGHTS = {
-    "level": (90, 2000, lambda t: {}),
     "climb": (80, 2000, lambda t: {"throttle": 0.3 if t > 2 else 0.0}),
     "descent": (80, 4000, lambda t: {"throttle": -0.3 if t > 2 else 0.0}),
     "elevator doublet": (90, 2000, lambda t: {"elevator": doublet(t, 2, 0.1)}),
@@ -52,9 +51,9 @@ FLIGHTS = {
 CONTROLS = ("elevator", "aileron", "rudder", "throttle", "flap")
 
 
-def pair(knots, feet):
-    compare.aircraft = compare.fly_theirs
-    theirs = compare.trimmed(feet=feet, knots=knots)
+def pair(name, knots, feet):
+    theirs = compare.fly_theirs(feet=feet, knots=knots, model=name)
+    theirs.do_trim(compare.FULL_TRIM)
     for axis, control in (("pitch", "elevator"), ("roll", "aileron"), ("yaw", "rudder")):
         theirs[f"fcs/{control}-cmd-norm"] += theirs[f"fcs/{axis}-trim-cmd-norm"]
         theirs[f"fcs/{axis}-trim-cmd-norm"] = 0.0
@@ -75,8 +74,8 @@ def pair(knots, feet):
     return theirs, mine
 
 
-def flown(knots, feet, extra, length=60.0):
-    theirs, mine = pair(knots, feet)
+def flown(name, knots, feet, extra, length=60.0):
+    theirs, mine = pair(name, knots, feet)
     held = {name: theirs[f"fcs/{name}-cmd-norm"] for name in CONTROLS}
     rows = []
     for i in range(int(length * RATE)):
@@ -101,15 +100,14 @@ def difference(pairs, is_heading):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--classes", default=f"{compare.ROOT}/target/u2sa/lib/*")
-    parser.add_argument("--only")
+    parser.add_argument("--aircraft", default="c172p", help="one of those that the package jsbsim brings")
+    parser.add_argument("--speed", type=float, default=1.0, help="times the speeds, which are the c172p's")
     arguments = parser.parse_args()
-    Ours.connect(arguments.classes)
+    Ours.connect(arguments.classes, arguments.aircraft)
     print("| flight | " + " | ".join(QUANTITIES) + " |")
     print("|---|" + "---:|" * len(QUANTITIES))
     for name, (knots, feet, extra) in FLIGHTS.items():
-        if arguments.only and arguments.only != name:
-            continue
-        rows = flown(knots, feet, extra)
+        rows = flown(arguments.aircraft, arguments.speed * knots, feet, extra)
         cells = [f"{difference([row[i] for row in rows], q == 'heading'):.1f}" for i, q in enumerate(QUANTITIES)]
         print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 

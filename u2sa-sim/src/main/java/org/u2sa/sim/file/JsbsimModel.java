@@ -4,15 +4,19 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.flight.Catapult;
+import org.u2sa.sim.flight.UnmannedAircraft;
 import org.u2sa.sim.jsbsim.JsbsimAircraft;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** An aircraft in the file format of JSBSim, standing on its wheels. */
-record JsbsimModel(JsbsimAircraft aircraft, Footprint footprint) implements VehicleModel {
+/** An aircraft in the file format of JSBSim, standing on its wheels or on a catapult. */
+record JsbsimModel(JsbsimAircraft aircraft, Optional<Catapult> catapult, Footprint footprint)
+    implements VehicleModel {
   private static final double LARGEST = 1e12;
 
   static JsbsimModel read(FileElement file, Body body) {
@@ -24,7 +28,8 @@ record JsbsimModel(JsbsimAircraft aircraft, Footprint footprint) implements Vehi
           each.xml().attribute("name"), each.number("value", "1", -LARGEST, LARGEST));
       each.end();
     }
-    return new JsbsimModel(JsbsimAircraft.read(aircraft, properties), body.footprint());
+    return new JsbsimModel(
+        JsbsimAircraft.read(aircraft, properties), AircraftParts.catapult(file), body.footprint());
   }
 
   @Override
@@ -54,6 +59,13 @@ record JsbsimModel(JsbsimAircraft aircraft, Footprint footprint) implements Vehi
 
   @Override
   public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    return aircraft.standing(footprint, world, start, headingRad).aircraft();
+    if (catapult.isEmpty()) {
+      return aircraft.standing(footprint, world, start, headingRad).aircraft();
+    }
+    Point up = Point.of(0.0, 0.0, catapult.get().heightM());
+    UnmannedAircraft waiting =
+        aircraft.flight(Map.of(), footprint, world, start.plus(up), headingRad).aircraft();
+    waiting.waitOn(catapult.get());
+    return waiting;
   }
 }
