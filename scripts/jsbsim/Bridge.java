@@ -29,7 +29,7 @@ public final class Bridge {
       List.of(
           "aero/alpha-rad", "aero/alpha-deg", "aero/beta-rad", "velocities/vc-kts",
           "fcs/elevator-pos-rad", "propulsion/engine/power-hp", "propulsion/engine/propeller-rpm",
-          "propulsion/engine/thrust-lbs", "fcs/flap-pos-deg", "velocities/vt-fps");
+          "propulsion/engine/map-pa", "fcs/flap-pos-deg", "velocities/vt-fps");
 
   private final JsbsimAircraft aircraft;
   private JsbsimFlight flight;

@@ -6,7 +6,7 @@
     python3 scripts/jsbsim/compare.py              # <jsbsim>: the same aircraft file
     python3 scripts/jsbsim/compare.py cessna172    # the built-in Cessna
 
-<jsbsim> is flown from here by Bridge.java, with JSBSim's procedures. Where JSBSim is trimmed, it flies until it is steady.
+<jsbsim> is flown from here by Bridge.java, with JSBSim's procedures, and trimmed by Newton's method.
 <cessna172> is measured by PerformanceTable.java with procedures of the same effect. JSBSim's aircraft is loaded to
 2400 lb by its front seats, which leaves its centre of gravity where it was. It flies at 45 degrees of latitude, where gravity
 is the standard one. JSBSim's rudder is positive to the left.
@@ -27,6 +27,7 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RATE = 120
+TICK = 1.0 / 400.0  # of <jsbsim>
 SEAT_LB = (2400.0 - 1500.0 - 200.0) / 2.0  # c172p: 2400 lb with the fuel of its file
 FULL_TRIM = 1
 WITHIN = 0.03
@@ -64,12 +65,14 @@ class Ours:
         cls.bridge = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
         cls.given = {f"inertia/pointmass-weight-lbs[{i}]": SEAT_LB for i in (0, 1)} if name == "c172p" else {}
 
-    def __init__(self, feet, speed_fps, theta=0.0, phi=0.0, body=None, psi=0.0, **given):
+    def __init__(self, feet, body, phi=0.0, theta=0.0, psi=0.0, given=None):
         self.inputs = {}
-        body = body or (speed_fps, 0.0, 0.0)
+        self.begin(feet, body, phi, theta, psi, given or {})
+
+    def begin(self, feet, body, phi, theta, psi, given):
         numbers = [feet * 0.3048, *(each * 0.3048 for each in body), phi, theta, psi]
-        all_given = {**self.given, **{name.replace("__", "/"): value for name, value in given.items()}}
-        self.ask("start " + " ".join(map(repr, numbers)) + "".join(f" {n}={v!r}" for n, v in all_given.items()))
+        properties = {**self.given, **given}
+        self.ask("start " + " ".join(map(repr, numbers)) + "".join(f" {n}={v!r}" for n, v in properties.items()))
 
     def ask(self, line):
         self.bridge.stdin.write(line + "\n")
@@ -85,30 +88,64 @@ class Ours:
     def __setitem__(self, name, value):
         self.inputs[name] = value
 
-    def run(self):
+    def run(self, seconds=1.0 / RATE):
         names = {"AILERON": "aileron", "ELEVATOR": "elevator", "RUDDER": "rudder", "THROTTLE": "throttle", "FLAPS": "flap"}
         words = []
         for actuator, name in names.items():
             value = self[f"fcs/{name}-cmd-norm"] * (-1.0 if actuator == "RUDDER" else 1.0)
             words.append(f"{actuator}={value!r}")
-        self.ask(f"step {1.0 / RATE!r} " + " ".join(words))
+        self.ask(f"step {seconds!r} " + " ".join(words))
 
     def do_trim(self, _):
-        """Flies until steady: height by pitch, airspeed by throttle."""
-        knots, feet = self["velocities/vc-kts"], self["position/h-sl-ft"]
-        pilot = Pilot(self, feet=feet)
-        integral = self["fcs/throttle-cmd-norm"]
-        for _ in seconds(150.0):
-            error = knots - self["velocities/vc-kts"]
-            integral = max(0.0, min(1.0, integral + 0.005 * error / RATE))
-            self["fcs/throttle-cmd-norm"] = max(0.0, min(1.0, integral + 0.05 * error))
-            pilot.step()
-        self["fcs/throttle-cmd-norm"] = integral
+        """Level flight without sideslip, by Newton's method: nothing changes from the first tick to the second."""
+        feet, speed, psi = (self[n] for n in ("position/h-sl-ft", "velocities/vt-fps", "attitude/psi-rad"))
+        rates = [f"velocities/{axis}" for axis in ("u-fps", "v-fps", "w-fps", "p-rad_sec", "q-rad_sec", "r-rad_sec")]
+        engine = {"propulsion/engine/propeller-rpm": 1e3, "propulsion/engine/map-pa": 1e4}
+
+        def changes(x):
+            alpha, phi = x[0], x[1]
+            theta = math.atan(math.tan(alpha) * math.cos(phi))
+            body = (speed * math.cos(alpha), 0.0, speed * math.sin(alpha))
+            given = {name: scale * x[6 + i] for i, (name, scale) in enumerate(engine.items())}
+            self.begin(feet, body, phi, theta, psi, given)
+            for name, value in zip(("elevator", "aileron", "rudder", "throttle"), x[2:6]):
+                self[f"fcs/{name}-cmd-norm"] = max(-1.0, min(1.0, value))
+            self.run(TICK)
+            before = [self[name] for name in (*rates, *engine)]
+            self.run(TICK)
+            after = [self[name] for name in (*rates, *engine)]
+            return [(b - a) / TICK / scale for a, b, scale in zip(before, after, (32, 32, 32, 1, 1, 1, 1e3, 1e4))]
+
+        solve(changes, [0.08, 0.0, 0.0, 0.0, 0.0, 0.6, 2.1, 7.0])
+
+
+def solve(function, x):
+    """Newton's method with differences."""
+    for _ in range(20):
+        value = function(x)
+        if max(map(abs, value)) < 1e-7:
+            return
+        columns = []
+        for i in range(len(x)):
+            moved = list(x)
+            moved[i] += 1e-5
+            columns.append([(b - a) / 1e-5 for a, b in zip(value, function(moved))])
+        rows = [[column[i] for column in columns] + [-value[i]] for i in range(len(x))]
+        for i in range(len(x)):  # Gauss and Jordan
+            pivot = max(range(i, len(x)), key=lambda k: abs(rows[k][i]))
+            rows[i], rows[pivot] = rows[pivot], rows[i]
+            rows[i] = [each / rows[i][i] for each in rows[i]]
+            for k in range(len(x)):
+                if k != i:
+                    rows[k] = [a - rows[k][i] * b for a, b in zip(rows[k], rows[i])]
+        step = [row[-1] for row in rows]
+        x = [a + b * min(1.0, 0.3 / max(map(abs, step))) for a, b in zip(x, step)]
+    raise jsbsim.TrimFailureError("no trim")
 
 
 def fly_ours(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
     theirs = fly_theirs(feet, knots, gamma, bank, flaps, throttle)
-    fdm = Ours(feet, theirs["velocities/vt-fps"], theta=math.radians(gamma), phi=math.radians(bank))
+    fdm = Ours(feet, (theirs["velocities/vt-fps"], 0.0, 0.0), math.radians(bank), math.radians(gamma))
     fdm["fcs/flap-cmd-norm"] = flaps
     fdm["fcs/throttle-cmd-norm"] = throttle
     return fdm

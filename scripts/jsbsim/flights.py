@@ -61,15 +61,9 @@ def pair(name, knots, feet):
     body = tuple(theirs[f"velocities/{axis}-fps"] for axis in "uvw")
     mine = Ours(
         theirs["position/h-sl-ft"],
-        0.0,
-        theta=theirs["attitude/theta-rad"],
-        phi=theirs["attitude/phi-rad"],
-        psi=theirs["attitude/psi-rad"],
-        body=body,
-        **{
-            "propulsion__engine__propeller-rpm": theirs["propulsion/engine/propeller-rpm"],
-            "propulsion__engine__map-pa": theirs["propulsion/engine/map-pa"],
-        },
+        body,
+        *(theirs[f"attitude/{name}-rad"] for name in ("phi", "theta", "psi")),
+        given={f"propulsion/engine/{name}": theirs[f"propulsion/engine/{name}"] for name in ("propeller-rpm", "map-pa")},
     )
     return theirs, mine
 

@@ -24,8 +24,7 @@ record JsbsimModel(JsbsimAircraft aircraft, Optional<Catapult> catapult, Footpri
     Path aircraft = vehicle.resolveSibling(file.text("file"));
     Map<String, Double> properties = new HashMap<>();
     for (FileElement each : file.parts("property", "name")) {
-      properties.put(
-          each.xml().attribute("name"), each.number("value", "1", -LARGEST, LARGEST));
+      properties.put(each.xml().attribute("name"), each.number("value", "1", -LARGEST, LARGEST));
       each.end();
     }
     return new JsbsimModel(

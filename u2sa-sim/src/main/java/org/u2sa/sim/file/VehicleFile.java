@@ -36,7 +36,7 @@ public final class VehicleFile {
     origin = root.origin();
     name = vehicle.text("name");
     body =
-        vehicle.has("jsbsim")
+        root.child("jsbsim").isPresent()
             ? Body.outline(vehicle.part("body"))
             : Body.read(vehicle.part("body"));
     model = VehicleModels.read(vehicle, body);

@@ -43,7 +43,8 @@ final class AirFlow {
     this.properties = properties;
     metrics.refuseUnknownChildren(
         ("wingarea wingspan chord wing_incidence htailarea htailarm vtailarea vtailarm "
-                + "location description documentation").split(" "));
+                + "location description documentation")
+            .split(" "));
     area = UnitNumbers.number(metrics, "wingarea", "FT2");
     span = UnitNumbers.number(metrics, "wingspan", UnitNumbers.FT);
     chord = UnitNumbers.number(metrics, "chord", UnitNumbers.FT);

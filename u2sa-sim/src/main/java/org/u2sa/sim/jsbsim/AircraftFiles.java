@@ -17,8 +17,18 @@ final class AircraftFiles {
   private static final List<String> IGNORED = List.of("autopilot", "output", "input");
   private static final List<String> KNOWN =
       List.of(
-          "fileheader", "metrics", "mass_balance", "ground_reactions", "external_reactions",
-          "propulsion", "system", "flight_control", "aerodynamics", "autopilot", "output", "input");
+          "fileheader",
+          "metrics",
+          "mass_balance",
+          "ground_reactions",
+          "external_reactions",
+          "propulsion",
+          "system",
+          "flight_control",
+          "aerodynamics",
+          "autopilot",
+          "output",
+          "input");
   private static final List<String> BESIDE =
       List.of("", "Engines", "engine", "Systems", "../engine", "../../engine", "../../systems");
 
@@ -48,7 +58,8 @@ final class AircraftFiles {
     for (XmlElement tank : propulsion.children("tank")) {
       tank.refuseUnknownChildren(
           ("location drain_location capacity contents temperature density standpipe "
-                + "priority unusable-volume radius description").split(" "));
+                  + "priority unusable-volume radius description")
+              .split(" "));
     }
     for (XmlElement engine : propulsion.children("engine")) {
       XmlElement thruster =

@@ -94,8 +94,7 @@ final class AxisLoads {
       properties.set("aero/stall-hyst-norm", 0.0);
     }
     if (flow.dynamicPressure > 1.0) {
-      double down =
-          StrictMath.cos(flow.alpha) * force[2] - StrictMath.sin(flow.alpha) * force[0];
+      double down = StrictMath.cos(flow.alpha) * force[2] - StrictMath.sin(flow.alpha) * force[0];
       double lift = down / (flow.dynamicPressure * flow.area());
       properties.set("aero/cl-squared", lift * lift);
     }

@@ -85,8 +85,6 @@ enum ControlLever {
 
   /** Its surface's angle now [rad]; empty if it moves none. */
   OptionalDouble angleRad(PropertyTree properties) {
-    return surface.isEmpty()
-        ? OptionalDouble.empty()
-        : OptionalDouble.of(properties.get(surface));
+    return surface.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(properties.get(surface));
   }
 }

@@ -14,7 +14,8 @@ import org.u2sa.interfaces.xml.XmlElement;
 final class FlightControl {
   private static final Pattern ANGLE = Pattern.compile("fcs/(?!mag-)(.+)-pos-(rad|deg)");
   private static final List<String> SURFACES =
-      List.of("elevator", "left-aileron", "right-aileron", "rudder", "flap", "speedbrake", "spoiler");
+      List.of(
+          "elevator", "left-aileron", "right-aileron", "rudder", "flap", "speedbrake", "spoiler");
 
   /** What a component computes. */
   @FunctionalInterface
@@ -77,7 +78,10 @@ final class FlightControl {
           DoubleSupplier function = functions.function(child);
           components.add(
               new Component(
-                  (before, dtS) -> function.getAsDouble(), Optional.empty(), Optional.empty(), List.of()));
+                  (before, dtS) -> function.getAsDouble(),
+                  Optional.empty(),
+                  Optional.empty(),
+                  List.of()));
         }
         default -> components.add(component(system, child));
       }
@@ -139,9 +143,7 @@ final class FlightControl {
     String name = element.attribute("name").trim();
     outputs.add(
         output(
-            name.contains("/")
-                ? name
-                : "fcs/" + name.toLowerCase(Locale.ROOT).replace(' ', '-')));
+            name.contains("/") ? name : "fcs/" + name.toLowerCase(Locale.ROOT).replace(' ', '-')));
     element.children("output").forEach(each -> outputs.add(output(each.text())));
     return outputs;
   }
@@ -175,8 +177,7 @@ final class FlightControl {
 
   /** A number, or the property that holds it. */
   private DoubleSupplier parameter(XmlElement parent, String name) {
-    XmlElement child =
-        parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
+    XmlElement child = parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
     if (child.text().contains("/")) {
       return properties.read(child.text(), child);
     }
@@ -219,8 +220,7 @@ final class FlightControl {
     refuseOthers(element, "gain", "domain", "range", "zero_centered");
     DoubleSupplier input = input(element);
     DoubleSupplier gain = parameter(element, "gain", 1.0);
-    XmlElement range =
-        element.child("range").orElseThrow(() -> element.error("lacks <range>"));
+    XmlElement range = element.child("range").orElseThrow(() -> element.error("lacks <range>"));
     double low = UnitNumbers.number(range, "min", UnitNumbers.PURE);
     double high = UnitNumbers.number(range, "max", UnitNumbers.PURE);
     double[] domain =
@@ -236,11 +236,13 @@ final class FlightControl {
     String centred = element.child("zero_centered").map(XmlElement::text).orElse("1");
     if (centred.equals("0") || centred.equals("false")) {
       double slope = (high - low) / (domain[1] - domain[0]);
-      return (before, dtS) -> gain.getAsDouble() * (low + (input.getAsDouble() - domain[0]) * slope);
+      return (before, dtS) ->
+          gain.getAsDouble() * (low + (input.getAsDouble() - domain[0]) * slope);
     }
     return (before, dtS) -> {
       double x = input.getAsDouble();
-      return gain.getAsDouble() * (x > 0.0 ? x / domain[1] * high : x < 0.0 ? x / domain[0] * low : 0.0);
+      return gain.getAsDouble()
+          * (x > 0.0 ? x / domain[1] * high : x < 0.0 ? x / domain[0] * low : 0.0);
     };
   }
 

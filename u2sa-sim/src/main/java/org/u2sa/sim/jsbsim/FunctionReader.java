@@ -13,7 +13,8 @@ import org.u2sa.interfaces.xml.XmlElement;
 
 /** Reads expressions of JSBSim's function language. */
 final class FunctionReader {
-  private static final Map<String, String> SHORT = Map.of("p", "property", "v", "value", "t", "table");
+  private static final Map<String, String> SHORT =
+      Map.of("p", "property", "v", "value", "t", "table");
   private static final Map<String, DoubleUnaryOperator> UNARY = unary();
   private static final Map<String, DoubleBinaryOperator> BINARY = binary();
   private static final Map<String, DoubleBinaryOperator> CHAIN = chain(); // of any number
@@ -178,8 +179,10 @@ final class FunctionReader {
     List<XmlElement> keys =
         element.children("independentVar").stream()
             .sorted( // the row's variable first
-                (a, b) -> b.optionalAttribute("lookup").orElse("row")
-                    .compareTo(a.optionalAttribute("lookup").orElse("row")))
+                (a, b) ->
+                    b.optionalAttribute("lookup")
+                        .orElse("row")
+                        .compareTo(a.optionalAttribute("lookup").orElse("row")))
             .collect(Collectors.toList());
     LookupTable table = LookupTable.read(element);
     if (keys.size() != (table.isMatrix() ? 2 : 1)) {

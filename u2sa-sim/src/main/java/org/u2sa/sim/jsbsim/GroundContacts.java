@@ -34,7 +34,8 @@ final class GroundContacts {
     file.refuseUnknownChildren(
         ("location orientation static_friction dynamic_friction rolling_friction "
                 + "spring_coeff damping_coeff damping_coeff_rebound max_steer brake_group "
-                + "retractable description").split(" "));
+                + "retractable description")
+            .split(" "));
     boolean rolls = file.attribute("type").equals("BOGEY");
     for (String name : List.of("orientation", "damping_coeff_rebound")) {
       file.child(name).ifPresent(each -> ignored.add(each.toString()));
@@ -56,8 +57,7 @@ final class GroundContacts {
       steer = 0.0;
     }
     double[] place =
-        UnitNumbers.place(
-            file.child("location").orElseThrow(() -> file.error("lacks <location>")));
+        UnitNumbers.place(file.child("location").orElseThrow(() -> file.error("lacks <location>")));
     double[] centre = mass.centre();
     try {
       Wheel wheel =

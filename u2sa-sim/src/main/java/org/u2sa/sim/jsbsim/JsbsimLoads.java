@@ -80,7 +80,9 @@ final class JsbsimLoads implements AirLoads {
     return contacts.ignored();
   }
 
-  /** Largest angles of the surfaces, by actuator [rad]; leaves them where full commands put them. */
+  /**
+   * Largest angles of the surfaces, by actuator [rad]; leaves them where full commands put them.
+   */
   Map<String, Double> travels(double longS) {
     Map<String, Double> travels = new HashMap<>();
     for (double command : new double[] {-1.0, 1.0}) {

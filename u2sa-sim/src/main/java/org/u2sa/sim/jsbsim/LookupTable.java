@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/**
- * A table of JSBSim over one or two variables: linear between its points, constant beyond them.
- */
+/** A table of JSBSim over one or two variables: linear between its points, constant beyond them. */
 final class LookupTable {
   private final double[] rows;
   private final double[] columns;
@@ -21,8 +19,7 @@ final class LookupTable {
 
   /** Reads the only {@code tableData} of a table: two columns, or a matrix below a row of keys. */
   static LookupTable read(XmlElement table) {
-    XmlElement data =
-        table.child("tableData").orElseThrow(() -> table.error("lacks <tableData>"));
+    XmlElement data = table.child("tableData").orElseThrow(() -> table.error("lacks <tableData>"));
     if (data.optionalAttribute("breakPoint").isPresent()) {
       throw data.error("a table over three variables; expected one or two");
     }
@@ -38,8 +35,7 @@ final class LookupTable {
     List<double[]> body = isMatrix ? lines.subList(1, lines.size()) : lines;
     for (double[] line : body) {
       if (line.length != columns.length + 1) {
-        throw data.error(
-            "a row of " + line.length + " numbers; expected " + (columns.length + 1));
+        throw data.error("a row of " + line.length + " numbers; expected " + (columns.length + 1));
       }
     }
     if (body.isEmpty()) {

@@ -52,7 +52,8 @@ final class PistonPower {
                 + "compression-ratio bore stroke cylinders cylinder-head-mass "
                 + "air-intake-impedance-factor ram-air-factor cooling-factor starter-rpm "
                 + "starter-torque dynamic-fmep static-fmep peak-piston-speed description "
-                + "documentation").split(" "));
+                + "documentation")
+            .split(" "));
     double minPa = UnitNumbers.number(file, "minmp", "INHG", 6.5) * 3_386.38;
     double maxInHg = UnitNumbers.number(file, "maxmp", "INHG", 28.5);
     double displacement = UnitNumbers.number(file, "displacement", "IN3", 360.0);
@@ -77,7 +78,11 @@ final class PistonPower {
             + staticFrictionPa;
     double lossHp = lossPa * displacementM3 * maxRpm / (cycles * PUMPING_W_MIN_PER_HP);
     double usual =
-        1.1 * displacement * maxRpm * volumetricEfficiency * (maxInHg / 29.92)
+        1.1
+            * displacement
+            * maxRpm
+            * volumetricEfficiency
+            * (maxInHg / 29.92)
             / (9_411.0 * (maxHp + lossHp - staticFrictionHp));
     specificConsumption = UnitNumbers.number(file, "bsfc", "LBS/HP*HR", usual);
     double full = peakPistonFps / ratedFps;
@@ -125,7 +130,8 @@ final class PistonPower {
   double powerHp(
       AirFlow flow, double rpm, double throttle, double mixture, boolean hasFuel, double dtS) {
     isRunning =
-        fuelLbPerS > 0.0 && (isRunning ? rpm >= STALLS_AT_IDLE * idleRpm : rpm > STALLS_AT_IDLE * idleRpm);
+        fuelLbPerS > 0.0
+            && (isRunning ? rpm >= STALLS_AT_IDLE * idleRpm : rpm > STALLS_AT_IDLE * idleRpm);
     double pistonFps = pistonFps(rpm);
     breathe(flow, pistonFps, throttle, dtS);
     double charge = // loss by exhaust gas left in the cylinders
@@ -155,8 +161,7 @@ final class PistonPower {
     double ram = (flow.totalPressurePa - flow.pressurePa) * ramFactor + flow.pressurePa;
     double shut = 1.0 - throttle;
     double engine = pistonFps > 0.0 ? peakPistonFps / pistonFps : 999_999.0;
-    double wanted =
-        ram * engine / (engine + airboxImpedance + shut * shut * throttleImpedance);
+    double wanted = ram * engine / (engine + airboxImpedance + shut * shut * throttleImpedance);
     manifoldPa += (wanted - manifoldPa) * Math.min(1.0, dtS / Math.max(lagS, dtS));
   }
 

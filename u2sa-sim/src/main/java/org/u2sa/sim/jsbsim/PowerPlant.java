@@ -48,7 +48,8 @@ final class PowerPlant {
     mixture = properties.define("fcs/mixture-pos-norm" + index, 1.0);
     advance = properties.define("fcs/advance-pos-norm" + index, 1.0);
     for (XmlElement feed : engine.children("feed")) {
-      String tank = "propulsion/tank[" + (int) UnitNumbers.plain(feed, feed.text()) + "]/contents-lbs";
+      String tank =
+          "propulsion/tank[" + (int) UnitNumbers.plain(feed, feed.text()) + "]/contents-lbs";
       if (!properties.isDefined(tank)) {
         throw feed.error("\"" + feed.text() + "\": expected the number of a <tank>, from 0");
       }
@@ -84,8 +85,7 @@ final class PowerPlant {
         piston
             .map(
                 each ->
-                    each.powerHp(
-                        flow, propeller.engineRpm(), lever, mixture.value, full > 0, dtS))
+                    each.powerHp(flow, propeller.engineRpm(), lever, mixture.value, full > 0, dtS))
             .orElse(electricHp * lever);
     double fuel = piston.map(PistonPower::fuelLbPerS).orElse(0.0) * dtS;
     for (PropertyTree.Property tank : tanks) {

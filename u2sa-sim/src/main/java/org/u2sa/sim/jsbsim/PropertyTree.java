@@ -94,8 +94,7 @@ final class PropertyTree {
         String folder = each.getKey().substring(0, each.getKey().indexOf('/') + 1);
         Set<String> near = new TreeSet<>(defined);
         near.removeIf(name -> !name.startsWith(folder));
-        throw each
-            .getValue()
+        throw each.getValue()
             .error(
                 "property \""
                     + each.getKey()

@@ -52,7 +52,8 @@ final class TabulatedPropeller {
     thruster.refuseUnknownChildren("location orient sense p_factor".split(" "));
     file.refuseUnknownChildren(
         ("ixx diameter numblades gearratio minpitch maxpitch minrpm maxrpm constspeed "
-                + "reversepitch ct_factor cp_factor table description").split(" "));
+                + "reversepitch ct_factor cp_factor table description")
+            .split(" "));
     place =
         UnitNumbers.place(
             thruster.child("location").orElseThrow(() -> thruster.error("lacks <location>")));
@@ -178,13 +179,13 @@ final class TabulatedPropeller {
     double across = StrictMath.sqrt(sideways * sideways + below * below);
     if (pFactor > 0.0001 && across > 0.0001) {
       // the blades' uneven load shifts the thrust; p_factor is in inches
-      double shift =
-          sense * pFactor / 12.0 * StrictMath.atan2(across, along + induced) / across;
+      double shift = sense * pFactor / 12.0 * StrictMath.atan2(across, along + induced) / across;
       y += shift * below;
       z -= shift * sideways; // structural z is up
     }
     double omega = perS * 2.0 * StrictMath.PI;
-    double torque = -sense * powerHp * UnitNumbers.FTLBF_PER_S_PER_HP / Math.max(SLOWEST_RADPS, omega);
+    double torque =
+        -sense * powerHp * UnitNumbers.FTLBF_PER_S_PER_HP / Math.max(SLOWEST_RADPS, omega);
     double spin = inertia * omega * sense * gyroscopicSign;
     double axisX = mounting.north(1.0, 0.0, 0.0);
     double axisY = mounting.east(1.0, 0.0, 0.0);

@@ -29,16 +29,19 @@ class JsbsimFlightTest {
   private static final Footprint OUTLINE = Footprint.rectangle(2.0, 4.0, 9.0, -1.0, 1.5);
   private static final World LEVEL = World.at(new Geodetic(9.0, 45.0, 0.0));
 
-  static Path file(String name) throws URISyntaxException {
-    return Path.of(JsbsimFlightTest.class.getResource(name).toURI());
+  /** The aircraft's file in the repository. */
+  static Path trainerFile() {
+    return Path.of("").toAbsolutePath().getParent().resolve("config/vehicles/trainer/trainer.xml");
   }
 
-  private static JsbsimAircraft trainer() throws URISyntaxException {
-    return JsbsimAircraft.read(file("trainer.xml"), Map.of());
+  private static JsbsimAircraft trainer() {
+    return JsbsimAircraft.read(trainerFile(), Map.of());
   }
 
   private static List<Map<String, Double>> reference() throws IOException, URISyntaxException {
-    List<String> lines = Files.readAllLines(file("trainer_reference.csv"));
+    List<String> lines =
+        Files.readAllLines(
+            Path.of(JsbsimFlightTest.class.getResource("trainer_reference.csv").toURI()));
     String[] names = lines.get(0).split(",");
     List<Map<String, Double>> rows = new ArrayList<>();
     for (String line : lines.subList(1, lines.size())) {
@@ -60,7 +63,7 @@ class JsbsimFlightTest {
     aircraft.command("FLAPS", row.get("flap"));
   }
 
-  private static JsbsimFlight begin(Map<String, Double> row) throws URISyntaxException {
+  private static JsbsimFlight begin(Map<String, Double> row) {
     JsbsimFlight flight =
         trainer()
             .flight(
@@ -105,8 +108,7 @@ class JsbsimFlightTest {
         Map.entry(
             "propulsion/engine/propeller-rpm", flight.property("propulsion/engine/propeller-rpm")),
         Map.entry("propulsion/engine/power-hp", flight.property("propulsion/engine/power-hp")),
-        Map.entry(
-            "propulsion/tank/contents-lbs", flight.property("propulsion/tank/contents-lbs")));
+        Map.entry("propulsion/tank/contents-lbs", flight.property("propulsion/tank/contents-lbs")));
   }
 
   @Test
@@ -121,8 +123,7 @@ class JsbsimFlightTest {
       flight.aircraft().step(ROW_S - FRAME_S);
       Map<String, Double> row = rows.get(i);
       state(flight)
-          .forEach(
-              (name, value) -> worst.merge(name, Math.abs(value - row.get(name)), Math::max));
+          .forEach((name, value) -> worst.merge(name, Math.abs(value - row.get(name)), Math::max));
     }
     worst.forEach(
         (name, difference) -> {
@@ -134,7 +135,7 @@ class JsbsimFlightTest {
   }
 
   @Test
-  void standing_engineIdling_restsWithBrakes() throws URISyntaxException {
+  void standing_engineIdling_restsWithBrakes() {
     UnmannedAircraft aircraft = trainer().standing(OUTLINE, LEVEL, Point.ORIGIN, 1.0).aircraft();
     Attitude before = aircraft.truth().attitude();
     Point place = aircraft.truth().position();
@@ -148,7 +149,7 @@ class JsbsimFlightTest {
   }
 
   @Test
-  void step_rudderRightOnTheRunway_steersRightAndTakesOff() throws URISyntaxException {
+  void step_rudderRightOnTheRunway_steersRightAndTakesOff() {
     UnmannedAircraft aircraft = trainer().standing(OUTLINE, LEVEL, Point.ORIGIN, 0.0).aircraft();
     aircraft.command("THROTTLE", 1.0);
     aircraft.step(3.0);
@@ -166,7 +167,7 @@ class JsbsimFlightTest {
   }
 
   @Test
-  void step_tankRunsDry_engineStopsAndMassFalls() throws URISyntaxException {
+  void step_tankRunsDry_engineStopsAndMassFalls() {
     Map<String, Double> little = Map.of("propulsion/tank[0]/contents-lbs", 0.06);
     JsbsimFlight flight =
         trainer().flight(little, OUTLINE, LEVEL, Point.of(0.0, 0.0, 1_000.0), 0.0);
@@ -180,7 +181,7 @@ class JsbsimFlightTest {
   }
 
   @Test
-  void read_trainer_hasItsActuatorsMassAndTravels() throws URISyntaxException {
+  void read_trainer_hasItsActuatorsMassAndTravels() {
     JsbsimAircraft aircraft = trainer();
     assertThat(aircraft.actuators())
         .containsExactly(

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -58,14 +57,12 @@ class JsbsimReadingTest {
     assertThat(LookupTable.read(table).at(row, column)).isCloseTo(expected, within(1e-12));
   }
 
-  private static Path changed(Path folder, String old, String now)
-      throws IOException, URISyntaxException {
-    Path original = JsbsimFlightTest.file("trainer.xml");
+  private static Path changed(Path folder, String old, String now) throws IOException {
+    Path original = JsbsimFlightTest.trainerFile();
     Files.createDirectories(folder.resolve("engine"));
     for (String part : new String[] {"four90.xml", "wood68.xml"}) {
       Files.copy(
-          original.resolveSibling("engine").resolve(part),
-          folder.resolve("engine").resolve(part));
+          original.resolveSibling("engine").resolve(part), folder.resolve("engine").resolve(part));
     }
     String text = Files.readString(original);
     assertThat(text).contains(old);
@@ -89,8 +86,7 @@ class JsbsimReadingTest {
         "<emptywt unit=\"LBS\"> 750 | <emptywt unit=\"LBS\"> much | \"much\": expected a number"
       })
   void read_somethingWrong_namesLineAndExpectation(
-      String old, String now, String message, @TempDir Path folder)
-      throws IOException, URISyntaxException {
+      String old, String now, String message, @TempDir Path folder) throws IOException {
     Path file = changed(folder, old, now);
     assertThatThrownBy(() -> JsbsimAircraft.read(file, Map.of()))
         .isInstanceOf(BadInputException.class)
@@ -100,12 +96,9 @@ class JsbsimReadingTest {
 
   @Test
   void read_propertyOfTheVehicleFile_replacesTheMissingOne(@TempDir Path folder)
-      throws IOException, URISyntaxException {
+      throws IOException {
     Path file =
-        changed(
-            folder,
-            "<input>fcs/pitch-trim-cmd-norm</input>",
-            "<input>ap/elevator_cmd</input>");
+        changed(folder, "<input>fcs/pitch-trim-cmd-norm</input>", "<input>ap/elevator_cmd</input>");
     assertThat(JsbsimAircraft.read(file, Map.of("ap/elevator_cmd", 0.0)).actuators())
         .contains("ELEVATOR");
   }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Flies trainer.xml with JSBSim and writes trainer_reference.csv: pip install jsbsim==1.3.3; python3 jsbsim_reference.py
+"""Flies config/vehicles/trainer/trainer.xml with JSBSim and writes trainer_reference.csv: pip install jsbsim==1.3.3; python3 jsbsim_reference.py
 
 From level flight as JSBSim trims it, without feedback: doublets of elevator, aileron and rudder, throttle, flaps. Each row
 holds the state and the commands from then until the next row. At 45 degrees of latitude gravity is the standard one.
@@ -10,6 +10,7 @@ import pathlib
 import jsbsim
 
 HERE = pathlib.Path(__file__).resolve().parent
+TRAINER = HERE.parents[7] / "config/vehicles/trainer"
 RATE = 120
 ROW_FRAMES = 60
 STATE = (
@@ -31,7 +32,7 @@ STEPS = {  # seconds: added to the trim's command from then on
 def main():
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
-    if not fdm.load_model_with_paths("trainer", str(HERE), str(HERE / "engine"), str(HERE), False):
+    if not fdm.load_model_with_paths("trainer", str(TRAINER), str(TRAINER / "engine"), str(TRAINER), False):
         raise SystemExit("JSBSim does not read trainer.xml")
     fdm.disable_output()
     fdm.set_dt(1.0 / RATE)
