@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""Sets the simulated Cessna 172 beside JSBSim's c172p and prints a Markdown table.
+"""Sets U2SA's simulated aircraft beside JSBSim's c172p and prints a Markdown table.
 
     pip install jsbsim==1.3.3
     ./u2sa --help
-    python3 scripts/jsbsim/compare.py
+    python3 scripts/jsbsim/compare.py              # <jsbsim>: the same aircraft file
+    python3 scripts/jsbsim/compare.py cessna172    # the built-in Cessna
 
-Our side is measured by PerformanceTable.java, JSBSim's here with the same procedures. JSBSim's aircraft is loaded to the
-same 2400 lb by its front seats, which leaves its centre of gravity where it was. JSBSim's rudder is positive to the left.
+<jsbsim> is flown from here by Bridge.java, with JSBSim's procedures, and trimmed by Newton's method.
+<cessna172> is measured by PerformanceTable.java with procedures of the same effect. JSBSim's aircraft is loaded to
+2400 lb by its front seats, which leaves its centre of gravity where it was. It flies at 45 degrees of latitude, where gravity
+is the standard one. JSBSim's rudder is positive to the left.
 """
 
 import argparse
@@ -24,7 +27,8 @@ except ImportError:
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RATE = 120
-MASS_LB = 2400.0
+TICK = 1.0 / 400.0  # of <jsbsim>
+SEAT_LB = (2400.0 - 1500.0 - 200.0) / 2.0  # c172p: 2400 lb with the fuel of its file
 FULL_TRIM = 1
 WITHIN = 0.03
 
@@ -48,13 +52,113 @@ def ours(classes):
     return {(r["kind"], r["condition"], r["quantity"]): float(r["value"]) for r in rows}
 
 
-def aircraft(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
+class Ours:
+    """An aircraft of <jsbsim> with the properties of a JSBSim object that the procedures use."""
+
+    bridge = None
+    given = {}
+
+    @classmethod
+    def connect(cls, classes, name):
+        file = pathlib.Path(jsbsim.get_default_root_dir()) / f"aircraft/{name}/{name}.xml"
+        command = ["java", "-cp", str(classes), str(ROOT / "scripts/jsbsim/Bridge.java"), str(file)]
+        cls.bridge = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
+        cls.given = {f"inertia/pointmass-weight-lbs[{i}]": SEAT_LB for i in (0, 1)} if name == "c172p" else {}
+
+    def __init__(self, feet, body, phi=0.0, theta=0.0, psi=0.0, given=None):
+        self.inputs = {}
+        self.begin(feet, body, phi, theta, psi, given or {})
+
+    def begin(self, feet, body, phi, theta, psi, given):
+        numbers = [feet * 0.3048, *(each * 0.3048 for each in body), phi, theta, psi]
+        properties = {**self.given, **given}
+        self.ask("start " + " ".join(map(repr, numbers)) + "".join(f" {n}={v!r}" for n, v in properties.items()))
+
+    def ask(self, line):
+        self.bridge.stdin.write(line + "\n")
+        self.bridge.stdin.flush()
+        answer = self.bridge.stdout.readline()
+        if not answer:
+            sys.exit("Bridge.java ended; build first: ./u2sa --help")
+        self.state = {name: float(value) for name, value in (each.split("=") for each in answer.split())}
+
+    def __getitem__(self, name):
+        return self.inputs.get(name, 0.0) if name.startswith("fcs/") and "cmd" in name else self.state[name.replace("[0]", "")]
+
+    def __setitem__(self, name, value):
+        self.inputs[name] = value
+
+    def run(self, seconds=1.0 / RATE):
+        names = {"AILERON": "aileron", "ELEVATOR": "elevator", "RUDDER": "rudder", "THROTTLE": "throttle", "FLAPS": "flap"}
+        words = []
+        for actuator, name in names.items():
+            value = self[f"fcs/{name}-cmd-norm"] * (-1.0 if actuator == "RUDDER" else 1.0)
+            words.append(f"{actuator}={value!r}")
+        self.ask(f"step {seconds!r} " + " ".join(words))
+
+    def do_trim(self, _):
+        """Level flight without sideslip, by Newton's method: nothing changes from the first tick to the second."""
+        feet, speed, psi = (self[n] for n in ("position/h-sl-ft", "velocities/vt-fps", "attitude/psi-rad"))
+        rates = [f"velocities/{axis}" for axis in ("u-fps", "v-fps", "w-fps", "p-rad_sec", "q-rad_sec", "r-rad_sec")]
+        engine = {"propulsion/engine/propeller-rpm": 1e3, "propulsion/engine/map-pa": 1e4}
+
+        def changes(x):
+            alpha, phi = x[0], x[1]
+            theta = math.atan(math.tan(alpha) * math.cos(phi))
+            body = (speed * math.cos(alpha), 0.0, speed * math.sin(alpha))
+            given = {name: scale * x[6 + i] for i, (name, scale) in enumerate(engine.items())}
+            self.begin(feet, body, phi, theta, psi, given)
+            for name, value in zip(("elevator", "aileron", "rudder", "throttle"), x[2:6]):
+                self[f"fcs/{name}-cmd-norm"] = max(-1.0, min(1.0, value))
+            self.run(TICK)
+            before = [self[name] for name in (*rates, *engine)]
+            self.run(TICK)
+            after = [self[name] for name in (*rates, *engine)]
+            return [(b - a) / TICK / scale for a, b, scale in zip(before, after, (32, 32, 32, 1, 1, 1, 1e3, 1e4))]
+
+        solve(changes, [0.08, 0.0, 0.0, 0.0, 0.0, 0.6, 2.1, 7.0])
+
+
+def solve(function, x):
+    """Newton's method with differences."""
+    for _ in range(20):
+        value = function(x)
+        if max(map(abs, value)) < 1e-7:
+            return
+        columns = []
+        for i in range(len(x)):
+            moved = list(x)
+            moved[i] += 1e-5
+            columns.append([(b - a) / 1e-5 for a, b in zip(value, function(moved))])
+        rows = [[column[i] for column in columns] + [-value[i]] for i in range(len(x))]
+        for i in range(len(x)):  # Gauss and Jordan
+            pivot = max(range(i, len(x)), key=lambda k: abs(rows[k][i]))
+            rows[i], rows[pivot] = rows[pivot], rows[i]
+            rows[i] = [each / rows[i][i] for each in rows[i]]
+            for k in range(len(x)):
+                if k != i:
+                    rows[k] = [a - rows[k][i] * b for a, b in zip(rows[k], rows[i])]
+        step = [row[-1] for row in rows]
+        x = [a + b * min(1.0, 0.3 / max(map(abs, step))) for a, b in zip(x, step)]
+    raise jsbsim.TrimFailureError("no trim")
+
+
+def fly_ours(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
+    theirs = fly_theirs(feet, knots, gamma, bank, flaps, throttle)
+    fdm = Ours(feet, (theirs["velocities/vt-fps"], 0.0, 0.0), math.radians(bank), math.radians(gamma))
+    fdm["fcs/flap-cmd-norm"] = flaps
+    fdm["fcs/throttle-cmd-norm"] = throttle
+    return fdm
+
+
+def fly_theirs(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5, model="c172p"):
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
-    if not fdm.load_model("c172p"):
-        sys.exit("JSBSim has no c172p")
+    if not fdm.load_model(model):
+        sys.exit(f"JSBSim has no {model}")
     fdm.set_dt(1.0 / RATE)
     fdm["ic/h-sl-ft"] = feet
+    fdm["ic/lat-geod-deg"] = 45.0
     fdm["ic/terrain-elevation-ft"] = -10000.0
     fdm["ic/vc-kts"] = knots
     fdm["ic/gamma-deg"] = gamma
@@ -64,13 +168,14 @@ def aircraft(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5):
     fdm["fcs/flap-pos-norm"] = flaps
     fdm["fcs/mixture-cmd-norm"] = 1.0
     fdm["fcs/throttle-cmd-norm"] = throttle
-    fuel = fdm["propulsion/tank[0]/contents-lbs"] + fdm["propulsion/tank[1]/contents-lbs"]
-    seat = (MASS_LB - 1500.0 - fuel) / 2.0
-    fdm["inertia/pointmass-weight-lbs[0]"] = seat
-    fdm["inertia/pointmass-weight-lbs[1]"] = seat
+    for i in (0, 1) if model == "c172p" else ():
+        fdm[f"inertia/pointmass-weight-lbs[{i}]"] = SEAT_LB
     fdm.run_ic()
     fdm["propulsion/set-running"] = -1
     return fdm
+
+
+aircraft = fly_theirs
 
 
 def trimmed(**start):
@@ -264,21 +369,33 @@ def turn(table):
         table["turn", condition, "alpha deg"] = fdm["aero/alpha-deg"]
 
 
+def measured(fly):
+    global aircraft
+    aircraft = fly
+    table = {}
+    for measure in (level, climb, glide, cruise, stall, turn, modes):
+        measure(table)
+    return table
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("model", nargs="?", choices=("jsbsim", "cessna172"), default="jsbsim")
     parser.add_argument("--classes", default=f"{ROOT}/target/u2sa/lib/*")
     arguments = parser.parse_args()
-    mine = ours(arguments.classes)
-    theirs = {}
-    for measure in (level, climb, glide, cruise, stall, turn, modes):
-        measure(theirs)
-    print(f"| kind | condition | quantity | U2SA | JSBSim {jsbsim.__version__} c172p | difference | handbook |")
+    theirs = measured(fly_theirs)
+    if arguments.model == "jsbsim":
+        Ours.connect(arguments.classes, "c172p")
+        mine = measured(fly_ours)
+    else:
+        mine = ours(arguments.classes)
+    print(f"| kind | condition | quantity | <{arguments.model}> | JSBSim {jsbsim.__version__} c172p | difference | handbook |")
     print("|---|---|---|---:|---:|---:|---:|")
     for key, value in mine.items():
         other = theirs.get(key)
         digits = 0 if abs(value) >= 500 else 1 if abs(value) >= 20 else 2
         beside = "no trim" if other is None else f"{other:.{digits}f}"
-        gap = "" if other is None else f"{value - other:+.{digits}f}"
+        gap = "" if other is None else f"{100.0 * (value / other - 1.0):+.1f} %"
         print(f"| {' | '.join(key)} | {value:.{digits}f} | {beside} | {gap} | {HANDBOOK.get(key, '')} |")
     both = [(value, theirs[key]) for key, value in mine.items() if theirs.get(key) is not None]
     near = sum(abs(value - other) <= WITHIN * abs(other) for value, other in both)

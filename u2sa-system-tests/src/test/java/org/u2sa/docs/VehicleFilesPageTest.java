@@ -38,11 +38,13 @@ class VehicleFilesPageTest {
     vehicles.add(new Page("config/vehicles/bluerov2.xml").text());
     vehicles.add(new Page("config/cessna/vehicle.xml").text());
     vehicles.add(new Page("config/vehicles/remus100.xml").text());
+    vehicles.add(new Page("config/vehicles/trainer.xml").text());
     return vehicles;
   }
 
   private static void read(String text) {
-    VehicleFile.read(new ByteArrayInputStream(text.getBytes(UTF_8)), "vehicle.xml");
+    String origin = Page.ROOT.resolve("config/vehicles/vehicle.xml").toString();
+    VehicleFile.read(new ByteArrayInputStream(text.getBytes(UTF_8)), origin);
   }
 
   /** Names that the reader asks an element for, in any of the vehicles. */
@@ -69,7 +71,7 @@ class VehicleFilesPageTest {
 
   @Test
   void examples_ofThePage_areVehicles() throws IOException {
-    assertThat(vehicles()).hasSize(9).allSatisfy(VehicleFilesPageTest::read);
+    assertThat(vehicles()).hasSize(10).allSatisfy(VehicleFilesPageTest::read);
   }
 
   @Test

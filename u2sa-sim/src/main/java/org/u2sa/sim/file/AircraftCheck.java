@@ -26,6 +26,9 @@ final class AircraftCheck {
     } else if (file.model() instanceof FixedWingModel plane) {
       lines.add(wing(plane));
     }
+    if (file.model() instanceof JsbsimModel jsbsim) {
+      jsbsim.aircraft().ignored().forEach(each -> lines.add("ignored: " + each));
+    }
     lines.addAll(VehicleCheck.parts(file));
     return lines;
   }

@@ -2,6 +2,8 @@ package org.u2sa.sim.file;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.LandingLeg;
 import org.u2sa.sim.flight.MassProperties;
 
@@ -44,6 +46,21 @@ final class AircraftParts {
           .error("has " + legs.size() + " <skid> and <wheel>; expected none, or 3…" + MAX_LEGS);
     }
     return List.copyOf(legs);
+  }
+
+  /** How it is thrown; empty if it stands. */
+  static Optional<Catapult> catapult(FileElement file) {
+    return file.optionalPart("catapult").map(AircraftParts::thrower);
+  }
+
+  private static Catapult thrower(FileElement file) {
+    return file.complete(
+        () ->
+            new Catapult(
+                file.positive("speed", "m/s", 200.0),
+                file.number("angle", "rad", 0.0, Math.PI / 3.0),
+                file.number("height", "m", 0.0, 100.0),
+                file.number("stroke", "m", 0.1, 100.0, 2.0)));
   }
 
   /** Height of the centre of gravity above the landing gear's contact [m]; 0 without legs. */

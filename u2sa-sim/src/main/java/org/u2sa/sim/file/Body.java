@@ -35,6 +35,13 @@ record Body(
     return new Body(mass, inertia, isAboutReference, gravityCentre, footprint);
   }
 
+  /** A body whose mass and inertia are in another file. */
+  static Body outline(FileElement body) {
+    Footprint footprint = footprint(body.part("outline"));
+    body.end();
+    return new Body(0.0, Point.ORIGIN, false, Point.ORIGIN, footprint);
+  }
+
   private enum About {
     GRAVITY_CENTRE,
     REFERENCE_POINT

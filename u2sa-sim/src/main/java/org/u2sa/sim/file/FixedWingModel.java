@@ -33,7 +33,7 @@ record FixedWingModel(
 
   static FixedWingModel read(FileElement file, Body body) {
     List<LandingLeg> legs = AircraftParts.legs(file);
-    Optional<Catapult> catapult = file.optionalPart("catapult").map(FixedWingModel::catapult);
+    Optional<Catapult> catapult = AircraftParts.catapult(file);
     if (legs.isEmpty() && catapult.isEmpty()) {
       throw file.xml().error("has neither <skid>, <wheel> nor <catapult>; expected how it starts");
     }
@@ -49,16 +49,6 @@ record FixedWingModel(
         legs,
         catapult,
         body.footprint());
-  }
-
-  private static Catapult catapult(FileElement file) {
-    return file.complete(
-        () ->
-            new Catapult(
-                file.positive("speed", "m/s", 200.0),
-                file.number("angle", "rad", 0.0, Math.PI / 3.0),
-                file.number("height", "m", 0.0, 100.0),
-                file.number("stroke", "m", 0.1, 100.0, 2.0)));
   }
 
   private static WingCoefficients wing(FileElement file) {

@@ -35,7 +35,10 @@ public final class VehicleFile {
     FileElement vehicle = new FileElement(root);
     origin = root.origin();
     name = vehicle.text("name");
-    body = Body.read(vehicle.part("body"));
+    body =
+        root.child("jsbsim").isPresent()
+            ? Body.outline(vehicle.part("body"))
+            : Body.read(vehicle.part("body"));
     model = VehicleModels.read(vehicle, body);
     sensors = SensorKinds.read(vehicle, model);
     board = vehicle.optionalPart("ioio").map(this::board);
@@ -141,7 +144,7 @@ public final class VehicleFile {
 
   /** Its mass [kg]. */
   public double massKg() {
-    return body.massKg();
+    return model.massKg().orElse(body.massKg());
   }
 
   /** Its dynamics. */

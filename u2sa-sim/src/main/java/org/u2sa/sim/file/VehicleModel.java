@@ -56,6 +56,11 @@ public interface VehicleModel {
     return OptionalDouble.empty();
   }
 
+  /** Its mass, if it is not the body's [kg]. */
+  default OptionalDouble massKg() {
+    return OptionalDouble.empty();
+  }
+
   /** Wheels with encoders; empty if none. */
   default Optional<Wheels> wheels() {
     return Optional.empty();

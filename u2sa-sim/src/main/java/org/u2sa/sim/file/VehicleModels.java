@@ -21,6 +21,7 @@ final class VehicleModels {
     kinds.put("multirotor", MultirotorModel::read);
     kinds.put("fixedWing", FixedWingModel::read);
     kinds.put("cessna172", Cessna172Model::read);
+    kinds.put("jsbsim", JsbsimModel::read);
     kinds.put("fixedBase", FixedBaseModel::read);
     return kinds;
   }

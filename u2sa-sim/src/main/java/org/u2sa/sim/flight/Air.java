@@ -1,7 +1,15 @@
 package org.u2sa.sim.flight;
 
+import org.u2sa.sim.atmosphere.StandardAtmosphere;
+
 /** The air around an aircraft, and the aircraft's motion through it. */
-final class Air {
+public final class Air {
+  /** Still air at the aircraft's altitude. */
+  StandardAtmosphere.Air standard = StandardAtmosphere.at(0.0);
+
+  /** Height of the centre of gravity above ground [m]. */
+  double heightM;
+
   /** Density [kg/m³]. */
   double densityKgPerM3;
 
@@ -34,5 +42,45 @@ final class Air {
 
   double speedMps() {
     return StrictMath.sqrt(u * u + v * v + w * w);
+  }
+
+  /** Still air at the aircraft's altitude. */
+  public StandardAtmosphere.Air standard() {
+    return standard;
+  }
+
+  /** Height of the centre of gravity above ground [m]. */
+  public double heightM() {
+    return heightM;
+  }
+
+  /** Velocity through the air, forward [m/s]. */
+  public double u() {
+    return u;
+  }
+
+  /** Velocity through the air, right [m/s]. */
+  public double v() {
+    return v;
+  }
+
+  /** Velocity through the air, down in body axes [m/s]. */
+  public double w() {
+    return w;
+  }
+
+  /** Angular rate of the gusts about the forward axis [rad/s]. */
+  public double gustP() {
+    return gustP;
+  }
+
+  /** Angular rate of the gusts about the right axis [rad/s]. */
+  public double gustQ() {
+    return gustQ;
+  }
+
+  /** Angular rate of the gusts about the down axis [rad/s]. */
+  public double gustR() {
+    return gustR;
   }
 }

@@ -1,10 +1,11 @@
 package org.u2sa.sim.flight;
 
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.sim.motion.Arguments;
 
 /** Forces and moments of the air on one aircraft, which its actuators change. */
-interface AirLoads {
+public interface AirLoads {
   /** Names of the actuators; each has one state, its speed or its deflection. */
   List<String> actuators();
 
@@ -33,6 +34,22 @@ interface AirLoads {
    * @param load force and moment in body axes [N, N m]
    */
   void add(double[] s, double[] rate, int first, Air air, double[] load);
+
+  /**
+   * Advances what changes in steps: control systems, engines, fuel. Called before each tick.
+   *
+   * @param s state of the aircraft; its actuators' states may be set
+   * @param rate derivative of the state after the last tick
+   * @param first as of {@link #add}
+   */
+  default void tick(double[] s, double[] rate, int first, Air air, double dtS) {
+    // nothing does
+  }
+
+  /** Mass from the next tick on, if it changes. */
+  default Optional<MassProperties> mass() {
+    return Optional.empty();
+  }
 
   /**
    * Power that its motors take [W].

@@ -21,12 +21,13 @@ final class FreeBody implements RungeKutta.Motion {
   final BodyAttitude attitude = new BodyAttitude();
   final Air air = new Air();
 
-  private final MassProperties mass;
   private final AirLoads loads;
   private final List<Wheel> wheels;
   private final double gravityMps2;
   private final double[] load = new double[6];
   private final int tyres;
+
+  private MassProperties mass;
 
   /** Down coordinate of the ground under the body [m]. */
   double groundDown = Double.POSITIVE_INFINITY;
@@ -41,6 +42,11 @@ final class FreeBody implements RungeKutta.Motion {
 
   int size() {
     return tyres + 2 * wheels.size();
+  }
+
+  /** Changes the mass, about the same centre of gravity. */
+  void weigh(MassProperties now) {
+    mass = now;
   }
 
   /** Sets attitude and motion through the air by a state. */

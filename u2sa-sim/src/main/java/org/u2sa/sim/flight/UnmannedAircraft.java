@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.atmosphere.StandardAtmosphere;
@@ -34,6 +35,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private final World world;
   private final WindField wind;
   private final List<Wheel> wheels;
+  private final double breaksAtM; // compression of a leg
   private final FreeBody body;
   private final RungeKutta integrator;
   private final double[] state;
@@ -46,7 +48,8 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private UnmannedAircraft(
       MassProperties mass,
       AirLoads loads,
-      List<LandingLeg> legs,
+      List<Wheel> wheels,
+      double breaksAtM,
       Footprint footprint,
       World world,
       Point start,
@@ -55,7 +58,8 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     this.footprint = footprint;
     this.world = world;
     wind = world.windAround(loads.spanM());
-    wheels = LandingLeg.wheels(legs, mass.massKg());
+    this.wheels = List.copyOf(wheels);
+    this.breaksAtM = breaksAtM;
     body = new FreeBody(mass, loads, wheels, Gravity.STANDARD_MPS2);
     integrator = new RungeKutta(body.size());
     state = new double[body.size()];
@@ -84,7 +88,9 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       Point start,
       double headingRad) {
     AirLoads loads = new Rotors(rotors, frameDrag);
-    return new UnmannedAircraft(mass, loads, legs, footprint, world, start, headingRad);
+    List<Wheel> wheels = LandingLeg.wheels(legs, mass.massKg());
+    return new UnmannedAircraft(
+        mass, loads, wheels, LandingLeg.BREAKS_AT_M, footprint, world, start, headingRad);
   }
 
   /**
@@ -105,7 +111,48 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       Point start,
       double headingRad) {
     AirLoads loads = new Wings(wing, surfaces, propeller);
-    return new UnmannedAircraft(mass, loads, legs, footprint, world, start, headingRad);
+    List<Wheel> wheels = LandingLeg.wheels(legs, mass.massKg());
+    return new UnmannedAircraft(
+        mass, loads, wheels, LandingLeg.BREAKS_AT_M, footprint, world, start, headingRad);
+  }
+
+  /**
+   * Creates an aircraft at rest whose loads know its mass, with legs that never break.
+   *
+   * @param wheels its landing gear, which the loads may steer and brake
+   * @param start centre of gravity: east, north, up [m]
+   * @param headingRad clockwise from north [rad]
+   */
+  public static UnmannedAircraft of(
+      AirLoads loads,
+      List<Wheel> wheels,
+      Footprint footprint,
+      World world,
+      Point start,
+      double headingRad) {
+    return new UnmannedAircraft(
+        loads.mass().orElseThrow(),
+        loads,
+        wheels,
+        Double.POSITIVE_INFINITY,
+        footprint,
+        world,
+        start,
+        headingRad);
+  }
+
+  /**
+   * Puts the aircraft into an attitude and motion: call before the first step.
+   *
+   * @param velocity over ground: forward, right, down in body axes [m/s]
+   */
+  public void fly(Attitude attitude, Point velocity) {
+    BodyAttitude.write(
+        state, BodyState.QUATERNION, attitude.phi(), attitude.theta(), attitude.psi());
+    state[BodyState.VELOCITY] = velocity.x();
+    state[BodyState.VELOCITY + 1] = velocity.y();
+    state[BodyState.VELOCITY + 2] = velocity.z();
+    body.derivatives(state, rate);
   }
 
   /**
@@ -172,6 +219,8 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       return;
     }
     surround();
+    loads.tick(state, rate, FreeBody.ACTUATORS, body.air, TICK_S);
+    loads.mass().ifPresent(body::weigh);
     integrator.step(body, state, TICK_S);
     BodyState.normalize(state);
     body.boundTyres(state);
@@ -179,7 +228,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     energyJ += loads.powerW(state, FreeBody.ACTUATORS, body.air) * TICK_S;
     crashed =
         state[BodyState.NED + 2] > body.groundDown
-            || wheels.stream().anyMatch(wheel -> wheel.compressionM() > LandingLeg.BREAKS_AT_M);
+            || wheels.stream().anyMatch(wheel -> wheel.compressionM() > breaksAtM);
     if (crashed) {
       for (int i = BodyState.VELOCITY; i < state.length; i++) {
         state[i] = 0.0;
@@ -220,8 +269,10 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private void surround() {
     body.observe(state);
     double altitude = world.plane().origin().altitudeM() - state[BodyState.NED + 2];
-    body.air.densityKgPerM3 = StandardAtmosphere.at(altitude).densityKgPerM3();
+    body.air.standard = StandardAtmosphere.at(altitude);
+    body.air.densityKgPerM3 = body.air.standard.densityKgPerM3();
     body.groundDown = -world.terrain().heightM(state[BodyState.NED + 1], state[BodyState.NED]);
+    body.air.heightM = body.groundDown - state[BodyState.NED + 2];
     double heading = body.attitude.headingRad();
     wind.step(
         TICK_S,
