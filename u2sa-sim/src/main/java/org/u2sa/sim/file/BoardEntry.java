@@ -1,5 +1,6 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.function.DoubleFunction;
 import org.u2sa.sim.ground.GroundVehicle;

@@ -1,5 +1,6 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.messages.frame.Point;

@@ -1,5 +1,6 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.guide.Carriage;
@@ -9,7 +10,7 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /** A carriage on a straight guide that is fixed to the ground. */
-record FixedBaseModel(Guide guide, double massKg, Footprint footprint) implements VehicleModel {
+record FixedBaseModel(Guide guide, double carriageKg, Footprint footprint) implements VehicleModel {
   private static final double LARGEST = 1e9;
   private static final double FAR_M = 10_000.0;
 
@@ -40,6 +41,6 @@ record FixedBaseModel(Guide guide, double massKg, Footprint footprint) implement
 
   @Override
   public SimulatedVehicle make(World world, Point start, double headingRad, long seed) {
-    return new Carriage(guide, massKg, footprint, world, start, headingRad);
+    return new Carriage(guide, carriageKg, footprint, world, start, headingRad);
   }
 }

@@ -1,5 +1,6 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.FileElement;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;

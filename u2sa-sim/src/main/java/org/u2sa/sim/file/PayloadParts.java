@@ -1,5 +1,6 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.FileElement;
 import java.util.Map;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedLoadCell;

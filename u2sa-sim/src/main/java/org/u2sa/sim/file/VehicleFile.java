@@ -1,5 +1,7 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.VehicleChanges;
+import org.u2sa.sim.file.element.FileElement;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;

@@ -1,5 +1,6 @@
 package org.u2sa.sim.file;
 
+import org.u2sa.sim.file.element.Presets;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 

@@ -1,4 +1,4 @@
-package org.u2sa.sim.file;
+package org.u2sa.sim.file.element;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -33,7 +33,7 @@ public final class Presets {
     return ROOT.children();
   }
 
-  static boolean exist(String element) {
+  public static boolean exist(String element) {
     return !ROOT.children(element).isEmpty();
   }
 
@@ -43,7 +43,7 @@ public final class Presets {
    * @param user element that names it
    * @throws org.u2sa.interfaces.BadInputException if it is unknown; lists the known presets
    */
-  static FileElement find(XmlElement user, String name) {
+  public static FileElement find(XmlElement user, String name) {
     List<XmlElement> candidates = ROOT.children(user.name());
     return candidates.stream()
         .filter(each -> each.attribute(NAME).equals(name))

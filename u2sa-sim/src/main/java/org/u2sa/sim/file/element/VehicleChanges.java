@@ -1,4 +1,4 @@
-package org.u2sa.sim.file;
+package org.u2sa.sim.file.element;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -8,7 +8,7 @@ import java.util.Map;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /** Replaces values of a vehicle file, each named by the path of elements to it. */
-final class VehicleChanges {
+public final class VehicleChanges {
   private VehicleChanges() {}
 
   /**
@@ -18,7 +18,7 @@ final class VehicleChanges {
    * @throws org.u2sa.interfaces.BadInputException if an element of the path does not exist; the
    *     last one may be new
    */
-  static XmlElement apply(XmlElement root, Map<String, String> changes) {
+  public static XmlElement apply(XmlElement root, Map<String, String> changes) {
     XmlElement changed = root;
     for (Map.Entry<String, String> change : changes.entrySet()) {
       changed = set(changed, Arrays.asList(change.getKey().split("/")), change.getValue());

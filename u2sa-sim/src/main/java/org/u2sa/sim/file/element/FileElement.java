@@ -1,4 +1,4 @@
-package org.u2sa.sim.file;
+package org.u2sa.sim.file.element;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -16,7 +16,7 @@ import org.u2sa.messages.frame.Point;
  * An element of a vehicle file whose children are read as values in SI units. Missing values come
  * from the element's preset, if it names one. {@link #end} rejects children that were not read.
  */
-final class FileElement {
+public final class FileElement {
   private static final String UNIT = "unit";
 
   private final XmlElement element;
@@ -26,7 +26,7 @@ final class FileElement {
   /**
    * @param attributes attributes besides {@code preset}
    */
-  FileElement(XmlElement element, String... attributes) {
+  public FileElement(XmlElement element, String... attributes) {
     this.element = element;
     element.refuseText();
     List<String> known = new ArrayList<>(List.of(attributes));
@@ -43,44 +43,44 @@ final class FileElement {
   }
 
   /** The element, for its name, attributes and position. */
-  XmlElement xml() {
+  public XmlElement xml() {
     return element;
   }
 
   /** A required number. */
-  double number(String name, String unit, double min, double max) {
+  public double number(String name, String unit, double min, double max) {
     XmlElement child = value(name).orElseThrow(() -> lacks(name, unit));
     return number(child, child.text(), unit, min, max);
   }
 
   /** An optional number. */
-  double number(String name, String unit, double min, double max, double ifAbsent) {
+  public double number(String name, String unit, double min, double max, double ifAbsent) {
     return value(name).map(child -> number(child, child.text(), unit, min, max)).orElse(ifAbsent);
   }
 
   /** A required number above 0. */
-  double positive(String name, String unit, double max) {
+  public double positive(String name, String unit, double max) {
     return number(name, unit, Double.MIN_NORMAL, max);
   }
 
   /** A required vector of three numbers. */
-  Point vector(String name, String unit, double min, double max) {
+  public Point vector(String name, String unit, double min, double max) {
     XmlElement child = value(name).orElseThrow(() -> lacks(name, unit));
     return vector(child, unit, min, max);
   }
 
   /** An optional vector of three numbers. */
-  Point vector(String name, String unit, double min, double max, Point ifAbsent) {
+  public Point vector(String name, String unit, double min, double max, Point ifAbsent) {
     return value(name).map(child -> vector(child, unit, min, max)).orElse(ifAbsent);
   }
 
   /** A required vector of any length, as a unit vector. */
-  Point direction(String name) {
+  public Point direction(String name) {
     return unit(name, vector(name, "1", -1e6, 1e6));
   }
 
   /** An optional vector of any length, as a unit vector. */
-  Point direction(String name, Point ifAbsent) {
+  public Point direction(String name, Point ifAbsent) {
     return unit(name, vector(name, "1", -1e6, 1e6, ifAbsent));
   }
 
@@ -101,7 +101,7 @@ final class FileElement {
   }
 
   /** A required list of numbers, with at least one and at most {@code most} of them. */
-  List<Double> numbers(String name, String unit, double min, double max, int most) {
+  public List<Double> numbers(String name, String unit, double min, double max, int most) {
     XmlElement child = value(name).orElseThrow(() -> lacks(name, unit));
     List<Double> each = numbers(child, child.text(), unit, min, max);
     if (each.isEmpty() || each.size() > most) {
@@ -138,7 +138,7 @@ final class FileElement {
   }
 
   /** A required whole number. */
-  int count(String name, int min, int max) {
+  public int count(String name, int min, int max) {
     double value = number(name, "1", min, max);
     if (value != Math.rint(value)) {
       throw value(name).orElseThrow().error(value + ": expected a whole number");
@@ -147,7 +147,7 @@ final class FileElement {
   }
 
   /** A required text. */
-  String text(String name) {
+  public String text(String name) {
     String text = value(name).orElseThrow(() -> lacks(name, "")).text();
     if (text.isEmpty()) {
       throw value(name).orElseThrow().error("is empty; expected a text");
@@ -156,7 +156,7 @@ final class FileElement {
   }
 
   /** A required constant of an enumeration. */
-  <E extends Enum<E>> E choice(String name, Class<E> type) {
+  public <E extends Enum<E>> E choice(String name, Class<E> type) {
     String text = text(name);
     for (E each : type.getEnumConstants()) {
       if (each.name().equals(text.toUpperCase(Locale.ROOT))) {
@@ -185,24 +185,24 @@ final class FileElement {
   }
 
   /** Whether a child is present, here or in the preset. */
-  boolean has(String name) {
+  public boolean has(String name) {
     asked.add(name);
     return element.child(name).isPresent() || preset.isPresent() && preset.get().has(name);
   }
 
   /** A required child that has children. */
-  FileElement part(String name) {
+  public FileElement part(String name) {
     return optionalPart(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
   }
 
   /** An optional child that has children. */
-  Optional<FileElement> optionalPart(String name, String... attributes) {
+  public Optional<FileElement> optionalPart(String name, String... attributes) {
     asked.add(name);
     return element.child(name).map(child -> new FileElement(child, attributes));
   }
 
   /** All children of a name. */
-  List<FileElement> parts(String name, String... attributes) {
+  public List<FileElement> parts(String name, String... attributes) {
     asked.add(name);
     return element.children(name).stream()
         .map(child -> new FileElement(child, attributes))
@@ -210,7 +210,7 @@ final class FileElement {
   }
 
   /** Constructs an object from values read before; its constructor may reject their combination. */
-  <T> T made(Supplier<T> maker) {
+  public <T> T made(Supplier<T> maker) {
     try {
       return maker.get();
     } catch (BadInputException e) {
@@ -221,7 +221,7 @@ final class FileElement {
   }
 
   /** Constructs an object from all children, and rejects the first child that was not read. */
-  <T> T complete(Supplier<T> maker) {
+  public <T> T complete(Supplier<T> maker) {
     T made = made(maker);
     end();
     return made;
@@ -232,7 +232,7 @@ final class FileElement {
    *
    * @throws BadInputException at the first child that was not read
    */
-  void end() {
+  public void end() {
     element.refuseUnknownChildren(asked.toArray(new String[0]));
   }
 }
