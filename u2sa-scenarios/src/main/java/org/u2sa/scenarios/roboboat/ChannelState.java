@@ -33,11 +33,11 @@ final class ChannelState extends TaskState {
   private static final double AT_END_M = 5.0; // from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
   private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
-  private static final double MOVED_M = 1.0; // of a gate on the map: the way is planned again
+  private static final double MOVED_M = 0.8; // of the start of the run: the way is planned again
   private static final double OFF_M = 2.0; // from the planned way: it is planned again
   private static final double RETRY_M = 0.5; // between two attempts to plan
-  private static final double DECIDE_M = 2.5; // before a gate: the last place to break off
-  private static final double HALF_BOAT_M = 0.85; // half the beam, a buoy's radius, and a margin
+  private static final double DECIDE_M = 3.0; // before a gate: the last place to break off
+  private static final double STEEPEST = 0.25; // of the way back to the line, aside per metre
   private static final int MOST_BREAK_OFFS = 3;
 
   private final List<Point> passed = new ArrayList<>();
@@ -196,8 +196,8 @@ final class ChannelState extends TaskState {
     return last.isEmpty()
         && breakOffs < MOST_BREAK_OFFS
         && ahead > DECIDE_M
-        && ahead < DECIDE_M + 1.0
-        && Math.abs(asideM(from, gate.middle(), here)) > gate.halfM() - HALF_BOAT_M;
+        && ahead < DECIDE_M + 2.0
+        && Math.abs(asideM(from, gate.middle(), here)) > STEEPEST * ahead;
   }
 
   /** Along planned arcs to the start of a straight run; while there are none, around objects. */
@@ -207,8 +207,7 @@ final class ChannelState extends TaskState {
         approach
             .map(
                 way ->
-                    distance(way.gate().middle(), gate.middle()) > MOVED_M
-                        || way.path().offM(here) > OFF_M)
+way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
             .orElse(true);
     if (isOff && triedAt.map(place -> distance(place, here) > RETRY_M).orElse(true)) {
       triedAt = Optional.of(here);

@@ -66,6 +66,11 @@ record GateApproach(SailingPath path, Gate gate, double runM) {
     return Optional.ofNullable(best);
   }
 
+  /** How far the start of the run is from where it would be by a newer estimate of the gate [m]. */
+  double movedM(Gate newer) {
+    return newer.beyond(-runM).minus(gate.beyond(-runM)).distance();
+  }
+
   private static List<Curve> curves(Pose from, Pose to) {
     List<Curve> curves = new ArrayList<>();
     for (double lead : LEADS_M) {
