@@ -26,6 +26,7 @@ final class ChannelState extends TaskState {
       8.0; // distance of a point at which control does not slow down
   private static final double AHEAD_M = 2.2; // of the point on the line to steer to
   private static final double SAME_M = 2.0; // a gate this near one that was passed is the same
+  private static final double KEPT_M = 4.0; // a gate this near is kept if a buoy is lost from sight
   private static final double BEHIND_M = 1.0; // a gate is still ahead
   private static final double REACH_M = 30.0; // to the next gate
   private static final double FIRST_M = 8.0; // from the entrance to the first gate
@@ -43,6 +44,7 @@ final class ChannelState extends TaskState {
   private final List<Point> passed = new ArrayList<>();
   private Optional<Point> before = Optional.empty(); // place at the last state
   private Optional<Gate> last = Optional.empty();
+  private Optional<Gate> aimed = Optional.empty(); // gate to be passed, at the last state
   private Optional<Point> lineFrom = Optional.empty(); // start of the line to the next gate
   private Optional<GateApproach> approach = Optional.empty(); // while not on that line
   private Optional<Point> triedAt = Optional.empty(); // place of the last planning
@@ -63,6 +65,7 @@ final class ChannelState extends TaskState {
     passed.clear();
     before = Optional.empty();
     last = Optional.empty();
+    aimed = Optional.empty();
     lineFrom = Optional.empty();
     approach = Optional.empty();
     triedAt = Optional.empty();
@@ -77,6 +80,10 @@ final class ChannelState extends TaskState {
     List<Gate> gates =
         Gate.among(
             places(name(goal.left(), "buoy"), state), places(name(goal.right(), "buoy"), state));
+    aimed
+        .filter(gate -> distance(gate.middle(), here) < KEPT_M)
+        .filter(gate -> nearest(gates, gate.middle(), SAME_M).isEmpty())
+        .ifPresent(gates::add);
     before.ifPresent(from -> pass(gates, from, here));
     before = Optional.of(here);
     BuoyChannel now = goal.copy().passed(passed.size());
@@ -90,6 +97,7 @@ final class ChannelState extends TaskState {
           ? done(pursuit, now)
           : step(pursuit, towards(pursuit, end.get(), AT_END_M, APPROACH_MPS), now);
     }
+    aimed = next;
     if (next.isPresent()) {
       return through(next.get(), gates, pursuit, now);
     }
