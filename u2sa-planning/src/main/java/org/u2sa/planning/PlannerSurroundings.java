@@ -11,6 +11,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.PlanningPlane;
 
 /** PlannerView by the planner's own world and avoidance. */
@@ -29,6 +30,16 @@ final class PlannerSurroundings implements PlannerView {
   @Override
   public Point centre(ObjectDescription object, StateInformation state) {
     return avoidance.world().centre(object, state);
+  }
+
+  @Override
+  public List<PlanarShape> outlines(StateInformation state) {
+    return avoidance.world().outlines(state);
+  }
+
+  @Override
+  public double courseRad(StateInformation state) {
+    return Vehicle.of(state).orElseThrow().courseRad();
   }
 
   @Override

@@ -8,6 +8,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.planning.seen.PlanarShape;
 
 /**
  * What the planner knows of the vehicle's surroundings, for the {@link PlannerState}s of
@@ -35,6 +36,15 @@ public interface PlannerView {
    *     reverse
    */
   Point centre(ObjectDescription object, StateInformation state);
+
+  /**
+   * Outlines of the newest objects on the planner's plane, including those that the planner does
+   * not avoid.
+   */
+  List<PlanarShape> outlines(StateInformation state);
+
+  /** Course over ground, or heading at low speed [rad, clockwise from north]. */
+  double courseRad(StateInformation state);
 
   /**
    * Position on the planner's plane: north, east, down [m].

@@ -19,6 +19,7 @@ final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
   private static final double VANE_PER_S = 0.1; // turning rate per angle off the weather
   private static final double FLIES_FROM = 0.5; // fraction of the weight that is lifted
+  private static final double LEAST_AHEAD_MPS = 0.5; // to which a vehicle at rest accelerates soon
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
   private static final int HEAVE = DegreeOfFreedom.HEAVE.ordinal();
@@ -55,7 +56,8 @@ final class Cascade {
 
   /** Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call. */
   double[] step(BodyMotion motion, MotionTarget target, double stepS) {
-    drift.step(motion.velocity(), motion.rates().z(), stepS);
+    drift.step(
+        motion.attitude().psi(), motion.levelVelocity().y(), motion.rates().z(), stepS);
     weatherVane(target, stepS);
     aim(motion, target);
     boolean leans = settings.leans();
@@ -107,8 +109,13 @@ final class Cascade {
     } else if (settings.way().facesTheWay()
         && distanceM(target) >= settings.way().facingDistance()) {
       double astern = target.isBackwards() ? Math.PI : 0.0;
-      double crab = settings.way().countersDrift() && !target.isBackwards() ? -drift.rad() : 0.0;
-      headingRad = OptionalDouble.of(Math.atan2(toGo.y(), toGo.x()) + astern + crab);
+      double course = Math.atan2(toGo.y(), toGo.x());
+      double ahead = Math.max(LEAST_AHEAD_MPS, motion.velocity().x());
+      double crab =
+          settings.way().countersDrift() && !target.isBackwards()
+              ? drift.crabRad(course, ahead)
+              : 0.0;
+      headingRad = OptionalDouble.of(course + astern + crab);
     } else if (headingRad.isEmpty()) {
       headingRad = OptionalDouble.of(motion.attitude().psi());
     }

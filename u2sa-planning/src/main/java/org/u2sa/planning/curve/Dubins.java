@@ -1,5 +1,8 @@
 package org.u2sa.planning.curve;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * Shortest path of a forward-only vehicle with a minimum turn radius (Dubins: On Curves of Minimal
  * Length with a Constraint on Average Curvature, American Journal of Mathematics 79, 1957; formulas
@@ -19,6 +22,23 @@ public final class Dubins {
   private Dubins() {}
 
   public static Curve shortest(Pose from, Pose to, double radiusM) {
+    Best best = new Best();
+    offer(from, to, radiusM, best);
+    return Curve.of(radiusM, best.lengths, best.word);
+  }
+
+  /** All paths of a turn, a straight or a turn, and a turn; at most six. */
+  public static List<Curve> all(Pose from, Pose to, double radiusM) {
+    List<Curve> all = new ArrayList<>();
+    offer(
+        from,
+        to,
+        radiusM,
+        (word, t, p, q) -> all.add(Curve.of(radiusM, new double[] {t, p, q}, word)));
+    return all;
+  }
+
+  private static void offer(Pose from, Pose to, double radiusM, Offers best) {
     Pose rel = from.relative(to);
     double dx = rel.northM() / radiusM;
     double dy = -rel.eastM() / radiusM; // the paper's y is to the left, angles counter-clockwise
@@ -31,7 +51,6 @@ public final class Dubins {
     double ca = Math.cos(alpha);
     double cb = Math.cos(beta);
     double cab = Math.cos(alpha - beta);
-    Best best = new Best();
     double lsl = 2.0 + d * d - 2.0 * cab + 2.0 * d * (sa - sb); // eq. 1
     if (lsl >= -ROUNDING) {
       double towards = lsl < ROUNDING * ROUNDING ? alpha : Math.atan2(cb - ca, d + sa - sb);
@@ -66,16 +85,21 @@ public final class Dubins {
       double t = mod(-alpha + Math.atan2(cb - ca, d + sa - sb) + p / 2.0);
       best.offer(LRL, t, p, mod(beta - alpha - t + p));
     }
-    return Curve.of(radiusM, best.lengths, best.word);
+  }
+
+  /** Takes a word with the lengths of its pieces in radii. */
+  private interface Offers {
+    void offer(int[] word, double t, double p, double q);
   }
 
   /** The shortest of some words. */
-  private static final class Best {
+  private static final class Best implements Offers {
     private double length = Double.POSITIVE_INFINITY;
     private double[] lengths;
     private int[] word;
 
-    void offer(int[] offered, double t, double p, double q) {
+    @Override
+    public void offer(int[] offered, double t, double p, double q) {
       if (t + p + q < length) {
         length = t + p + q;
         lengths = new double[] {t, p, q};

@@ -111,6 +111,12 @@ public final class SeenWorld {
     return new ObjectReader(plane(state), state).centre(object);
   }
 
+  /** Outlines of all {@link #objects()} on the state's plane. */
+  public List<PlanarShape> outlines(StateInformation state) {
+    ObjectReader reader = new ObjectReader(plane(state), state);
+    return objects().stream().map(reader::shape).collect(Collectors.toList());
+  }
+
   /** Newest objects; in vehicle axes only, while the vehicle's position is unknown. */
   public List<ObjectDescription> objects() {
     List<ObjectDescription> all = objects == null ? List.of() : objects.objects();

@@ -43,6 +43,11 @@ record Gate(Point left, Point right) {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
+  /** Half its width, between the centres of its buoys [m]. */
+  double halfM() {
+    return distance(left, right) / 2.0;
+  }
+
   Point middle() {
     return Point.of((left.x() + right.x()) / 2.0, (left.y() + right.y()) / 2.0, 0.0);
   }
@@ -83,6 +88,6 @@ record Gate(Point left, Point right) {
     }
     double share = from / (from - to);
     double aside = asideM(before) + share * (asideM(now) - asideM(before));
-    return Math.abs(aside) < distance(left, right) / 2.0;
+    return Math.abs(aside) < halfM();
   }
 }

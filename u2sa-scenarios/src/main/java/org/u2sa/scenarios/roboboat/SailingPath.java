@@ -1,0 +1,53 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.curve.Pose;
+
+/** A way over the water as closely spaced poses, sailed in order. Not thread-safe. */
+final class SailingPath {
+  /** Largest distance between two poses [m]. */
+  static final double SPACING_M = 0.25;
+
+  private static final int WINDOW = 12; // poses ahead in which the nearest one is sought
+
+  private final List<Pose> poses;
+  private int at; // pose nearest to the boat
+
+  SailingPath(List<Pose> poses) {
+    this.poses = List.copyOf(poses);
+  }
+
+  /** Follows the boat along the path. */
+  void follow(Point here) {
+    int nearest = at;
+    for (int i = at; i < Math.min(poses.size(), at + WINDOW); i++) {
+      if (awayM(i, here) < awayM(nearest, here)) {
+        nearest = i;
+      }
+    }
+    at = nearest;
+  }
+
+  private double awayM(int pose, Point here) {
+    return poses.get(pose).distanceM(here.x(), here.y());
+  }
+
+  /** Distance of the boat from the path [m]. */
+  double offM(Point here) {
+    return awayM(at, here);
+  }
+
+  /** Length that is left, at most [m]. */
+  double leftM() {
+    return (poses.size() - 1 - at) * SPACING_M;
+  }
+
+  /** Place this far along the path; straight on beyond its end. */
+  Point ahead(double metres) {
+    int steps = (int) Math.ceil(metres / SPACING_M);
+    int index = Math.min(poses.size() - 1, at + steps);
+    Pose pose = poses.get(index).along(Math.max(0.0, metres - leftM()), 0.0);
+    return Point.of(pose.northM(), pose.eastM(), 0.0);
+  }
+}
