@@ -25,7 +25,10 @@ import org.u2sa.planning.Pursuit;
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
-  private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
+  private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
+  private static final double AROUND_S = 15.0;
+  private static final double AROUND_RAD = 0.3; // heading ahead of the vehicle's, to keep turning
+  private static final double FACED_M = 0.7; // nearer places are gone to without turning to them
 
   final PlannerView surroundings;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
@@ -95,8 +98,12 @@ abstract class SightState implements PlannerState {
           String.format(
               Locale.ROOT, "abandoned: %s unseen for %.0f s", task.objectTypes(), unseenS));
     }
-    Point ahead = sinceS < STRAIGHT_S ? Point.of(2.0, 0.0, 0.0) : Point.of(0.2, 0.4, 0.0);
-    return Plan.underWay(List.of(NavigationPoint.at(ahead).speed(task.speed())));
+    boolean looksAround = sinceS % (STRAIGHT_S + AROUND_S) > STRAIGHT_S;
+    NavigationPoint point =
+        looksAround
+            ? NavigationPoint.at(Point.of(0.01, 0.0, 0.0)).turn(AROUND_RAD)
+            : NavigationPoint.at(Point.of(2.0, 0.0, 0.0));
+    return Plan.underWay(List.of(point.speed(task.speed())));
   }
 
   private Optional<ObjectDescription> object(String type, StateInformation state) {
@@ -143,10 +150,20 @@ abstract class SightState implements PlannerState {
     return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
-  /** Straight to a place that lies in a direction from the vehicle: north, east, down [m]. */
+  /** Straight, and facing ahead, to a place that lies in a direction from the vehicle: north, east, down [m]. */
   final Plan to(SubTask task, StateInformation state, Point way) {
     Point place = surroundings.here(state).plus(way);
-    return Plan.underWay(List.of(surroundings.straight(state, place).speed(task.speed())));
+    NavigationPoint point = surroundings.straight(state, place).speed(task.speed());
+    if (Math.hypot(way.x(), way.y()) > FACED_M) {
+      point.turn(turnTo(way, state));
+    }
+    return Plan.underWay(List.of(point));
+  }
+
+  /** Turn that makes the vehicle, and its camera, face a way: to the right positive [rad]. */
+  static double turnTo(Point way, StateInformation state) {
+    double bearing = Math.atan2(way.y(), way.x());
+    return Math.IEEEremainder(bearing - state.psi().orElse(0.0), 2.0 * Math.PI);
   }
 
   static Plan completed(String remark) {
