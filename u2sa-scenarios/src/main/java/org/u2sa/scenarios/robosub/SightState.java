@@ -41,10 +41,10 @@ abstract class SightState implements PlannerState {
 
   /**
    * Where to go, on the planner's plane; empty while it is out of sight. Unless overridden, the
-   * nearest object of the first type.
+   * object of the first type.
    */
   Optional<Point> aim(SubTask task, StateInformation state) {
-    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
+    return task.objectTypes().stream().findFirst().flatMap(type -> place(type, state));
   }
 
   /** Next step towards the place. */
@@ -106,25 +106,27 @@ abstract class SightState implements PlannerState {
     return Plan.underWay(List.of(point.speed(task.speed())));
   }
 
-  private Optional<ObjectDescription> object(String type, StateInformation state) {
-    Point here = surroundings.here(state);
+  /** The object of a type; if one was mapped twice, the entry that is known best. */
+  private Optional<ObjectDescription> object(String type) {
     return surroundings.objects().stream()
         .filter(object -> object.objectType().equals(type))
-        .min(
-            Comparator.comparingDouble(
-                object -> surroundings.centre(object, state).minus(here).distance()));
+        .min(Comparator.comparingDouble(SightState::sigmaM));
   }
 
-  /** The nearest object of a type, on the planner's plane. */
-  final Optional<Point> nearest(String type, StateInformation state) {
-    return object(type, state).map(object -> surroundings.centre(object, state));
+  private static double sigmaM(ObjectDescription object) {
+    return object.motion().sigma().map(Point::distance).orElse(Double.POSITIVE_INFINITY);
+  }
+
+  /** Place of the object of a type, on the planner's plane. */
+  final Optional<Point> place(String type, StateInformation state) {
+    return object(type).map(object -> surroundings.centre(object, state));
   }
 
   /** Level unit vector along the task's first object, or along a hoop's normal: north, east. */
   final Optional<Point> axis(SubTask task, StateInformation state) {
     return task.objectTypes().stream()
         .findFirst()
-        .flatMap(type -> object(type, state))
+        .flatMap(this::object)
         .flatMap(object -> headingRad(object, state))
         .map(heading -> Point.of(Math.cos(heading), Math.sin(heading), 0.0));
   }
