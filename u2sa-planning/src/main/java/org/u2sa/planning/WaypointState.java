@@ -46,6 +46,7 @@ final class WaypointState implements PlannerState {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final Supplier<AvoidanceVariables> seeing;
+  private final AltitudeProgress altitude = new AltitudeProgress();
   private int attempts;
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
@@ -84,6 +85,7 @@ final class WaypointState implements PlannerState {
   public void enter(Pursuit pursuit) {
     guidance.begin(placeOf(pursuit.before()));
     avoidance.begin();
+    altitude.begin();
     attempts = 1;
     armed = pursuit.before().filter(before -> before.uid().equals(pursuit.goal().uid())).isEmpty();
     reached = false;
@@ -96,6 +98,7 @@ final class WaypointState implements PlannerState {
   private void follow(Place target) {
     if (aimedAt.filter(before -> !before.equals(target)).isPresent()) {
       guidance.begin(Optional.empty());
+      altitude.begin();
       attempts = 1;
       armed = true;
       reached = false;
@@ -169,10 +172,23 @@ final class WaypointState implements PlannerState {
     if (reached && (guidance.isNearest() || !target.isHorizontal())) {
       return new Plan(points, Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM));
     }
-    if (!guidance.hasPassed()) {
+    boolean climbs = isClimbing(waypoint, downM, vehicle);
+    if (!guidance.hasPassed() || climbs) {
       return Plan.underWay(points);
     }
     return missed(points, passing(waypoint, downM));
+  }
+
+  /**
+   * Whether a vehicle that can stop still climbs or descends at a waypoint. However it drifts over
+   * the place meanwhile, it does not pass it.
+   */
+  private boolean isClimbing(Waypoint waypoint, double downM, Vehicle vehicle) {
+    boolean comesNearer = altitude.comesNearer(Math.abs(downM), vehicle.timestampMicros());
+    return comesNearer
+        && settings.get().turnAcceleration() == 0.0
+        && nowM <= waypoint.horizontalThreshold()
+        && Math.abs(downM) > waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
   }
 
   /**

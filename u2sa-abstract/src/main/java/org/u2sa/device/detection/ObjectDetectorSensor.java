@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Point;
@@ -42,7 +43,11 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
       @Variable(ifAbsentText = "false")
           @Description(
               "Whether objects that no current goal looks for are left out. They are then not avoided either.")
-          boolean onlySought) {}
+          boolean onlySought,
+      @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0)
+          @Description(
+              "Time from the picture to the arrival of its objects, subtracted from their timestamps.")
+          double delay) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);
   private final MountingPose.Turn mounted = settings(MountingPose.class).get().turn();
@@ -73,7 +78,9 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
     for (ObjectDetector.Detection detection : picture.detections()) {
       boolean isSought = sought.isEmpty() || sought.contains(detection.label());
       if (isSought || !tuning.get().onlySought()) {
-        messages.add(message(detection, ++number));
+        ObjectDescription message = message(detection, ++number);
+        message.timestamp(picture.measuredAtMicros() - Clock.micros(tuning.get().delay()));
+        messages.add(message);
         published++;
       } else {
         leftOut++;

@@ -178,7 +178,8 @@ public final class AllocatingControl extends ControlSystem {
       cascade.rest(); // its state was estimated from other axes
       seen.rest();
     }
-    cascade.goBySight(isStateless());
+    Optional<BodyMotion> measured = sensed.now(clock().micros());
+    cascade.goBySight(isStateless(), measured.isPresent());
     if (isStateless()) {
       Point acceleration =
           Point.of(
@@ -189,7 +190,7 @@ public final class AllocatingControl extends ControlSystem {
       return point
           .flatMap(this::nedOf)
           .map(place -> seen.step(place, acceleration, turning, stepS()))
-          .map(motion -> sensed.now(clock().micros()).orElse(motion));
+          .map(measured::orElse);
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();

@@ -213,9 +213,11 @@ final class Cascade {
    * Switches between control by sight in the vehicle's own axes and by states. The heading to hold
    * is dropped, because it refers to axes that have turned; by sight, a vehicle that faces its
    * direction of travel must not move sideways, which would look like turning.
+   *
+   * @param isMeasured whether the motion is measured, not derived from sightings
    */
-  void goBySight(boolean bySight) {
-    turnsFirst = bySight && settings.way().facesTheWay();
+  void goBySight(boolean bySight, boolean isMeasured) {
+    turnsFirst = bySight && !isMeasured && settings.way().facesTheWay();
     if (bySight) {
       headingRad = OptionalDouble.empty();
     }

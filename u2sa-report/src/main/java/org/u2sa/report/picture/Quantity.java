@@ -37,13 +37,14 @@ record Quantity(
   static Quantity onMap(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR, SMALL_AIRCRAFT -> altitude(plan, track);
-      case GROUND, WATER -> speed(track);
+      case GROUND, WATER, UNDERWATER -> speed(track);
     };
   }
 
   static Quantity overTime(RunPlan plan, List<TrackSample> track) {
     return switch (plan.domain()) {
       case AIR, SMALL_AIRCRAFT -> altitude(plan, track);
+      case UNDERWATER -> height(track);
       case GROUND, WATER -> offTrack(track);
     };
   }
@@ -69,6 +70,19 @@ record Quantity(
         Math.max(high, low + plan.domain().leastMapM() / MAP_PER_ALTITUDE),
         TrackSample::altitudeM,
         "of the waypoint flown to",
+        RunPlan.Waypoint::altitudeM);
+  }
+
+  /** Height relative to the water's surface, which is at altitude 0. */
+  private static Quantity height(List<TrackSample> track) {
+    double low = track.stream().mapToDouble(TrackSample::altitudeM).min().orElse(0.0);
+    return new Quantity(
+        "height relative to the surface",
+        "m",
+        Math.min(low, -1.0),
+        0.0,
+        TrackSample::altitudeM,
+        "of the waypoint dived to",
         RunPlan.Waypoint::altitudeM);
   }
 

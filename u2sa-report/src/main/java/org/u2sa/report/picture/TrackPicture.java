@@ -16,7 +16,7 @@ import org.u2sa.report.score.TrackSample;
 
 /**
  * Draws a run on one page: facts and results, the map, and a quantity over time (altitude of
- * aircraft, cross-track error of others).
+ * aircraft, depth of submarines, cross-track error of others).
  */
 public final class TrackPicture {
   public static final int WIDTH = 1600;
@@ -32,12 +32,7 @@ public final class TrackPicture {
 
   public static String title(RunDetails facts, RunScore score) {
     return String.format(
-        Locale.ROOT,
-        "%s, seed %d: %d of %d waypoints captured",
-        facts.demo(),
-        facts.seed(),
-        score.captured(),
-        score.waypoints().size());
+        Locale.ROOT, "%s, seed %d: %s", facts.demo(), facts.seed(), score.verdict());
   }
 
   public static void draw(

@@ -14,10 +14,12 @@ public enum Domain {
    */
   GROUND(3.0, 10.0, "driven"),
   /**
-   * A boat or submarine, over tens of metres. Without wheels it drifts outwards in turns and needs
+   * A boat, over tens of metres. Without wheels it drifts outwards in turns and needs
    * some lengths of two metres to settle.
    */
   WATER(10.0, 20.0, "sailed"),
+  /** A submarine, over tens of metres: as {@link #WATER}, with its depth. */
+  UNDERWATER(10.0, 20.0, "dived"),
   /** A multirotor or a small aeroplane, over tens or hundreds of metres. */
   SMALL_AIRCRAFT(20.0, 30.0, "flown");
 

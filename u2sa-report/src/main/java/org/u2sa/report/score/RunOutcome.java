@@ -25,6 +25,12 @@ public record RunOutcome(
   /** Number of goals without a position, which are scored by completion. */
   public static final String GOALS_WITHOUT_PLACE = "goalsWithoutPlace";
 
+  /** Number of tasks by the rules. */
+  public static final String TASKS = "tasks";
+
+  /** Number of those that were done. */
+  public static final String TASKS_DONE = "tasksDone";
+
   public RunOutcome {
     violations = List.copyOf(violations);
     counts = Collections.unmodifiableMap(new LinkedHashMap<>(counts));

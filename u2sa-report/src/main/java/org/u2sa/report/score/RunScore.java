@@ -1,6 +1,8 @@
 package org.u2sa.report.score;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -35,6 +37,25 @@ public record RunScore(
   /** Number of waypoints captured. */
   public int captured() {
     return (int) waypoints.stream().filter(WaypointResult::captured).count();
+  }
+
+  /** What was reached, in words: tasks done, if there are any by the rules, and waypoints. */
+  public String verdict() {
+    Map<String, Integer> counts = outcome.counts();
+    String tasks =
+        counts.containsKey(RunOutcome.TASKS)
+            ? String.format(
+                Locale.ROOT,
+                "%d of %d tasks done",
+                counts.get(RunOutcome.TASKS_DONE),
+                counts.get(RunOutcome.TASKS))
+            : "";
+    if (!tasks.isEmpty() && waypoints.isEmpty()) {
+      return tasks;
+    }
+    String reached =
+        String.format(Locale.ROOT, "%d of %d waypoints captured", captured(), waypoints.size());
+    return tasks.isEmpty() ? reached : tasks + ", " + reached;
   }
 
   /** Number of waypoints passed within a distance [m], regardless of their capture radius. */

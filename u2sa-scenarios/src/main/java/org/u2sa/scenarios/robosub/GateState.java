@@ -39,8 +39,8 @@ final class GateState extends SightState {
       throw new IllegalArgumentException(
           "goal \"" + task.uid() + "\", objectTypes: expected the types of two poles");
     }
-    Optional<Point> first = nearest(task.objectTypes().get(0), state);
-    Optional<Point> second = nearest(task.objectTypes().get(1), state);
+    Optional<Point> first = place(task.objectTypes().get(0), state);
+    Optional<Point> second = place(task.objectTypes().get(1), state);
     if (first.isEmpty() || second.isEmpty()) {
       return Optional.empty();
     }

@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.robosub;
 
+import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -11,6 +12,7 @@ import org.u2sa.planning.PlannerView;
 final class MarkerState extends SightState {
   private static final double ABOVE_M = 0.3; // level distance from the marker
   private static final double ALONG_M = 1.2; // way along it, after which the direction is taken
+  private static final double FACING_RAD = 0.2;
   private static final double AHEAD_M = 1.0; // of the point on the axis to steer to
 
   private Optional<Point> came = Optional.empty(); // level way to the marker when first seen
@@ -45,10 +47,10 @@ final class MarkerState extends SightState {
     }
     Point along = axis.get();
     double passedM = -(along.x() * way.x() + along.y() * way.y());
-    if (passedM > ALONG_M) {
+    if (passedM > ALONG_M && Math.abs(turnTo(along, state)) < FACING_RAD) {
       return completed(
           String.format(
-              java.util.Locale.ROOT,
+              Locale.ROOT,
               "followed, towards %.0f deg",
               Math.toDegrees(Math.atan2(along.y(), along.x()))));
     }

@@ -1,5 +1,7 @@
 package org.u2sa.scenarios.robosub;
 
+import java.util.Comparator;
+import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -33,6 +35,16 @@ final class RingState extends SightState {
   @Override
   void begin() {
     isRising = false;
+  }
+
+  /** The nearest ring: after homing on a pinger, the one above it. */
+  @Override
+  Optional<Point> aim(SubTask task, StateInformation state) {
+    Point here = surroundings.here(state);
+    return task.objectTypes().stream()
+        .limit(1)
+        .flatMap(type -> places(type, state))
+        .min(Comparator.comparingDouble(place -> place.minus(here).distance()));
   }
 
   @Override

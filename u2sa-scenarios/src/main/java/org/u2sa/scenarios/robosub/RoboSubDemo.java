@@ -3,7 +3,6 @@ package org.u2sa.scenarios.robosub;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
@@ -13,7 +12,6 @@ import org.u2sa.scenarios.robosub.course.PingerTask;
 import org.u2sa.scenarios.robosub.course.SubCourse;
 import org.u2sa.scenarios.robosub.course.SubJudge;
 import org.u2sa.scenarios.robosub.course.SubMission;
-import org.u2sa.scenarios.robosub.course.SubObjects;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.VehicleFileChanges;
@@ -52,7 +50,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
 
   @Override
   public Profile profile() {
-    return new Profile("robosub", "robosub", "course.xml", Domain.WATER, 60.0, 0.1);
+    return new Profile("robosub", "robosub", "course.xml", Domain.UNDERWATER, 60.0, 0.1);
   }
 
   @Override
@@ -65,16 +63,12 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
     return SubJudge.RUN_S;
   }
 
-  /** {@inheritDoc} Without the buoys, which are there to be touched; the judge looks at them. */
+  /** {@inheritDoc} Without what may be touched; the judge looks at that. */
   @Override
   public Surroundings surroundings() {
     return course == null
         ? Surroundings.none()
-        : new Surroundings(
-            course.objects().stream()
-                .filter(object -> !SubObjects.isTouchable(object))
-                .collect(Collectors.toList()),
-            0.0);
+        : new Surroundings(course.solids(), 0.0);
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
@@ -25,8 +26,10 @@ import org.u2sa.planning.Pursuit;
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
-  private static final double TURN_RAD = 0.15; // ahead of the heading: a turn in half a minute
-  private static final double STRAIGHT_S = 15.0; // search straight ahead, then on the spot
+  private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
+  private static final double AROUND_S = 15.0;
+  private static final double AROUND_RAD = 0.3; // heading ahead of the vehicle's, to keep turning
+  private static final double FACED_M = 0.7; // nearer places are gone to without turning to them
 
   final PlannerView surroundings;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
@@ -39,10 +42,10 @@ abstract class SightState implements PlannerState {
 
   /**
    * Where to go, on the planner's plane; empty while it is out of sight. Unless overridden, the
-   * nearest object of the first type.
+   * object of the first type.
    */
   Optional<Point> aim(SubTask task, StateInformation state) {
-    return task.objectTypes().stream().findFirst().flatMap(type -> nearest(type, state));
+    return task.objectTypes().stream().findFirst().flatMap(type -> place(type, state));
   }
 
   /** Next step towards the place. */
@@ -104,32 +107,42 @@ abstract class SightState implements PlannerState {
           String.format(
               Locale.ROOT, "abandoned: %s unseen for %.0f s", task.objectTypes(), unseenS));
     }
-    NavigationPoint next =
-        sinceS < STRAIGHT_S
-            ? NavigationPoint.at(Point.of(2.0, 0.0, 0.0)).speed(task.speed())
-            : NavigationPoint.at(Point.ORIGIN).turn(TURN_RAD);
-    return Plan.underWay(List.of(next));
+    boolean looksAround = sinceS % (STRAIGHT_S + AROUND_S) > STRAIGHT_S;
+    NavigationPoint point =
+        looksAround
+            ? NavigationPoint.at(Point.of(0.01, 0.0, 0.0)).turn(AROUND_RAD)
+            : NavigationPoint.at(Point.of(2.0, 0.0, 0.0));
+    return Plan.underWay(List.of(point.speed(task.speed())));
   }
 
-  private Optional<ObjectDescription> object(String type, StateInformation state) {
-    Point here = surroundings.here(state);
+  /** The object of a type; if one was mapped twice, the entry that is known best. */
+  private Optional<ObjectDescription> object(String type) {
     return surroundings.objects().stream()
         .filter(object -> object.objectType().equals(type))
-        .min(
-            Comparator.comparingDouble(
-                object -> surroundings.centre(object, state).minus(here).distance()));
+        .min(Comparator.comparingDouble(SightState::sigmaM));
   }
 
-  /** The nearest object of a type, on the planner's plane. */
-  final Optional<Point> nearest(String type, StateInformation state) {
-    return object(type, state).map(object -> surroundings.centre(object, state));
+  private static double sigmaM(ObjectDescription object) {
+    return object.motion().sigma().map(Point::distance).orElse(Double.POSITIVE_INFINITY);
+  }
+
+  /** Place of the object of a type, on the planner's plane. */
+  final Optional<Point> place(String type, StateInformation state) {
+    return object(type).map(object -> surroundings.centre(object, state));
+  }
+
+  /** Places of all objects of a type, on the planner's plane. */
+  final Stream<Point> places(String type, StateInformation state) {
+    return surroundings.objects().stream()
+        .filter(object -> object.objectType().equals(type))
+        .map(object -> surroundings.centre(object, state));
   }
 
   /** Level unit vector along the task's first object, or along a hoop's normal: north, east. */
   final Optional<Point> axis(SubTask task, StateInformation state) {
     return task.objectTypes().stream()
         .findFirst()
-        .flatMap(type -> object(type, state))
+        .flatMap(this::object)
         .flatMap(object -> headingRad(object, state))
         .map(heading -> Point.of(Math.cos(heading), Math.sin(heading), 0.0));
   }
@@ -155,10 +168,20 @@ abstract class SightState implements PlannerState {
     return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
-  /** Straight to a place that lies in a direction from the vehicle: north, east, down [m]. */
+  /** Straight, and facing ahead, to a place that lies in a direction from the vehicle: north, east, down [m]. */
   final Plan to(SubTask task, StateInformation state, Point way) {
     Point place = surroundings.here(state).plus(way);
-    return Plan.underWay(List.of(surroundings.straight(state, place).speed(task.speed())));
+    NavigationPoint point = surroundings.straight(state, place).speed(task.speed());
+    if (Math.hypot(way.x(), way.y()) > FACED_M) {
+      point.turn(turnTo(way, state));
+    }
+    return Plan.underWay(List.of(point));
+  }
+
+  /** Turn that makes the vehicle, and its camera, face a way: to the right positive [rad]. */
+  static double turnTo(Point way, StateInformation state) {
+    double bearing = Math.atan2(way.y(), way.x());
+    return Math.IEEEremainder(bearing - state.psi().orElse(0.0), 2.0 * Math.PI);
   }
 
   static Plan completed(String remark) {

@@ -43,9 +43,7 @@ final class TorpedoState extends ReleaseState {
     if (!isThere) {
       return holding;
     }
-    double turn =
-        Math.IEEEremainder(
-            Math.atan2(way.y(), way.x()) - state.psi().orElse(0.0), 2.0 * Math.PI);
+    double turn = turnTo(way, state);
     holding.points().forEach(point -> point.turn(turn));
     boolean isAimed =
         Math.abs(turn) < AIMED_RAD

@@ -74,7 +74,7 @@ final class RunLoop {
               reports.stream().filter(r -> r.score().success()).count()
                   + " of "
                   + reports.size()
-                  + " runs captured all waypoints");
+                  + " runs succeeded");
     }
     if (options.json()) {
       if (reports.size() > 1) {

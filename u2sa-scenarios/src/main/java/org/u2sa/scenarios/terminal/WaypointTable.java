@@ -44,7 +44,7 @@ public final class WaypointTable {
     }
     obstacles(score, width).forEach(line -> terminal.out().println(terminal.fitted(line)));
     summary(score).forEach(line -> terminal.out().println(terminal.fitted(line)));
-    String verdict = format("%d of %d waypoints captured", score.captured(), results.size());
+    String verdict = score.verdict();
     terminal.out().println(score.success() ? terminal.good(verdict) : terminal.bad(verdict));
     if (score.outcome().crashed()) {
       terminal.out().println(terminal.bad("no success: " + contacts(score)));

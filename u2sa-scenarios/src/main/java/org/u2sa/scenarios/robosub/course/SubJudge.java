@@ -164,6 +164,10 @@ public final class SubJudge implements TruthObserver.Scorer {
     counts.put(
         RunOutcome.GOALS_WITHOUT_PLACE,
         course.tasks().stream().mapToInt(task -> task.goals().size()).sum());
+    counts.put(RunOutcome.TASKS, judges.size());
+    counts.put(
+        RunOutcome.TASKS_DONE,
+        (int) judges.stream().filter(judge -> judge.violation().isEmpty()).count());
     for (TaskJudge judge : judges) {
       judge.violation().ifPresent(violations::add);
       counts.putAll(judge.counts());

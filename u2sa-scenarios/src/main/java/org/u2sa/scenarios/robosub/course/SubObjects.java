@@ -9,7 +9,7 @@ import org.u2sa.messages.marine.Buoy;
 import org.u2sa.messages.marine.Colour;
 
 /** Places a layout's objects in the world. */
-public final class SubObjects {
+final class SubObjects {
   private SubObjects() {}
 
   /** Type of an object, such as "red buoy". */
@@ -18,7 +18,7 @@ public final class SubObjects {
   }
 
   /** Whether the rules let the vehicle touch an object. */
-  public static boolean isTouchable(ObjectDescription object) {
+  static boolean isTouchable(ObjectDescription object) {
     return object instanceof Buoy;
   }
 

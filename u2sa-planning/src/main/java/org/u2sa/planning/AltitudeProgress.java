@@ -1,0 +1,30 @@
+package org.u2sa.planning;
+
+import org.u2sa.interfaces.time.Clock;
+
+/** Watches whether a vehicle comes nearer to an altitude. Confined to the planner's thread. */
+final class AltitudeProgress {
+  private static final double STEP_M = 0.05; // a smaller change is an estimation error
+  private static final long PATIENCE_MICROS = 5 * Clock.MICROS_PER_SECOND;
+
+  private double leastM = Double.POSITIVE_INFINITY;
+  private long cameNearerMicros;
+
+  /** Starts with another altitude. */
+  void begin() {
+    leastM = Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * Whether it has come nearer within the last seconds.
+   *
+   * @param offM distance from the altitude [m], not negative
+   */
+  boolean comesNearer(double offM, long nowMicros) {
+    if (offM < leastM - STEP_M) {
+      leastM = offM;
+      cameNearerMicros = nowMicros;
+    }
+    return nowMicros - cameNearerMicros < PATIENCE_MICROS;
+  }
+}
