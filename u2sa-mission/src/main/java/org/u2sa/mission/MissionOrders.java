@@ -102,9 +102,14 @@ final class MissionOrders {
     boolean already = progress.isPaused();
     progress.pause(true);
     String where = (already ? "already paused at " : "paused at ") + currentOf(progress.mission());
+    return where + afterFailsafe();
+  }
+
+  private String afterFailsafe() {
+    MissionProgress progress = run.progress();
     return progress.isLeft()
-        ? where + "; the failsafe " + progress.pursuedFor() + " is pursued first"
-        : where;
+        ? "; the failsafe " + progress.pursuedFor() + " is pursued first"
+        : "";
   }
 
   private String skip(MissionOrder order) {
@@ -147,8 +152,9 @@ final class MissionOrders {
       }
       String then = currentOf(mission);
       insertion.now();
-      run.progress().pause(false);
-      return "pursuing " + insertion.names() + ", then " + then;
+      MissionProgress progress = run.progress();
+      progress.pause(progress.isPaused() && progress.isLeft());
+      return "pursuing " + insertion.names() + ", then " + then + afterFailsafe();
     }
     String after =
         order

@@ -187,11 +187,11 @@ final class MissionProgress {
   }
 
   /**
-   * Pursues another goal of the mission or failsafe, even if the mission is paused; remembers the
-   * mission's position until the mission passes that goal.
+   * Pursues another goal of the mission or failsafe; one of the mission ends its pause. Remembers
+   * the mission's position until the mission passes that goal.
    */
   void changeTo(String uid) {
-    paused = false;
+    paused = paused && left != null;
     if (left == null && !pursued.isOver() && before.isEmpty()) {
       before = Optional.of(pursued.position());
     }

@@ -140,6 +140,30 @@ class MissionPauseTest extends ThreeWaypoints {
   }
 
   @Test
+  void goToAndInsertNow_duringAFailsafe_leaveTheMissionPaused() throws IOException {
+    Path home = directory.resolve("return.xml");
+    Files.writeString(
+        home,
+        "<mission><waypoint><name>a</name><x>9</x></waypoint>"
+            + "<waypoint><name>b</name><x>8</x></waypoint></mission>");
+    kit.with("RETURN MISSION", home.toString());
+    kit.start(MissionManager::new);
+    accepted(order(MissionAction.PAUSE), "paused at 1");
+    failsafe(FailsafeAction.RETURN);
+    accepted(order(MissionAction.GOTO).uid("RETURN b"), "pursuing goal \"RETURN b\"");
+    accepted(
+        order(MissionAction.INSERT)
+            .goals("<mission><waypoint><name>new</name><x>4</x></waypoint></mission>")
+            .now(true),
+        "pursuing \"new\", then 1; the failsafe RETURN is pursued first");
+    assertThat(current()).containsExactly("RETURN b");
+    failsafe(FailsafeAction.CONTINUE);
+
+    assertThat(current()).containsExactly("new");
+    assertThat(paused()).isTrue();
+  }
+
+  @Test
   void pause_managerIsReplaced_staysPaused() {
     MissionManager before = kit.start(MissionManager::new);
     accepted(order(MissionAction.PAUSE), "paused at 1");

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Predicate;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.HealthReport;
@@ -41,6 +42,11 @@ public final class ActuatorRoster {
     known.announced = announcement;
     known.heardMicros = nowMicros;
     known.failed = false;
+  }
+
+  /** Forgets all but the actuators with these names. */
+  public void keep(Predicate<String> names) {
+    actuators.keySet().removeIf(names.negate());
   }
 
   /** Processes a service's health or disconnection. */

@@ -1,6 +1,7 @@
 package org.u2sa.control.cascade;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,6 +25,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.ForceCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.service.ServiceContext;
@@ -52,6 +54,10 @@ public final class AllocatingControl extends ControlSystem {
   private record Choices(
       @Variable(ifAbsentText = "")
           @Description(
+              "Names of the actuators to use, separated by commas; empty: all that are announced.")
+          String actuators,
+      @Variable(ifAbsentText = "")
+          @Description(
               "Essential axes, separated by spaces: without them the actuators stay neutral. SURGE, SWAY, HEAVE, ROLL, PITCH, YAW.")
           String essential,
       @Variable(ifAbsentText = "")
@@ -76,6 +82,11 @@ public final class AllocatingControl extends ControlSystem {
     Choices {
       axes(essential);
       Costs.parse(costs);
+    }
+
+    boolean use(String actuatorName) {
+      return actuators.trim().isEmpty()
+          || Arrays.asList(actuators.trim().split("\\s*,\\s*")).contains(actuatorName);
     }
 
     static Set<DegreeOfFreedom> axes(String text) {
@@ -119,12 +130,18 @@ public final class AllocatingControl extends ControlSystem {
   /** Called by the launcher. */
   public AllocatingControl(ServiceContext context) {
     super(context, "Control");
-    subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
+    subscribe(Channels.ACTUATORS, this::see);
     subscribe(Channels.HEALTH, roster::see);
     subscribe(Channels.ARMING_STATE, this::heed);
     if (choices.get().sensesMotion()) {
       subscribe(
           Channels.SENSED_STATE, measured -> sensed.sensed(measured, clock().micros()));
+    }
+  }
+
+  private void see(ActuatorAnnouncement announced) {
+    if (choices.get().use(announced.actuatorName())) {
+      roster.see(announced, clock().micros());
     }
   }
 
@@ -136,6 +153,7 @@ public final class AllocatingControl extends ControlSystem {
   @Override
   protected void configurationChanged(Set<String> variableNames) {
     cascade.retune();
+    roster.keep(choices.get()::use);
     allocator = new Allocator(tuning.weights());
     revision = -1;
   }

@@ -105,6 +105,45 @@ class AllocatingControlTest {
     assertThat(kit.percent("THRUSTER")).isBetween(-5.1, 5.1);
   }
 
+  private void announceGhost() {
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("GHOST")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .moment(Point.of(0.0, 0.0, 1.0e6))
+            .renewal(1.0e6));
+  }
+
+  @Test
+  void control_actuatorThatIsNotNamed_getsNothing() {
+    kit.with("ACTUATORS", "RUDDER, THRUSTER");
+    startSlowThruster();
+    announceGhost();
+    turned(1.0, 30);
+
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
+  }
+
+  @Test
+  void control_actuatorsNamedWhileWorking_theOthersAreForgotten() {
+    startSlowThruster();
+    announceGhost();
+    turned(1.0, 30);
+    assertThat(kit.percent("THRUSTER")).isBetween(-5.0, 0.0);
+
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName("Control")
+            .variableName("ACTUATORS")
+            .value("THRUSTER"));
+    turned(1.0, 30);
+
+    assertThat(kit.percent("THRUSTER")).isEqualTo(-100.0);
+  }
+
   @Test
   void control_retunedWhileWorking_slowActuatorGoesOnFromItsCommand() {
     AllocatingControl control = startSlowThruster();
