@@ -61,7 +61,8 @@ final class HouseRules {
           Map.entry("sim", List.of("messages", "interfaces", "service", "device")),
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
           Map.entry("report", List.of("messages", "interfaces", "recorder")),
-          Map.entry("gcs", List.of("messages", "interfaces", "service", "recorder", "report")),
+          Map.entry(
+              "gcs", List.of("messages", "interfaces", "service", "core", "recorder", "report")),
           Map.entry(
               "cli",
               List.of(
