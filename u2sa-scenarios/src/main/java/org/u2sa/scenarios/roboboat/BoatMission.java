@@ -39,8 +39,7 @@ final class BoatMission {
 
   private String text() {
     text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
-    text.append("  <home>").append(place(course.start()));
-    text.append(element("psi", Math.toDegrees(course.headingRad()))).append("</home>\n");
+    text.append("  <home>").append(place(Point.ORIGIN)).append("<psi>0</psi></home>\n");
     text.append("  <timeLimit next=\"return\">");
     text.append(Math.round(endByS(course.end()))).append("</timeLimit>\n");
     if (!course.speedGates().isEmpty()) {
@@ -54,7 +53,7 @@ final class BoatMission {
         "return",
         new Gate(last.right(), last.left()),
         true,
-        "<next>home way</next><fallback>true</fallback><gates>"
+        "<next>home way</next><timeLimit>300</timeLimit><fallback>true</fallback><gates>"
             + course.channel().size()
             + "</gates>");
     text.append("  <waypoint><name>home way</name>");

@@ -21,6 +21,7 @@ final class HulaHoopState extends StationTaskState {
   private static final double STEADY_S = 0.3; // aimed before a shot
   private static final double ORDER_S = 0.6; // longer than the gun's interlock holds
   private static final double RELOAD_S = 3.0;
+  private static final double UNSEEN_S = 45.0; // at the station, until it is given up
   private static final double NEAREST_M = 2.0; // range of the shots
   private static final double FARTHEST_M = 6.5;
 
@@ -60,7 +61,9 @@ final class HulaHoopState extends StationTaskState {
             .flatMap(type -> nearest(type, station(goal, state), goal, state))
             .map(object -> surroundings.centre(object, state));
     if (hoop.isEmpty()) {
-      return lookOut(goal, state).changing(now);
+      return shots == 0 && sinceS > UNSEEN_S
+          ? givenUp("no " + goal.objectTypes() + " was seen").changing(now)
+          : lookOut(goal, state).changing(now);
     }
     Point here = surroundings.here(state);
     double bearing = Math.atan2(hoop.get().y() - here.y(), hoop.get().x() - here.x());

@@ -22,7 +22,7 @@ final class PressButtonState extends StationTaskState {
   private static final double BACK_MPS = 0.5;
   private static final double OFF_M = 3.5; // from the button, backed off
   private static final double BESIDE_BOW_RAD = Math.toRadians(70.0); // the button was missed
-  private static final double GIVE_UP_S = 90.0;
+  private static final double GIVE_UP_S = 45.0;
 
   private enum Phase {
     LOOK,
