@@ -81,6 +81,11 @@ record BoatCourse(
         last.beyond(-TASKS_FROM_M), heading, List.of(), List.of(last), end, sites, weather);
   }
 
+  /** The site of a task. */
+  TaskSite site(TaskSite.Task task) {
+    return sites.stream().filter(each -> each.task() == task).findFirst().orElseThrow();
+  }
+
   /** All buoys, and the objects of the tasks. */
   List<ObjectDescription> objects() {
     List<ObjectDescription> objects = new ArrayList<>();

@@ -7,12 +7,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -28,6 +30,8 @@ final class BoatJudge implements TruthObserver.Scorer {
   private final RunningVehicle run;
   private final Clock clock;
   private final TaskJudge tasks;
+  private final BooleanSupplier isDocked;
+  private final QuadrotorOnDeck quadrotor;
   private final Leg speed;
   private final Leg out;
   private final Leg back;
@@ -75,8 +79,19 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
   }
 
-  BoatJudge(BoatCourse course, RunningVehicle run, Clock clock, Path directory) {
+  /**
+   * @param isDocked whether a dock holds the boat now
+   */
+  BoatJudge(
+      BoatCourse course,
+      RunningVehicle run,
+      BooleanSupplier isDocked,
+      QuadrotorOnDeck quadrotor,
+      Clock clock,
+      Path directory) {
     this.run = run;
+    this.isDocked = isDocked;
+    this.quadrotor = quadrotor;
     this.clock = clock;
     tasks = new TaskJudge(course.sites(), course.weather().seed(), this::say);
     this.directory = directory;
@@ -97,6 +112,10 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
     before = now;
     tasks.judgeShots();
+    tasks.dock(
+        truth,
+        isDocked.getAsBoolean(),
+        quadrotor.flown().map(flown -> flown.at(clock.micros())));
     over |= truth.timeS() >= RUN_S;
   }
 

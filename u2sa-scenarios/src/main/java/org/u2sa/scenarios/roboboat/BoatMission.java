@@ -9,6 +9,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
@@ -17,9 +18,13 @@ import org.u2sa.sim.world.LocalPlane;
  * ANY).
  */
 final class BoatMission {
+  /** Name of the sub-vehicle's goal. */
+  static final String FETCH = "fetch";
+
   private static final double BEFORE_M = 4.0; // of a channel's entrance before its first gate
   private static final double HOMEWARD_MPS = 0.6; // for the time to get home
   private static final double RESERVE_S = 60.0;
+  private static final double GRIP_M = 0.25; // of the quadrotor above the deck, at the puck
   private static final double HOME_BEHIND_M = 2.0; // the start
 
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
@@ -74,8 +79,10 @@ final class BoatMission {
         switch (site.task()) {
           case HOOP -> "hulaHoop";
           case BUTTON -> "pressButton";
+          case DOCK -> "dockBoat";
           case TARGET -> "findTarget";
         };
+    boolean isDock = site.task() == TaskSite.Task.DOCK;
     TaskSite.Outlook outlook = site.task().outlook();
     String types = site.sought() + (site.task() == TaskSite.Task.BUTTON ? ", white buoy" : "");
     text.append("  <").append(kind).append('>').append(name(nameOf(site)));
@@ -85,7 +92,30 @@ final class BoatMission {
     text.append(element("endBy", endByS(site.station())));
     text.append(element("timeLimit", outlook.limitS()));
     text.append("<objectTypes>").append(types).append("</objectTypes>");
-    text.append(next(nameOf(site))).append("</").append(kind).append(">\n");
+    if (isDock) {
+      text.append(way()).append("<next>fetch</next><next if=\"failed\">");
+      text.append(names(nameOf(site))).append("</next></dockBoat>\n");
+      fetch(site);
+    } else {
+      text.append(next(nameOf(site))).append("</").append(kind).append(">\n");
+    }
+  }
+
+  /** Only once the boat is docked: the sub-vehicle's task, and then out of the dock. */
+  private void fetch(TaskSite dock) {
+    Point at = TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M + 1.0, 0.0);
+    text.append("  <fetchGoal>").append(name(FETCH)).append(place(at));
+    text.append(element("z", QuadrotorOnDeck.DECK_M + GRIP_M));
+    text.append("<horizontalThreshold>0.15</horizontalThreshold>");
+    text.append("<verticalThreshold>0.1</verticalThreshold><next>undock</next></fetchGoal>\n");
+    text.append("  <dockBoat>").append(name("undock")).append(place(dock.station()));
+    text.append(element("psi", dock.headingRad())).append(way());
+    text.append("<leaves>true</leaves><timeLimit>60</timeLimit>");
+    text.append(next(nameOf(dock))).append("</dockBoat>\n");
+  }
+
+  private static String way() {
+    return element("way", TaskSite.DOCK_WAY_M);
   }
 
   private static String nameOf(TaskSite site) {
@@ -94,11 +124,15 @@ final class BoatMission {
 
   /** All tasks but one, and the return. */
   private String next(String but) {
+    return "<next>" + names(but) + "</next>";
+  }
+
+  private String names(String but) {
     List<String> names = new ArrayList<>();
     course.sites().stream().map(BoatMission::nameOf).forEach(names::add);
     names.remove(but);
     names.add("return");
-    return "<next>" + String.join(", ", names) + "</next>";
+    return String.join(", ", names);
   }
 
   /** Time by which the boat has to set out for home from a place [s of the run]. */

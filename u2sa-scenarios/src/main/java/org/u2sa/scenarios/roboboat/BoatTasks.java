@@ -16,6 +16,7 @@ public final class BoatTasks implements MessageTypeProvider, PlannerStateProvide
     return List.of(
         BoatTask.TYPE,
         BuoyChannel.TYPE,
+        DockBoat.TYPE,
         FindTarget.TYPE,
         HulaHoop.TYPE,
         PressButton.TYPE,
@@ -27,6 +28,7 @@ public final class BoatTasks implements MessageTypeProvider, PlannerStateProvide
       Configurator configuration, PlannerView surroundings) {
     return List.of(
         new ChannelState(surroundings),
+        new DockState(surroundings),
         new FindTargetState(surroundings),
         new HulaHoopState(surroundings),
         new PressButtonState(surroundings));

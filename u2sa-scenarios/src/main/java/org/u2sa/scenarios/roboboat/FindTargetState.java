@@ -29,7 +29,7 @@ final class FindTargetState extends StationTaskState {
   }
 
   @Override
-  void begin() {
+  void begin(BoatTask task) {
     seenMicros = Long.MIN_VALUE;
   }
 

@@ -11,6 +11,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
+import org.u2sa.scenarios.roboboat.gun.DartGunControl;
 
 /**
  * {@link HulaHoop}: turns the bow, on which the gun is fixed, to the hoop and fires while it points
@@ -39,7 +40,7 @@ final class HulaHoopState extends StationTaskState {
   }
 
   @Override
-  void begin() {
+  void begin(BoatTask task) {
     shots = 0;
     aimedMicros = Long.MIN_VALUE;
     firedMicros = Long.MIN_VALUE;

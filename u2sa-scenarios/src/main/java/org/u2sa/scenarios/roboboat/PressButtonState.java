@@ -44,7 +44,7 @@ final class PressButtonState extends StationTaskState {
   }
 
   @Override
-  void begin() {
+  void begin(BoatTask task) {
     phase = Phase.LOOK;
     button = Optional.empty();
     isPressed = false;

@@ -2,24 +2,22 @@ package org.u2sa.scenarios.roboboat;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Optional;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.LongConsumer;
-import org.u2sa.device.payload.SwitchOutput;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.interfaces.time.Clock;
+import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.SimulatedWorld;
+import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
-import org.u2sa.service.DeviceSource;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -43,6 +41,11 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
       description = "Start before the last gate of the channel, and do the optional tasks only.")
   private boolean tasksOnly;
 
+  @Option(
+      names = "--radio-fails",
+      description = "Nothing is heard of the quadrotor: the boat has to leave the dock without it.")
+  private boolean radioFails;
+
   private BoatCourse course; // of the newest run
 
   @Override
@@ -60,6 +63,17 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     return BoatJudge.RUN_S;
   }
 
+  /** {@inheritDoc} Without the place that the sub-vehicle flies to. */
+  @Override
+  public RunPlan plan(Mission mission) {
+    RunPlan all = Demo.super.plan(mission);
+    List<RunPlan.Waypoint> own =
+        all.waypoints().stream()
+            .filter(each -> !each.name().equals(BoatMission.FETCH))
+            .collect(Collectors.toList());
+    return new RunPlan(all.domain(), all.home(), own);
+  }
+
   @Override
   public Surroundings surroundings() {
     return course == null
@@ -74,40 +88,71 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     course = sailed;
     Mission mission =
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
+    TaskSite dock = sailed.site(TaskSite.Task.DOCK);
+    AtomicReference<MooredVehicle> moored = new AtomicReference<>();
     VehicleTrial placed =
         VehicleTrial.of(
             changes.load(system().resolveSibling("vehicle.xml")),
             sailed.world(),
             Point.of(sailed.start().y(), sailed.start().x(), 0.0),
             sailed.headingRad(),
+            seed,
+            boat -> {
+              Point berth =
+                  TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M, 0.0);
+              moored.set(new MooredVehicle(boat, berth, dock.headingRad()));
+              return moored.get();
+            });
+    QuadrotorOnDeck quadrotor =
+        new QuadrotorOnDeck(
+            system().resolveSibling("quadrotor"),
+            placed.run(),
+            directory.resolve("logs/quadrotor"),
             seed);
     AtomicReference<BoatJudge> judge = new AtomicReference<>();
-    return placed.trial(
-        mission,
-        placed.name(),
-        clock -> {
-          judge.set(new BoatJudge(sailed, placed.run(), clock, directory));
-          return judge.get();
-        },
-        launch -> launch.devices(new DartGunSource(placed.devices(), micros -> fire(judge, micros))));
+    BoatDevices devices =
+        new BoatDevices(
+            placed.devices(),
+            micros -> {
+              BoatJudge present = judge.get();
+              if (present != null) { // before it looks on, nothing counts
+                present.fired(micros);
+              }
+            },
+            quadrotor,
+            radioFails);
+    Trial trial =
+        placed.trial(
+            mission,
+            placed.name(),
+            clock -> {
+              judge.set(
+                  new BoatJudge(
+                      sailed, placed.run(), moored.get()::isHeld, quadrotor, clock, directory));
+              return judge.get();
+            },
+            launch -> launch.devices(devices));
+    return new Trial(
+        trial.mission(),
+        trial.observer(),
+        trial.settings(),
+        launch -> with(quadrotor, trial.lockstep().apply(launch)),
+        launch -> with(quadrotor, trial.realTime().apply(launch)));
   }
 
-  /** Before the judge looks on, nothing counts. */
-  private static void fire(AtomicReference<BoatJudge> judge, long micros) {
-    BoatJudge present = judge.get();
-    if (present != null) {
-      present.fired(micros);
-    }
-  }
+  /** A simulation that ends the quadrotor's services, too. */
+  private static Simulation with(QuadrotorOnDeck quadrotor, Simulation boat) {
+    return new Simulation() {
+      @Override
+      public String name() {
+        return boat.name();
+      }
 
-  /** The vehicle's devices, and the gun. */
-  private record DartGunSource(DeviceSource vehicle, LongConsumer fired) implements DeviceSource {
-    @Override
-    public <D> Optional<D> device(
-        Class<D> port, String service, XmlConfiguration variables, Clock clock) {
-      return port == SwitchOutput.class
-          ? Optional.of(port.cast(new SimulatedDartGun(fired)))
-          : vehicle.device(port, service, variables, clock);
-    }
+      @Override
+      public void close() {
+        quadrotor.close();
+        boat.close();
+      }
+    };
   }
 }

@@ -29,8 +29,8 @@ abstract class StationTaskState extends TaskState {
     super(surroundings);
   }
 
-  /** Resets what the task remembers. */
-  abstract void begin();
+  /** Resets what the state remembers, for a task that begins. */
+  abstract void begin(BoatTask task);
 
   /**
    * Next step at the station.
@@ -49,7 +49,7 @@ abstract class StationTaskState extends TaskState {
     surroundings.begin();
     isThere = false;
     arrivedMicros = Long.MIN_VALUE;
-    begin();
+    begin((BoatTask) pursuit.goal());
   }
 
   @Override
@@ -62,7 +62,7 @@ abstract class StationTaskState extends TaskState {
       isThere = false;
       surroundings.begin();
     }
-    isThere |= away <= ARRIVED_M;
+    isThere |= away <= ARRIVED_M || isFree();
     if (isThere && arrivedMicros == Long.MIN_VALUE) {
       arrivedMicros = micros(state);
     }

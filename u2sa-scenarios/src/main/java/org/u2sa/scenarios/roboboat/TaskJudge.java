@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.roboboat;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -14,6 +15,8 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.marine.Button;
 import org.u2sa.messages.marine.Hoop;
+import org.u2sa.scenarios.roboboat.gun.Dart;
+import org.u2sa.scenarios.roboboat.subvehicle.FetchJudge;
 import org.u2sa.sim.vehicle.ContactWatch;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -21,7 +24,7 @@ import org.u2sa.sim.world.LocalPlane;
 
 /**
  * Scores the optional tasks by the truth: darts through the right hoop, the right button pressed,
- * and the reported place of the hot target. Confined to the judge's thread but for {@link #fired}.
+ * the reported place of the hot target, and the puck fetched from the dock. Confined to the judge's thread but for {@link #fired}.
  */
 final class TaskJudge {
   /** Largest error of a reported target that counts [m]. */
@@ -35,11 +38,14 @@ final class TaskJudge {
   private int fired;
   private int hits;
   private OptionalDouble targetErrorM = OptionalDouble.empty();
+  private boolean isDocked;
+  private final FetchJudge fetch;
 
   TaskJudge(List<TaskSite> sites, long seed, BiConsumer<Double, String> log) {
     this.sites =
         sites.stream().collect(Collectors.toMap(TaskSite::task, site -> site));
     random = new Random(seed);
+    fetch = new FetchJudge(this.sites.get(TaskSite.Task.DOCK).object().center());
     this.log = log;
   }
 
@@ -56,6 +62,28 @@ final class TaskJudge {
       boolean isHit = dart.passes((Hoop) sites.get(TaskSite.Task.HOOP).object());
       hits += isHit ? 1 : 0;
       log.accept(boat.timeS(), "dart " + fired + (isHit ? " through the hoop" : " misses"));
+    }
+  }
+
+  /**
+   * Judges the boat in the dock, and its sub-vehicle.
+   *
+   * @param isHeld whether the dock holds the boat now
+   * @param quadrotor empty before it is switched on
+   */
+  void dock(VehicleTruth boat, boolean isHeld, Optional<VehicleTruth> quadrotor) {
+    if (isHeld && !isDocked) {
+      log.accept(boat.timeS(), "docked");
+    }
+    isDocked |= isHeld;
+    boolean wasGripped = fetch.isGripped();
+    boolean wasBack = fetch.isBack();
+    quadrotor.ifPresent(truth -> fetch.see(truth, boat, isHeld));
+    if (fetch.isGripped() && !wasGripped) {
+      log.accept(boat.timeS(), "the quadrotor has the puck");
+    }
+    if (fetch.isBack() && !wasBack) {
+      log.accept(boat.timeS(), "the quadrotor is back with the puck");
     }
   }
 
@@ -91,12 +119,18 @@ final class TaskJudge {
     if (first.isPresent() && !isRight) {
       violations.add("pressed the wrong button");
     }
+    if (fetch.isLeftBehind()) {
+      violations.add("left the dock without the quadrotor");
+    }
     boolean isLocated = targetErrorM.isPresent() && targetErrorM.getAsDouble() <= TARGET_M;
     counts.put("dartsFired", fired);
     counts.put("dartsThroughHoop", hits);
     counts.put("buttonPressed", isRight ? 1 : 0);
     counts.put("hotTargetReported", isLocated ? 1 : 0);
-    counts.put("tasksDone", (hits > 0 ? 1 : 0) + (isRight ? 1 : 0) + (isLocated ? 1 : 0));
+    counts.put("docked", isDocked ? 1 : 0);
+    counts.put("puckFetched", fetch.isBack() ? 1 : 0);
+    List<Boolean> done = List.of(hits > 0, isRight, isLocated, fetch.isBack());
+    counts.put("tasksDone", Collections.frequency(done, true));
     targetErrorM.ifPresent(error -> figures.put("hotTargetErrorM", error));
   }
 }

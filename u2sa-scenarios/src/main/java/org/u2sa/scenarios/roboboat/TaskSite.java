@@ -14,11 +14,16 @@ import org.u2sa.messages.frame.Point;
  */
 record TaskSite(
     Task task, Point station, double headingRad, String sought, List<ObjectDescription> objects) {
+  /** Straight way from the station of a dock to the berth [m]. */
+  static final double DOCK_WAY_M = 7.0;
+
   enum Task {
     /** Shoot darts through a hoop of a given colour. */
     HOOP(new Outlook(45.0, 0.9, 240.0)),
     /** Press the button beside the submerged white buoy. */
     BUTTON(new Outlook(30.0, 0.8, 150.0)),
+    /** Enter a dock, and have the sub-vehicle fetch the puck from it. */
+    DOCK(new Outlook(110.0, 0.7, 200.0)),
     /** Report where the target is that is hotter than the others. */
     TARGET(new Outlook(12.0, 0.95, 150.0));
 

@@ -10,10 +10,13 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.marine.Button;
 import org.u2sa.messages.marine.Colour;
+import org.u2sa.messages.marine.Dock;
 import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.marine.HotTarget;
 import org.u2sa.messages.marine.MarineObjects;
+import org.u2sa.messages.marine.Puck;
 import org.u2sa.messages.shape.Box;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 
 /** Draws the sites of the optional tasks around the end of the channel, in random order. */
 final class TaskSites {
@@ -37,6 +40,12 @@ final class TaskSites {
   private static final double TARGET_APART_M = 2.0;
   private static final double TARGET_M = 0.6; // width, height
   private static final double HOTTER_K = 5.0;
+  private static final double DOCK_LENGTH_M = 1.3; // of its fingers
+  private static final double DOCK_WIDTH_M = 3.4;
+  private static final double DOCK_WALL_M = 0.3;
+  private static final double PUCK_RADIUS_M = 0.0381;
+  private static final double PUCK_HEIGHT_M = 0.0254;
+  private static final double BERTH_M = 0.75; // from the boat's centre to the back wall
   private static final double THICKNESS_M = 0.1; // of buttons and targets
 
   private final Random random;
@@ -75,6 +84,7 @@ final class TaskSites {
     return switch (task) {
       case HOOP -> hoops(station, headingRad);
       case BUTTON -> buttons(station, headingRad);
+      case DOCK -> dock(station, headingRad);
       case TARGET -> targets(station, headingRad);
     };
   }
@@ -125,6 +135,25 @@ final class TaskSites {
       targets.add(placed(target, "target " + (i + 1), at, SHORE_HEIGHT_M));
     }
     return new TaskSite(TaskSite.Task.TARGET, station, headingRad, "hot target", targets);
+  }
+
+  private TaskSite dock(Point station, double headingRad) {
+    double wall = TaskSite.DOCK_WAY_M + BERTH_M;
+    Dock dock = new Dock().length(DOCK_LENGTH_M).width(DOCK_WIDTH_M).thickness(DOCK_WALL_M);
+    dock.height(QuadrotorOnDeck.DECK_M).psi(facing(headingRad)).objectType("dock");
+    Point middle =
+        TaskSite.at(station, headingRad, wall + DOCK_WALL_M - DOCK_LENGTH_M / 2.0, 0.0);
+    Puck puck = new Puck().radius(PUCK_RADIUS_M).height(PUCK_HEIGHT_M);
+    puck.objectType("puck");
+    Point on = TaskSite.at(station, headingRad, wall + DOCK_WALL_M / 2.0, 0.0);
+    return new TaskSite(
+        TaskSite.Task.DOCK,
+        station,
+        headingRad,
+        "puck",
+        List.of(
+            placed(dock, "dock", middle, QuadrotorOnDeck.DECK_M / 2.0),
+            placed(puck, "puck", on, QuadrotorOnDeck.DECK_M + PUCK_HEIGHT_M / 2.0)));
   }
 
   /** Direction towards the station in LOCAL_ENU, anticlockwise from east [rad]. */

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.drivers.ioio.LockstepConnection;
@@ -22,6 +23,8 @@ import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioInProcess;
 import org.u2sa.sim.ioio.IoioTcpServer;
 import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
@@ -59,6 +62,22 @@ public final class VehicleTrial {
   public static VehicleTrial of(
       VehicleFile file, World world, Point place, double headingRad, long seed) {
     RunningVehicle run = file.running(world, place, headingRad, seed);
+    return new VehicleTrial(file, world, run, Optional.empty(), seed);
+  }
+
+  /**
+   * Places a vehicle at rest that a part of the world may hold or move.
+   *
+   * @param held adds that part to the vehicle
+   */
+  public static VehicleTrial of(
+      VehicleFile file,
+      World world,
+      Point place,
+      double headingRad,
+      long seed,
+      UnaryOperator<SimulatedVehicle> held) {
+    RunningVehicle run = new VehicleRun(held.apply(file.make(world, place, headingRad, seed)));
     return new VehicleTrial(file, world, run, Optional.empty(), seed);
   }
 

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gun;
 
 import java.util.OptionalDouble;
 import java.util.function.LongConsumer;
@@ -6,7 +6,7 @@ import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.sim.device.SimulatedPayload;
 
 /** The trigger of a dart gun: each change from below half to above fires one dart. */
-final class SimulatedDartGun extends SimulatedPayload<SwitchOutput.Level> implements SwitchOutput {
+public final class SimulatedDartGun extends SimulatedPayload<SwitchOutput.Level> implements SwitchOutput {
   private static final double RATE_HZ = 50.0;
   private static final double HALF_PERCENT = 50.0;
 
@@ -17,7 +17,7 @@ final class SimulatedDartGun extends SimulatedPayload<SwitchOutput.Level> implem
   /**
    * @param fired called with the time of each shot [µs of the run's clock]
    */
-  SimulatedDartGun(LongConsumer fired) {
+  public SimulatedDartGun(LongConsumer fired) {
     super(RATE_HZ, 0.0);
     this.fired = fired;
   }

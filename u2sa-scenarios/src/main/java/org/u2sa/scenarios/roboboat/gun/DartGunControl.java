@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gun;
 
 import java.util.Map;
 import java.util.Optional;
@@ -13,7 +13,7 @@ import org.u2sa.service.ServiceContext;
  */
 public final class DartGunControl extends ControlSystem {
   /** Name of the subsystem and of its actuator. */
-  static final String SUBSYSTEM = "DART GUN";
+  public static final String SUBSYSTEM = "DART GUN";
 
   private static final double FIRE_PERCENT = 100.0;
   private static final long ORDER_MICROS = 200_000L; // an order without a newer one is over

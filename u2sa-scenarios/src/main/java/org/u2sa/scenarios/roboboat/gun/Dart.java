@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gun;
 
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
@@ -11,14 +11,15 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * @param from muzzle: east, north, up [m]
  * @param velocity east, north, up [m/s]
  */
-record Dart(Point from, Point velocity) {
+public record Dart(Point from, Point velocity) {
   private static final Point MUZZLE = Point.of(0.5, 0.0, -0.5); // forward, right, down of the boat
   private static final double SPEED_MPS = 15.0;
   private static final double ELEVATION_RAD = Math.toRadians(13.0);
   private static final double SPREAD_RAD = Math.toRadians(1.0); // standard deviation, each axis
   private static final double G_MPS2 = 9.81;
 
-  static Dart shot(VehicleTruth boat, Random random) {
+  /** A shot of a boat in this state. */
+  public static Dart shot(VehicleTruth boat, Random random) {
     double up = ELEVATION_RAD + SPREAD_RAD * random.nextGaussian();
     double right = SPREAD_RAD * random.nextGaussian();
     Point frd =
@@ -36,7 +37,7 @@ record Dart(Point from, Point velocity) {
   }
 
   /** Whether it flies through an upright hoop in LOCAL_ENU. */
-  boolean passes(Hoop hoop) {
+  public boolean passes(Hoop hoop) {
     double east = Math.cos(hoop.psi());
     double north = Math.sin(hoop.psi());
     Point way = hoop.center().minus(from);
