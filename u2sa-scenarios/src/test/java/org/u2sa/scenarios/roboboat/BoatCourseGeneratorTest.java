@@ -33,7 +33,7 @@ class BoatCourseGeneratorTest {
   void course_anySeed_hasRoomAroundItsTasks(@ForAll int seed) {
     BoatCourse course = BoatCourseGenerator.course(seed);
 
-    assertThat(course.sites()).hasSize(3);
+    assertThat(course.sites()).hasSize(4);
     for (TaskSite site : course.sites()) {
       assertThat(course.channel())
           .allMatch(gate -> site.station().minus(gate.middle()).distance() > 8.0);
