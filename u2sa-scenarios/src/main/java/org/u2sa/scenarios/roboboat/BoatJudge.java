@@ -113,9 +113,7 @@ final class BoatJudge implements TruthObserver.Scorer {
     before = now;
     tasks.judgeShots();
     tasks.dock(
-        truth,
-        isDocked.getAsBoolean(),
-        quadrotor.flown().map(flown -> flown.at(clock.micros())));
+        truth, isDocked.getAsBoolean(), quadrotor.flown().map(flown -> flown.at(clock.micros())));
     over |= truth.timeS() >= RUN_S;
   }
 

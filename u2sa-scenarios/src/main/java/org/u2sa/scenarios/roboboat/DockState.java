@@ -68,9 +68,7 @@ final class DockState extends StationTaskState {
     double aside = off.y() * Math.cos(psi) - off.x() * Math.sin(psi);
     double toGo = goal.way() - along;
     if (phase == Phase.LEAVE) {
-      return toGo > LEFT_M
-          ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock")
-          : back();
+      return toGo > LEFT_M ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock") : back();
     }
     double turn = Math.IEEEremainder(state.psi().orElseThrow() - psi, 2.0 * Math.PI);
     if (phase == Phase.ALIGN && Math.abs(turn) < ALIGNED_RAD) {
@@ -112,7 +110,6 @@ final class DockState extends StationTaskState {
 
   private static Plan back() {
     return Plan.underWay(
-        List.of(
-            NavigationPoint.at(Point.of(-LEFT_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
+        List.of(NavigationPoint.at(Point.of(-LEFT_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
   }
 }

@@ -71,13 +71,9 @@ final class HulaHoopState extends StationTaskState {
     double range = distance(here, hoop.get());
     NavigationPoint point = facing(goal, state, bearing);
     boolean isAimed =
-        Math.abs(point.turn().orElseThrow()) < AIMED_RAD
-            && range > NEAREST_M
-            && range < FARTHEST_M;
+        Math.abs(point.turn().orElseThrow()) < AIMED_RAD && range > NEAREST_M && range < FARTHEST_M;
     aimedMicros =
-        !isAimed
-            ? Long.MIN_VALUE
-            : aimedMicros == Long.MIN_VALUE ? micros(state) : aimedMicros;
+        !isAimed ? Long.MIN_VALUE : aimedMicros == Long.MIN_VALUE ? micros(state) : aimedMicros;
     if (isAimed && isSteady(state) && isLoaded(state)) {
       firedMicros = micros(state);
       shots++;

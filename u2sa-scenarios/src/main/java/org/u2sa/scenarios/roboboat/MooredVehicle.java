@@ -22,19 +22,32 @@ final class MooredVehicle implements SimulatedVehicle {
   private static final double REVERSE = -0.1; // sum of the commands that leaves
   private static final double CLEAR_M = 1.0; // from the berth, to be held again
 
-  private final SimulatedVehicle boat;
+  /** Makes a boat at rest. */
+  @FunctionalInterface
+  interface Maker {
+    /**
+     * @param place east, north, up [m]
+     * @param headingRad clockwise from north
+     */
+    SimulatedVehicle make(Point place, double headingRad);
+  }
+
+  private final Maker maker;
   private final Point berth; // north, east [m]
   private final double headingRad;
   private final Map<String, Double> commands = new HashMap<>();
   private volatile boolean held;
-  private double heldS;
+  private double beforeS; // time before the present boat, and in the dock
   private boolean isReleased;
+  private SimulatedVehicle boat; // another one after each time in the dock, at rest
 
   /**
+   * @param boat at its start
    * @param berth place of the boat when it is docked: north, east [m]
    * @param headingRad its heading there, clockwise from north
    */
-  MooredVehicle(SimulatedVehicle boat, Point berth, double headingRad) {
+  MooredVehicle(Maker maker, SimulatedVehicle boat, Point berth, double headingRad) {
+    this.maker = maker;
     this.boat = boat;
     this.berth = berth;
     this.headingRad = headingRad;
@@ -59,9 +72,10 @@ final class MooredVehicle implements SimulatedVehicle {
   @Override
   public void step(double dtS) {
     if (held) {
-      heldS += dtS;
-      held = commands.values().stream().mapToDouble(value -> value).sum() >= REVERSE;
-      isReleased = !held;
+      beforeS += dtS;
+      if (commands.values().stream().mapToDouble(value -> value).sum() < REVERSE) {
+        release();
+      }
       return;
     }
     boat.step(dtS);
@@ -80,20 +94,24 @@ final class MooredVehicle implements SimulatedVehicle {
             && Math.abs(turn) < TURN_RAD;
   }
 
+  private void release() {
+    VehicleTruth now = boat.truth();
+    beforeS += now.timeS();
+    boat = maker.make(now.position(), now.headingRad());
+    commands.forEach(boat::command);
+    held = false;
+    isReleased = true;
+  }
+
   @Override
   public VehicleTruth truth() {
     VehicleTruth now = boat.truth();
-    double timeS = now.timeS() + heldS;
+    double timeS = now.timeS() + beforeS;
     return held
         ? new VehicleTruth(
             timeS, now.position(), now.attitude(), Point.ORIGIN, Point.ORIGIN, Point.ORIGIN)
         : new VehicleTruth(
-            timeS,
-            now.position(),
-            now.attitude(),
-            now.velocity(),
-            now.rates(),
-            now.acceleration());
+            timeS, now.position(), now.attitude(), now.velocity(), now.rates(), now.acceleration());
   }
 
   @Override

@@ -89,8 +89,7 @@ final class PressButtonState extends StationTaskState {
   private Plan backOff(double awayM) {
     if (awayM < OFF_M) {
       return Plan.underWay(
-          List.of(
-              NavigationPoint.at(Point.of(-OFF_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
+          List.of(NavigationPoint.at(Point.of(-OFF_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
     }
     if (isPressed) {
       return new Plan(List.of(), Plan.Progress.COMPLETED, "pressed");

@@ -18,6 +18,8 @@ import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.world.World;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -88,21 +90,18 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     course = sailed;
     Mission mission =
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
+    VehicleFile file = changes.load(system().resolveSibling("vehicle.xml"));
+    World world = sailed.world();
+    MooredVehicle.Maker maker = (at, headingRad) -> file.make(world, at, headingRad, seed);
     TaskSite dock = sailed.site(TaskSite.Task.DOCK);
-    AtomicReference<MooredVehicle> moored = new AtomicReference<>();
-    VehicleTrial placed =
-        VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle.xml")),
-            sailed.world(),
-            Point.of(sailed.start().y(), sailed.start().x(), 0.0),
-            sailed.headingRad(),
-            seed,
-            boat -> {
-              Point berth =
-                  TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M, 0.0);
-              moored.set(new MooredVehicle(boat, berth, dock.headingRad()));
-              return moored.get();
-            });
+    MooredVehicle boat =
+        new MooredVehicle(
+            maker,
+            maker.make(
+                Point.of(sailed.start().y(), sailed.start().x(), 0.0), sailed.headingRad()),
+            TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M, 0.0),
+            dock.headingRad());
+    VehicleTrial placed = VehicleTrial.of(file, boat, seed);
     QuadrotorOnDeck quadrotor =
         new QuadrotorOnDeck(
             system().resolveSibling("quadrotor"),
@@ -128,7 +127,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             clock -> {
               judge.set(
                   new BoatJudge(
-                      sailed, placed.run(), moored.get()::isHeld, quadrotor, clock, directory));
+                      sailed, placed.run(), boat::isHeld, quadrotor, clock, directory));
               return judge.get();
             },
             launch -> launch.devices(devices));

@@ -93,8 +93,7 @@ abstract class StationTaskState extends TaskState {
         .filter(object -> object.objectType().equals(type))
         .filter(object -> distance(surroundings.centre(object, state), station) < NEAR_M)
         .min(
-            Comparator.comparingDouble(
-                object -> distance(surroundings.centre(object, state), to)));
+            Comparator.comparingDouble(object -> distance(surroundings.centre(object, state), to)));
   }
 
   static double distance(Point a, Point b) {

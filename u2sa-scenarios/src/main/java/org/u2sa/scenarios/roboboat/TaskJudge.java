@@ -24,7 +24,8 @@ import org.u2sa.sim.world.LocalPlane;
 
 /**
  * Scores the optional tasks by the truth: darts through the right hoop, the right button pressed,
- * the reported place of the hot target, and the puck fetched from the dock. Confined to the judge's thread but for {@link #fired}.
+ * the reported place of the hot target, and the puck fetched from the dock. Confined to the judge's
+ * thread but for {@link #fired}.
  */
 final class TaskJudge {
   /** Largest error of a reported target that counts [m]. */
@@ -42,8 +43,7 @@ final class TaskJudge {
   private final FetchJudge fetch;
 
   TaskJudge(List<TaskSite> sites, long seed, BiConsumer<Double, String> log) {
-    this.sites =
-        sites.stream().collect(Collectors.toMap(TaskSite::task, site -> site));
+    this.sites = sites.stream().collect(Collectors.toMap(TaskSite::task, site -> site));
     random = new Random(seed);
     fetch = new FetchJudge(this.sites.get(TaskSite.Task.DOCK).object().center());
     this.log = log;
@@ -94,8 +94,7 @@ final class TaskJudge {
     Point truth = site.object().center();
     double error = Math.hypot(at.x() - truth.x(), at.y() - truth.y());
     log.accept(
-        timeS,
-        String.format(Locale.ROOT, "%s reported, %.2f m off", report.target(), error));
+        timeS, String.format(Locale.ROOT, "%s reported, %.2f m off", report.target(), error));
     if (targetErrorM.isEmpty() && report.target().equals(site.sought())) {
       targetErrorM = OptionalDouble.of(error);
     }

@@ -141,8 +141,7 @@ final class TaskSites {
     double wall = TaskSite.DOCK_WAY_M + BERTH_M;
     Dock dock = new Dock().length(DOCK_LENGTH_M).width(DOCK_WIDTH_M).thickness(DOCK_WALL_M);
     dock.height(QuadrotorOnDeck.DECK_M).psi(facing(headingRad)).objectType("dock");
-    Point middle =
-        TaskSite.at(station, headingRad, wall + DOCK_WALL_M - DOCK_LENGTH_M / 2.0, 0.0);
+    Point middle = TaskSite.at(station, headingRad, wall + DOCK_WALL_M - DOCK_LENGTH_M / 2.0, 0.0);
     Puck puck = new Puck().radius(PUCK_RADIUS_M).height(PUCK_HEIGHT_M);
     puck.objectType("puck");
     Point on = TaskSite.at(station, headingRad, wall + DOCK_WALL_M / 2.0, 0.0);

@@ -4,7 +4,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.function.UnaryOperator;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.drivers.ioio.IoioService;
 import org.u2sa.drivers.ioio.LockstepConnection;
@@ -66,19 +65,12 @@ public final class VehicleTrial {
   }
 
   /**
-   * Places a vehicle at rest that a part of the world may hold or move.
+   * Uses a vehicle of a file that was placed already.
    *
-   * @param held adds that part to the vehicle
+   * @param placed made by the file, or around one that was
    */
-  public static VehicleTrial of(
-      VehicleFile file,
-      World world,
-      Point place,
-      double headingRad,
-      long seed,
-      UnaryOperator<SimulatedVehicle> held) {
-    RunningVehicle run = new VehicleRun(held.apply(file.make(world, place, headingRad, seed)));
-    return new VehicleTrial(file, world, run, Optional.empty(), seed);
+  public static VehicleTrial of(VehicleFile file, SimulatedVehicle placed, long seed) {
+    return new VehicleTrial(file, placed.world(), new VehicleRun(placed), Optional.empty(), seed);
   }
 
   /**

@@ -39,8 +39,7 @@ class BoatCourseGeneratorTest {
           .allMatch(gate -> site.station().minus(gate.middle()).distance() > 8.0);
       assertThat(course.sites())
           .allMatch(
-              other ->
-                  other == site || other.station().minus(site.station()).distance() > 10.0);
+              other -> other == site || other.station().minus(site.station()).distance() > 10.0);
     }
   }
 }

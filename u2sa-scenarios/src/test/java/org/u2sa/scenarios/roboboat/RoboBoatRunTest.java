@@ -52,7 +52,11 @@ class RoboBoatRunTest {
     assertThat(status).isZero();
     assertThat(read("summary.json")).contains("\"tasksDone\" : 4", "\"contacts\" : 0");
     assertThat(read("judge.log"))
-        .contains("through the hoop", "touches button", "hot target reported", "quadrotor is back with the puck")
+        .contains(
+            "through the hoop",
+            "touches button",
+            "hot target reported",
+            "quadrotor is back with the puck")
         .doesNotContain("touches wrong button");
   }
 

@@ -15,13 +15,15 @@ class TaskChoiceTest {
   private BoatTask task(String fields) throws IOException {
     Path file = directory.resolve("mission.xml");
     Files.writeString(
-        file, "<mission><findTarget><x>-82.45</x><y>27.37</y>" + fields + "</findTarget></mission>");
+        file,
+        "<mission><findTarget><x>-82.45</x><y>27.37</y>" + fields + "</findTarget></mission>");
     return (BoatTask) Mission.load(file).goals().get(0);
   }
 
   @Test
   void costS_likelierTask_isCheaper() throws IOException {
-    BoatTask likely = task("<expectedTime>20</expectedTime><successProbability>1</successProbability>");
+    BoatTask likely =
+        task("<expectedTime>20</expectedTime><successProbability>1</successProbability>");
     BoatTask unlikely =
         task("<expectedTime>20</expectedTime><successProbability>0.5</successProbability>");
 
@@ -51,7 +53,8 @@ class TaskChoiceTest {
     assertThat(fallback)
         .isGreaterThan(
             TaskChoice.costS(
-                task("<expectedTime>500</expectedTime><successProbability>0.1</successProbability>"),
+                task(
+                    "<expectedTime>500</expectedTime><successProbability>0.1</successProbability>"),
                 500.0,
                 0.0));
   }

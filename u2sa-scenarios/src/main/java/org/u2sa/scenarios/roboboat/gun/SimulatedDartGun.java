@@ -6,7 +6,8 @@ import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.sim.device.SimulatedPayload;
 
 /** The trigger of a dart gun: each change from below half to above fires one dart. */
-public final class SimulatedDartGun extends SimulatedPayload<SwitchOutput.Level> implements SwitchOutput {
+public final class SimulatedDartGun extends SimulatedPayload<SwitchOutput.Level>
+    implements SwitchOutput {
   private static final double RATE_HZ = 50.0;
   private static final double HALF_PERCENT = 50.0;
 

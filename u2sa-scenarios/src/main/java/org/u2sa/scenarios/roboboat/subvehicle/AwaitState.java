@@ -10,7 +10,8 @@ import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.Pursuit;
 
 /**
- * The carrier's part of a {@link FetchGoal}: lies still in the dock while the sub-vehicle is out. The sub-vehicle's report ends the goal; without one, the carrier gives up.
+ * The carrier's part of a {@link FetchGoal}: lies still in the dock while the sub-vehicle is out.
+ * The sub-vehicle's report ends the goal; without one, the carrier gives up.
  */
 final class AwaitState implements PlannerState {
   private static final double BEYOND_LIMIT_S = 40.0; // for switching on, return and landing
@@ -39,8 +40,7 @@ final class AwaitState implements PlannerState {
       return new Plan(
           List.of(),
           Plan.Progress.ABANDONED,
-          String.format(
-              Locale.ROOT, "given up: no report of the sub-vehicle for %.0f s", waitedS));
+          String.format(Locale.ROOT, "given up: no report of the sub-vehicle for %.0f s", waitedS));
     }
     return Plan.underWay(List.of()); // thrust against the dock would wind up control
   }

@@ -26,8 +26,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Carries the Mission Manager's goal for the sub-vehicle to its system, at the place where the world
- * model has the object, and its report back (thesis 4.2.1.3). In: goals, objects. Out: goal-reports.
+ * Carries the Mission Manager's goal for the sub-vehicle to its system, at the place where the
+ * world model has the object, and its report back (thesis 4.2.1.3). In: goals, objects. Out:
+ * goal-reports.
  */
 public final class SubVehicleLink extends PeriodicService {
   private static final double STEPS_PER_S = 5.0;

@@ -26,9 +26,7 @@ class DartTest {
     VehicleTruth boat =
         new VehicleTruth(0.0, Point.ORIGIN, attitude, Point.ORIGIN, Point.ORIGIN, Point.ORIGIN);
     Random random = new Random(7L);
-    return IntStream.range(0, SHOTS)
-        .filter(each -> Dart.shot(boat, random).passes(hoop()))
-        .count();
+    return IntStream.range(0, SHOTS).filter(each -> Dart.shot(boat, random).passes(hoop())).count();
   }
 
   @Test
