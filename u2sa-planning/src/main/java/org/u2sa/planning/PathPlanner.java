@@ -90,7 +90,7 @@ public class PathPlanner extends EventDrivenService {
                 new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(guidance, settings(StationVariables.class))));
-    states.discover(this, new PlannerSurroundings(avoidance));
+    states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);

@@ -3,6 +3,7 @@ package org.u2sa.planning;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.DoubleSupplier;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
@@ -17,9 +18,16 @@ import org.u2sa.planning.seen.PlanningPlane;
 /** PlannerView by the planner's own world and avoidance. */
 final class PlannerSurroundings implements PlannerView {
   private final Avoidance avoidance;
+  private final DoubleSupplier missionS;
 
-  PlannerSurroundings(Avoidance avoidance) {
+  PlannerSurroundings(Avoidance avoidance, DoubleSupplier missionS) {
     this.avoidance = avoidance;
+    this.missionS = missionS;
+  }
+
+  @Override
+  public double missionS() {
+    return missionS.getAsDouble();
   }
 
   @Override

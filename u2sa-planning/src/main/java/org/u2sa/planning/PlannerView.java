@@ -57,6 +57,9 @@ public interface PlannerView {
   /** Navigation point straight to a place on the planner's plane, whatever is in between. */
   NavigationPoint straight(StateInformation state, Point place);
 
+  /** Time since the start of the mission [s], the time base of goals. */
+  double missionS();
+
   /** Starts an approach to another place. */
   void begin();
 

@@ -20,11 +20,21 @@ import org.u2sa.sim.world.World;
  * A course: two speed gates ahead of the start, a channel of gates that ends at a blue buoy, and
  * the weather. Places are north and east of the start, which faces north [m].
  *
+ * @param start place of the boat at the start
+ * @param headingRad its heading there
  * @param speedGates to be passed first
  * @param channel gates of the channel, in order
  * @param end the blue buoy behind it
+ * @param sites of the optional tasks
  */
-record BoatCourse(List<Gate> speedGates, List<Gate> channel, Point end, Weather weather) {
+record BoatCourse(
+    Point start,
+    double headingRad,
+    List<Gate> speedGates,
+    List<Gate> channel,
+    Point end,
+    List<TaskSite> sites,
+    Weather weather) {
   /** Place of the competition: Nathan Benderson Park, Florida. */
   static final Geodetic ORIGIN = new Geodetic(-82.4507, 27.3767, 0.0);
 
@@ -41,6 +51,7 @@ record BoatCourse(List<Gate> speedGates, List<Gate> channel, Point end, Weather 
   private static final double END_RADIUS_M = 0.4;
   private static final double FLOATS_M = 0.1; // centre above the water
   private static final double SPREAD_RAD = 0.3;
+  private static final double TASKS_FROM_M = 5.0; // start of the tasks alone, before the gate
 
   /**
    * Weather of a run.
@@ -62,7 +73,20 @@ record BoatCourse(List<Gate> speedGates, List<Gate> channel, Point end, Weather 
       double wavePeriodS,
       long seed) {}
 
-  /** All buoys. */
+  /** The same course with the last gate only, and the boat before it. */
+  BoatCourse tasksOnly() {
+    Gate last = channel.get(channel.size() - 1);
+    double heading = Math.atan2(last.way().y(), last.way().x());
+    return new BoatCourse(
+        last.beyond(-TASKS_FROM_M), heading, List.of(), List.of(last), end, sites, weather);
+  }
+
+  /** The site of a task. */
+  TaskSite site(TaskSite.Task task) {
+    return sites.stream().filter(each -> each.task() == task).findFirst().orElseThrow();
+  }
+
+  /** All buoys, and the objects of the tasks. */
   List<ObjectDescription> objects() {
     List<ObjectDescription> objects = new ArrayList<>();
     List<Gate> all = new ArrayList<>(speedGates);
@@ -72,6 +96,7 @@ record BoatCourse(List<Gate> speedGates, List<Gate> channel, Point end, Weather 
       objects.add(buoy("right " + (i + 1), RIGHT, all.get(i).right(), RADIUS_M));
     }
     objects.add(buoy("end", END, end, END_RADIUS_M));
+    sites.forEach(site -> objects.addAll(site.objects()));
     return objects;
   }
 

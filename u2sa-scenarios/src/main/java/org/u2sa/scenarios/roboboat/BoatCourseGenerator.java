@@ -54,7 +54,10 @@ final class BoatCourseGenerator {
     Point way = last.way();
     Point end =
         Point.of(behind.x() - END_ASIDE_M * way.y(), behind.y() + END_ASIDE_M * way.x(), 0.0);
-    return new BoatCourse(List.copyOf(speedGates), List.copyOf(channel), end, weather(seed));
+    BoatCourse.Weather weather = weather(seed);
+    List<TaskSite> sites = TaskSites.around(end, Math.atan2(way.y(), way.x()), random);
+    return new BoatCourse(
+        Point.ORIGIN, 0.0, List.copyOf(speedGates), List.copyOf(channel), end, sites, weather);
   }
 
   private BoatCourse.Weather weather(long seed) {

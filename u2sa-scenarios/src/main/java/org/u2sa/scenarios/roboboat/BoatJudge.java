@@ -7,22 +7,31 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Scores a run by the truth: speed gates, channel out and back in order, each in its direction;
- * contacts; and the time limit.
+ * contacts; the optional tasks; and the time limit.
  */
 final class BoatJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 20.0 * 60.0;
 
   private final RunningVehicle run;
+  private final Clock clock;
+  private final TaskJudge tasks;
+  private final BooleanSupplier isDocked;
+  private final QuadrotorOnDeck quadrotor;
   private final Leg speed;
   private final Leg out;
   private final Leg back;
@@ -70,8 +79,21 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
   }
 
-  BoatJudge(BoatCourse course, RunningVehicle run, Path directory) {
+  /**
+   * @param isDocked whether a dock holds the boat now
+   */
+  BoatJudge(
+      BoatCourse course,
+      RunningVehicle run,
+      BooleanSupplier isDocked,
+      QuadrotorOnDeck quadrotor,
+      Clock clock,
+      Path directory) {
     this.run = run;
+    this.isDocked = isDocked;
+    this.quadrotor = quadrotor;
+    this.clock = clock;
+    tasks = new TaskJudge(course.sites(), course.weather().seed(), this::say);
     this.directory = directory;
     speed = new Leg("speed gates", course.speedGates());
     out = new Leg("channel", course.channel());
@@ -89,7 +111,29 @@ final class BoatJudge implements TruthObserver.Scorer {
       say(truth.timeS(), leg.move(before, now, truth.headingRad(), truth.timeS()));
     }
     before = now;
+    tasks.judgeShots();
+    tasks.dock(
+        truth, isDocked.getAsBoolean(), quadrotor.flown().map(flown -> flown.at(clock.micros())));
     over |= truth.timeS() >= RUN_S;
+  }
+
+  @Override
+  public List<Channel<?>> listensTo() {
+    return List.of(TargetReport.CHANNEL);
+  }
+
+  @Override
+  public boolean heard(U2SAData data) {
+    if (!(data instanceof TargetReport report)) {
+      return false;
+    }
+    tasks.reported(report, run.at(clock.micros()).timeS());
+    return true;
+  }
+
+  /** The boat's dart gun fires. Thread-safe. */
+  void fired(long micros) {
+    tasks.fired(run.at(micros));
   }
 
   private void say(double timeS, String line) {
@@ -111,9 +155,6 @@ final class BoatJudge implements TruthObserver.Scorer {
   @Override
   public RunOutcome outcome() {
     run.contacts().forEach(each -> say(each.timeS(), "touches " + each.object().uid()));
-    Collections.sort(log);
-    ReportFile.writeText(
-        directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
     List<String> violations = new ArrayList<>();
     Map<String, Integer> counts = new LinkedHashMap<>();
     for (Leg leg : List.of(speed, out, back)) {
@@ -126,9 +167,14 @@ final class BoatJudge implements TruthObserver.Scorer {
     counts.put("channelGatesPassed", out.passed);
     counts.put("returnGatesPassed", back.passed);
     Map<String, Double> figures = new LinkedHashMap<>();
-    if (speed.isDone()) {
+    if (speed.isDone() && !speed.gates.isEmpty()) {
       figures.put("speedGateSeconds", speed.lastS - speed.firstS);
     }
-    return new RunOutcome(run.contacts().size(), false, violations, counts, figures);
+    tasks.outcome(run, violations, counts, figures);
+    Collections.sort(log);
+    ReportFile.writeText(
+        directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
+    long contacts = run.contacts().stream().filter(each -> !tasks.isPress(each)).count();
+    return new RunOutcome((int) contacts, false, violations, counts, figures);
   }
 }

@@ -1,16 +1,31 @@
 package org.u2sa.scenarios.roboboat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
 import java.util.Locale;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.sim.world.LocalPlane;
 
-/** What a team is told of a course: where each task is, roughly, and the colours of its buoys. */
+/**
+ * What a team is told of a course: where each task is, roughly, and the colours. After the channel
+ * and after each task, all other tasks and the return are current; the planner chooses (OPTIONS is
+ * ANY).
+ */
 final class BoatMission {
+  /** Name of the sub-vehicle's goal. */
+  static final String FETCH = "fetch";
+
   private static final double BEFORE_M = 4.0; // of a channel's entrance before its first gate
+  private static final double HOMEWARD_MPS = 0.6; // for the time to get home
+  private static final double RESERVE_S = 60.0;
+  private static final double GRIP_M = 0.25; // of the quadrotor above the deck, at the puck
+  private static final double HOME_BEHIND_M = 2.0; // the start
 
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
   private final BoatCourse course;
@@ -30,22 +45,116 @@ final class BoatMission {
   private String text() {
     text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
     text.append("  <home>").append(place(Point.ORIGIN)).append("<psi>0</psi></home>\n");
-    Gate first = course.speedGates().get(0);
-    channel("speed gates", first.beyond(-BEFORE_M), false, "<gates>2</gates>");
-    channel("channel", course.channel().get(0).beyond(-BEFORE_M), false, "<endBuoy>BLUE</endBuoy>");
+    text.append("  <timeLimit next=\"return\">");
+    text.append(Math.round(endByS(course.end()))).append("</timeLimit>\n");
+    if (!course.speedGates().isEmpty()) {
+      Gate first = course.speedGates().get(0);
+      channel("speed gates", first, false, "<next>channel</next><gates>2</gates>");
+    }
+    channel("channel", course.channel().get(0), false, next("") + "<endBuoy>BLUE</endBuoy>");
+    course.sites().forEach(this::task);
     Gate last = course.channel().get(course.channel().size() - 1);
     channel(
-        "return", last.beyond(BEFORE_M), true, "<gates>" + course.channel().size() + "</gates>");
-    text.append("  <waypoint><name>home</name>").append(place(Point.of(-2.0, 0.0, 0.0)));
+        "return",
+        new Gate(last.right(), last.left()),
+        true,
+        "<next>home way</next><timeLimit>300</timeLimit><fallback>true</fallback><gates>"
+            + course.channel().size()
+            + "</gates>");
+    text.append("  <waypoint><name>home way</name>");
+    text.append(place(TaskSite.at(course.start(), course.headingRad(), -HOME_BEHIND_M, 0.0)));
     text.append("<horizontalThreshold>2</horizontalThreshold></waypoint>\n</mission>\n");
     return text.toString();
   }
 
-  private void channel(String name, Point entrance, boolean back, String end) {
-    text.append("  <buoyChannel><name>").append(name).append("</name>").append(place(entrance));
+  private void channel(String name, Gate first, boolean back, String rest) {
+    text.append("  <buoyChannel>").append(name(name)).append(place(first.beyond(-BEFORE_M)));
     text.append("<left>").append(back ? BoatCourse.RIGHT : BoatCourse.LEFT).append("</left>");
     text.append("<right>").append(back ? BoatCourse.LEFT : BoatCourse.RIGHT).append("</right>");
-    text.append(end).append("</buoyChannel>\n");
+    text.append(rest).append("</buoyChannel>\n");
+  }
+
+  private void task(TaskSite site) {
+    String kind =
+        switch (site.task()) {
+          case HOOP -> "hulaHoop";
+          case BUTTON -> "pressButton";
+          case DOCK -> "dockBoat";
+          case TARGET -> "findTarget";
+        };
+    boolean isDock = site.task() == TaskSite.Task.DOCK;
+    TaskSite.Outlook outlook = site.task().outlook();
+    String types = site.sought() + (site.task() == TaskSite.Task.BUTTON ? ", white buoy" : "");
+    text.append("  <").append(kind).append('>').append(name(nameOf(site)));
+    text.append(place(site.station())).append(element("psi", site.headingRad()));
+    text.append(element("expectedTime", outlook.expectedS()));
+    text.append(element("successProbability", outlook.probability()));
+    text.append(element("endBy", endByS(site.station())));
+    text.append(element("timeLimit", outlook.limitS()));
+    text.append("<objectTypes>").append(types).append("</objectTypes>");
+    if (isDock) {
+      text.append(way()).append("<next>fetch</next><next if=\"failed\">");
+      text.append(names(nameOf(site))).append("</next></dockBoat>\n");
+      fetch(site);
+    } else {
+      text.append(next(nameOf(site))).append("</").append(kind).append(">\n");
+    }
+  }
+
+  /** Only once the boat is docked: the sub-vehicle's task, and then out of the dock. */
+  private void fetch(TaskSite dock) {
+    Point at = TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M + 1.0, 0.0);
+    text.append("  <fetchGoal>").append(name(FETCH)).append(place(at));
+    text.append(element("z", QuadrotorOnDeck.DECK_M + GRIP_M));
+    text.append("<horizontalThreshold>0.15</horizontalThreshold>");
+    text.append("<verticalThreshold>0.1</verticalThreshold><next>undock</next></fetchGoal>\n");
+    text.append("  <dockBoat>").append(name("undock")).append(place(dock.station()));
+    text.append(element("psi", dock.headingRad())).append(way());
+    text.append("<leaves>true</leaves><timeLimit>60</timeLimit>");
+    text.append(next(nameOf(dock))).append("</dockBoat>\n");
+  }
+
+  private static String way() {
+    return element("way", TaskSite.DOCK_WAY_M);
+  }
+
+  private static String nameOf(TaskSite site) {
+    return site.task().name().toLowerCase(Locale.ROOT);
+  }
+
+  /** All tasks but one, and the return. */
+  private String next(String but) {
+    return "<next>" + names(but) + "</next>";
+  }
+
+  private String names(String but) {
+    List<String> names = new ArrayList<>();
+    course.sites().stream().map(BoatMission::nameOf).forEach(names::add);
+    names.remove(but);
+    names.add("return");
+    return String.join(", ", names);
+  }
+
+  /** Time by which the boat has to set out for home from a place [s of the run]. */
+  private double endByS(Point from) {
+    List<Point> way = new ArrayList<>(List.of(from));
+    List<Gate> gates = new ArrayList<>(course.channel());
+    Collections.reverse(gates);
+    gates.forEach(gate -> way.add(gate.middle()));
+    way.add(course.start());
+    double metres = 0.0;
+    for (int i = 1; i < way.size(); i++) {
+      metres += StationTaskState.distance(way.get(i - 1), way.get(i));
+    }
+    return BoatJudge.RUN_S - RESERVE_S - metres / HOMEWARD_MPS;
+  }
+
+  private static String name(String name) {
+    return "<name>" + name + "</name>";
+  }
+
+  private static String element(String name, double value) {
+    return String.format(Locale.ROOT, "<%s>%.4f</%s>", name, value, name);
   }
 
   private String place(Point at) {

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.roboboat;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageType;
@@ -18,6 +19,9 @@ public class BoatTask extends GoalInformation {
       SCHEMA.optionalNumber("expectedTime", "s", 0.0);
   private static final NumberField<BoatTask> SUCCESS =
       SCHEMA.optionalNumber("successProbability", "", 0.01, 1.0);
+  private static final NumberField<BoatTask> PSI = SCHEMA.optionalNumber("psi", "rad");
+  private static final NumberField<BoatTask> END_BY = SCHEMA.optionalNumber("endBy", "s", 0.0);
+  private static final ValueField<BoatTask, Boolean> FALLBACK = SCHEMA.optionalFlag("fallback");
   private static final ValueField<BoatTask, List<String>> OBJECT_TYPES =
       SCHEMA.optionalTexts("objectTypes");
 
@@ -55,6 +59,24 @@ public class BoatTask extends GoalInformation {
   /** Probability that the task succeeds, 0…1; 1 if unknown. */
   public double successProbability() {
     return get(SUCCESS).orElse(1.0);
+  }
+
+  /** Heading at the station that faces its objects, clockwise from north [rad]; empty: any. */
+  public OptionalDouble psi() {
+    return get(PSI);
+  }
+
+  /**
+   * Time since the start of the mission by which the task has to be finished, so that there is time
+   * to get home [s]; empty: any.
+   */
+  public OptionalDouble endBy() {
+    return get(END_BY);
+  }
+
+  /** Whether it is chosen only if no other current goal can be finished in time. */
+  public boolean fallback() {
+    return Boolean.TRUE.equals(get(FALLBACK));
   }
 
   /** Types of objects that the task needs, such as "orange buoy"; empty: all. */

@@ -13,12 +13,24 @@ import org.u2sa.planning.PlannerView;
 public final class BoatTasks implements MessageTypeProvider, PlannerStateProvider {
   @Override
   public Collection<MessageType<?>> messageTypes() {
-    return List.of(BoatTask.TYPE, BuoyChannel.TYPE);
+    return List.of(
+        BoatTask.TYPE,
+        BuoyChannel.TYPE,
+        DockBoat.TYPE,
+        FindTarget.TYPE,
+        HulaHoop.TYPE,
+        PressButton.TYPE,
+        TargetReport.TYPE);
   }
 
   @Override
   public Collection<PlannerState> plannerStates(
       Configurator configuration, PlannerView surroundings) {
-    return List.of(new ChannelState(surroundings));
+    return List.of(
+        new ChannelState(surroundings),
+        new DockState(surroundings),
+        new FindTargetState(surroundings),
+        new HulaHoopState(surroundings),
+        new PressButtonState(surroundings));
   }
 }

@@ -2,33 +2,51 @@ package org.u2sa.scenarios.roboboat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
+import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.SimulatedWorld;
+import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.world.World;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 /** {@code u2sa demo roboboat}: a course of the competition (thesis 4.2). */
 @Command(
     name = "roboboat",
     description = {
-      "Sail a RoboBoat course: speed gates, a channel of buoys, and back.",
+      "Sail a RoboBoat course: speed gates, a channel of buoys, optional tasks, and back.",
       "",
       "Course, wind, current, waves and all noise follow from the seed. A judge with ground truth "
-          + "counts gates and contacts by the rules."
+          + "scores gates, tasks and contacts by the rules."
     })
 final class RoboBoatDemo implements Callable<Integer>, Demo {
   @Mixin private DemoFrame frame;
 
   @Mixin private VehicleFileChanges changes;
+
+  @Option(
+      names = "--tasks-only",
+      description = "Start before the last gate of the channel, and do the optional tasks only.")
+  private boolean tasksOnly;
+
+  @Option(
+      names = "--radio-fails",
+      description = "Nothing is heard of the quadrotor: the boat has to leave the dock without it.")
+  private boolean radioFails;
 
   private BoatCourse course; // of the newest run
 
@@ -47,6 +65,17 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     return BoatJudge.RUN_S;
   }
 
+  /** {@inheritDoc} Without the place that the sub-vehicle flies to. */
+  @Override
+  public RunPlan plan(Mission mission) {
+    RunPlan all = Demo.super.plan(mission);
+    List<RunPlan.Waypoint> own =
+        all.waypoints().stream()
+            .filter(each -> !each.name().equals(BoatMission.FETCH))
+            .collect(Collectors.toList());
+    return new RunPlan(all.domain(), all.home(), own);
+  }
+
   @Override
   public Surroundings surroundings() {
     return course == null
@@ -56,21 +85,73 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
 
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
-    course = BoatCourseGenerator.course(seed);
-    BoatCourse sailed = course;
+    BoatCourse drawn = BoatCourseGenerator.course(seed);
+    BoatCourse sailed = tasksOnly ? drawn.tasksOnly() : drawn;
+    course = sailed;
     Mission mission =
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
-    VehicleTrial placed =
-        VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle.xml")),
-            sailed.world(),
-            Point.ORIGIN,
-            0.0,
+    VehicleFile file = changes.load(system().resolveSibling("vehicle.xml"));
+    World world = sailed.world();
+    MooredVehicle.Maker maker = (at, headingRad) -> file.make(world, at, headingRad, seed);
+    TaskSite dock = sailed.site(TaskSite.Task.DOCK);
+    MooredVehicle boat =
+        new MooredVehicle(
+            maker,
+            maker.make(
+                Point.of(sailed.start().y(), sailed.start().x(), 0.0), sailed.headingRad()),
+            TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M, 0.0),
+            dock.headingRad());
+    VehicleTrial placed = VehicleTrial.of(file, boat, seed);
+    QuadrotorOnDeck quadrotor =
+        new QuadrotorOnDeck(
+            system().resolveSibling("quadrotor"),
+            placed.run(),
+            directory.resolve("logs/quadrotor"),
             seed);
-    return placed.trial(
-        mission,
-        placed.name(),
-        clock -> new BoatJudge(sailed, placed.run(), directory),
-        launch -> {});
+    AtomicReference<BoatJudge> judge = new AtomicReference<>();
+    BoatDevices devices =
+        new BoatDevices(
+            placed.devices(),
+            micros -> {
+              BoatJudge present = judge.get();
+              if (present != null) { // before it looks on, nothing counts
+                present.fired(micros);
+              }
+            },
+            quadrotor,
+            radioFails);
+    Trial trial =
+        placed.trial(
+            mission,
+            placed.name(),
+            clock -> {
+              judge.set(
+                  new BoatJudge(
+                      sailed, placed.run(), boat::isHeld, quadrotor, clock, directory));
+              return judge.get();
+            },
+            launch -> launch.devices(devices));
+    return new Trial(
+        trial.mission(),
+        trial.observer(),
+        trial.settings(),
+        launch -> with(quadrotor, trial.lockstep().apply(launch)),
+        launch -> with(quadrotor, trial.realTime().apply(launch)));
+  }
+
+  /** A simulation that ends the quadrotor's services, too. */
+  private static Simulation with(QuadrotorOnDeck quadrotor, Simulation boat) {
+    return new Simulation() {
+      @Override
+      public String name() {
+        return boat.name();
+      }
+
+      @Override
+      public void close() {
+        quadrotor.close();
+        boat.close();
+      }
+    };
   }
 }

@@ -2,7 +2,6 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -20,15 +19,11 @@ abstract class TaskState implements PlannerState {
     this.surroundings = surroundings;
   }
 
-  /**
-   * {@inheritDoc} With the task's expected time at cruise speed, over its probability of success
-   * (thesis 4.2.1.3).
-   */
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
     BoatTask task = (BoatTask) goal;
     double way = away(station(task, state), state);
-    return (way + task.expectedTime()) / task.successProbability();
+    return TaskChoice.costS(task, way, surroundings.missionS());
   }
 
   /** The station on the planner's plane. */
@@ -45,10 +40,6 @@ abstract class TaskState implements PlannerState {
   /** The way to a place, around obstacles. */
   PlannerView.Step towards(Pursuit pursuit, Point place, double thresholdM, double speedMps) {
     return surroundings.towards(pursuit, place, thresholdM, OptionalDouble.of(speedMps));
-  }
-
-  static boolean isA(ObjectDescription object, Colour colour, String kind) {
-    return object.objectType().equals(name(colour, kind));
   }
 
   /** Name of a kind of object, such as "orange buoy". */

@@ -22,6 +22,8 @@ import org.u2sa.sim.ioio.IoioFirmware;
 import org.u2sa.sim.ioio.IoioInProcess;
 import org.u2sa.sim.ioio.IoioTcpServer;
 import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
+import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 import org.u2sa.world.xml.WorldFile;
@@ -60,6 +62,15 @@ public final class VehicleTrial {
       VehicleFile file, World world, Point place, double headingRad, long seed) {
     RunningVehicle run = file.running(world, place, headingRad, seed);
     return new VehicleTrial(file, world, run, Optional.empty(), seed);
+  }
+
+  /**
+   * Uses a vehicle of a file that was placed already.
+   *
+   * @param placed made by the file, or around one that was
+   */
+  public static VehicleTrial of(VehicleFile file, SimulatedVehicle placed, long seed) {
+    return new VehicleTrial(file, placed.world(), new VehicleRun(placed), Optional.empty(), seed);
   }
 
   /**

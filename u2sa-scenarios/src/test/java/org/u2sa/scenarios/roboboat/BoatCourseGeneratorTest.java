@@ -28,4 +28,18 @@ class BoatCourseGeneratorTest {
   void course_sameSeed_isTheSame(@ForAll int seed) {
     assertThat(BoatCourseGenerator.course(seed)).isEqualTo(BoatCourseGenerator.course(seed));
   }
+
+  @Property
+  void course_anySeed_hasRoomAroundItsTasks(@ForAll int seed) {
+    BoatCourse course = BoatCourseGenerator.course(seed);
+
+    assertThat(course.sites()).hasSize(4);
+    for (TaskSite site : course.sites()) {
+      assertThat(course.channel())
+          .allMatch(gate -> site.station().minus(gate.middle()).distance() > 8.0);
+      assertThat(course.sites())
+          .allMatch(
+              other -> other == site || other.station().minus(site.station()).distance() > 10.0);
+    }
+  }
 }

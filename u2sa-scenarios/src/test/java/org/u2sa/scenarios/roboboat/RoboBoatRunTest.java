@@ -46,6 +46,21 @@ class RoboBoatRunTest {
   }
 
   @Test
+  void demo_tasksOnly_doesAllFourWithoutContact() throws IOException {
+    int status = sail("--seed", "7001", "--tasks-only");
+
+    assertThat(status).isZero();
+    assertThat(read("summary.json")).contains("\"tasksDone\" : 4", "\"contacts\" : 0");
+    assertThat(read("judge.log"))
+        .contains(
+            "through the hoop",
+            "touches button",
+            "hot target reported",
+            "quadrotor is back with the puck")
+        .doesNotContain("touches wrong button");
+  }
+
+  @Test
   void demo_cameraFailsInTheChannel_givesUpAndSaysWhy() throws IOException {
     int status = sail("--seed", "401", "--change", "detector/failsAt=45");
 

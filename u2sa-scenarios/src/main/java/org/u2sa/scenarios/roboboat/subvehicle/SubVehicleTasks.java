@@ -3,14 +3,21 @@ package org.u2sa.scenarios.roboboat.subvehicle;
 import java.util.Collection;
 import java.util.List;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerStateProvider;
 import org.u2sa.planning.PlannerView;
 
-/** Registers the sub-vehicle's goal class and planner state. */
+/** Registers the sub-vehicle's goal class, and the planner states of both vehicles. */
 public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateProvider {
+  private static final VariableDeclaration<Boolean> CARRIER =
+      VariableDeclaration.flag("SUB VEHICLE FETCHES")
+          .ifAbsent(false)
+          .describedAs(
+              "Whether a sub-vehicle carries out goals of the class fetchGoal while this vehicle waits.");
+
   @Override
   public Collection<MessageType<?>> messageTypes() {
     return List.of(FetchGoal.TYPE);
@@ -19,6 +26,7 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
   @Override
   public Collection<PlannerState> plannerStates(
       Configurator configuration, PlannerView surroundings) {
-    return List.of(new FetchState());
+    boolean isCarrier = configuration.getVariable(CARRIER);
+    return List.of(isCarrier ? new AwaitState() : new FetchState());
   }
 }

@@ -1,0 +1,25 @@
+package org.u2sa.scenarios.roboboat;
+
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+
+/**
+ * Of two buttons above the water, press the one beside a submerged buoy with the bow; objectTypes
+ * names the buttons and then the buoy (thesis 4.2).
+ */
+public final class PressButton extends BoatTask {
+  private static final Schema<PressButton> SCHEMA =
+      Schema.of(PressButton.class, PressButton::new, BoatTask.TYPE);
+
+  public static final MessageType<PressButton> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<PressButton> type() {
+    return TYPE;
+  }
+
+  @Override
+  public PressButton copy() {
+    return (PressButton) super.copy();
+  }
+}

@@ -1,0 +1,116 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerView;
+import org.u2sa.planning.Pursuit;
+
+/**
+ * A task at a station: goes there around obstacles, works there, and returns when wind and current
+ * have carried the boat off.
+ */
+abstract class StationTaskState extends TaskState {
+  private static final double ARRIVED_M = 1.0;
+  private static final double CARRIED_OFF_M = 2.5;
+  private static final double WAY_MPS = 1.2;
+  private static final double NEAR_M = 10.0; // objects of a station
+
+  private boolean isThere;
+  private long arrivedMicros; // Long.MIN_VALUE: not yet
+
+  StationTaskState(PlannerView surroundings) {
+    super(surroundings);
+  }
+
+  /** Resets what the state remembers, for a task that begins. */
+  abstract void begin(BoatTask task);
+
+  /**
+   * Next step at the station.
+   *
+   * @param sinceS time since the arrival [s]
+   */
+  abstract Plan work(BoatTask task, Pursuit pursuit, double sinceS);
+
+  /** Whether the boat may be farther from the station now. */
+  boolean isFree() {
+    return false;
+  }
+
+  @Override
+  public final void enter(Pursuit pursuit) {
+    surroundings.begin();
+    isThere = false;
+    arrivedMicros = Long.MIN_VALUE;
+    begin((BoatTask) pursuit.goal());
+  }
+
+  @Override
+  public final Plan plan(Pursuit pursuit) {
+    BoatTask task = (BoatTask) pursuit.goal();
+    StateInformation state = pursuit.state();
+    Point station = station(task, state);
+    double away = away(station, state);
+    if (isThere && away > CARRIED_OFF_M && !isFree()) {
+      isThere = false;
+      surroundings.begin();
+    }
+    isThere |= away <= ARRIVED_M || isFree();
+    if (isThere && arrivedMicros == Long.MIN_VALUE) {
+      arrivedMicros = micros(state);
+    }
+    double sinceS =
+        arrivedMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(micros(state) - arrivedMicros);
+    if (isThere) {
+      return work(task, pursuit, sinceS);
+    }
+    PlannerView.Step step = towards(pursuit, station, ARRIVED_M / 2.0, WAY_MPS);
+    return step.givenUp()
+        .map(StationTaskState::givenUp)
+        .orElseGet(() -> Plan.underWay(List.of(step.point())));
+  }
+
+  static long micros(StateInformation state) {
+    return state.timestamp().orElseThrow();
+  }
+
+  static Plan givenUp(String reason) {
+    return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: " + reason);
+  }
+
+  /** The object of a type that is nearest to a place, within the surroundings of the station. */
+  final Optional<ObjectDescription> nearest(
+      String type, Point to, BoatTask task, StateInformation state) {
+    Point station = station(task, state);
+    return surroundings.objects().stream()
+        .filter(object -> object.objectType().equals(type))
+        .filter(object -> distance(surroundings.centre(object, state), station) < NEAR_M)
+        .min(
+            Comparator.comparingDouble(object -> distance(surroundings.centre(object, state), to)));
+  }
+
+  static double distance(Point a, Point b) {
+    return Math.hypot(a.x() - b.x(), a.y() - b.y());
+  }
+
+  /** Keeps the station as far as the boat's thrust allows, with the bow in a direction. */
+  final NavigationPoint facing(BoatTask task, StateInformation state, double headingRad) {
+    double turn = headingRad - state.psi().orElseThrow();
+    return surroundings
+        .straight(state, station(task, state))
+        .turn(Math.IEEEremainder(turn, 2.0 * Math.PI));
+  }
+
+  /** Keeps the station, facing its objects. */
+  final Plan lookOut(BoatTask task, StateInformation state) {
+    double heading = task.psi().orElse(state.psi().orElseThrow());
+    return Plan.underWay(List.of(facing(task, state, heading)));
+  }
+}

@@ -1,0 +1,47 @@
+package org.u2sa.scenarios.roboboat.subvehicle;
+
+import java.util.List;
+import java.util.Locale;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+
+/**
+ * The carrier's part of a {@link FetchGoal}: lies still in the dock while the sub-vehicle is out.
+ * The sub-vehicle's report ends the goal; without one, the carrier gives up.
+ */
+final class AwaitState implements PlannerState {
+  private static final double BEYOND_LIMIT_S = 40.0; // for switching on, return and landing
+
+  private long beganMicros;
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return FetchGoal.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    return 0.0;
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    beganMicros = pursuit.state().timestamp().orElseThrow();
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    double waitedS = Clock.seconds(pursuit.state().timestamp().orElseThrow() - beganMicros);
+    if (waitedS > ((FetchGoal) pursuit.goal()).limit() + BEYOND_LIMIT_S) {
+      return new Plan(
+          List.of(),
+          Plan.Progress.ABANDONED,
+          String.format(Locale.ROOT, "given up: no report of the sub-vehicle for %.0f s", waitedS));
+    }
+    return Plan.underWay(List.of()); // thrust against the dock would wind up control
+  }
+}

@@ -1,0 +1,83 @@
+package org.u2sa.scenarios.roboboat.subvehicle;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import org.u2sa.core.launch.LaunchOptions;
+import org.u2sa.core.launch.RunningSystem;
+import org.u2sa.core.launch.SystemFile;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.vehicle.RunningVehicle;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.World;
+
+/**
+ * The simulated quadrotor on a boat's deck, which starts there with services of its own when it is
+ * switched on. Its world is a level plane at the deck's height, with the boat's wind.
+ */
+public final class QuadrotorOnDeck implements AutoCloseable {
+  /** Height of the boat's deck and of the dock above the water [m]. */
+  public static final double DECK_M = 0.4;
+
+  private final Path folder;
+  private final RunningVehicle boat;
+  private final Path logs;
+  private final long seed;
+  private volatile RunningVehicle flown; // null until it is switched on
+  private RunningSystem system; // likewise
+
+  /**
+   * @param folder of its system file and vehicle file
+   * @param boat moored when it is switched on
+   */
+  public QuadrotorOnDeck(Path folder, RunningVehicle boat, Path logs, long seed) {
+    this.folder = folder;
+    this.boat = boat;
+    this.logs = logs;
+    this.seed = seed;
+  }
+
+  /** The vehicle, once it is switched on. */
+  public Optional<RunningVehicle> flown() {
+    return Optional.ofNullable(flown);
+  }
+
+  /** Starts it on the deck, and returns the link to its services. */
+  public Transport switchOn(Clock clock) {
+    VehicleTruth at = boat.at(clock.micros());
+    World water = boat.vehicle().world();
+    Geodetic origin = water.plane().origin();
+    World deck =
+        World.at(new Geodetic(origin.longitudeDeg(), origin.latitudeDeg(), DECK_M))
+            .with(water.wind());
+    VehicleTrial trial =
+        VehicleTrial.of(
+            VehicleFile.load(folder.resolve("vehicle.xml")),
+            deck,
+            Point.of(at.position().x(), at.position().y(), 0.0),
+            at.headingRad(),
+            seed);
+    flown = trial.run();
+    system =
+        RunningSystem.start(
+            SystemFile.read(folder.resolve("aboard.xml")),
+            new LaunchOptions()
+                .clock(clock)
+                .seed(seed)
+                .logDirectory(logs)
+                .override("CommunicationManager", "BROKER", "none")
+                .devices(trial.devices()));
+    return system.communicationManager().transport();
+  }
+
+  @Override
+  public void close() {
+    if (system != null) {
+      system.close();
+    }
+  }
+}
