@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.scenarios.roboboat.gun.SimulatedDartGun;
 import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.roboboat.subvehicle.SubVehicle;
-import org.u2sa.service.DeviceSource;
+import org.u2sa.device.port.DeviceSource;
 
 /**
  * Devices of a simulated boat.
