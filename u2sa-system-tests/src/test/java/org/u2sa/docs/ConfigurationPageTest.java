@@ -1,48 +1,75 @@
 package org.u2sa.docs;
 
 import static java.util.stream.Collectors.joining;
+import static java.util.stream.Collectors.toList;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.lang.reflect.Proxy;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.u2sa.control.VelocityControl;
-import org.u2sa.control.fixedwing.ThesisControl;
-import org.u2sa.control.ground.AckermannPursuitControl;
-import org.u2sa.control.ground.DifferentialDriveControl;
-import org.u2sa.control.ground.DifferentialPursuitControl;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.launch.Launcher;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.device.CompassSensor;
-import org.u2sa.device.GpsSensor;
-import org.u2sa.device.ImuSensor;
-import org.u2sa.device.LidarSensor;
-import org.u2sa.device.RangeSensor;
-import org.u2sa.device.WheelMotors;
-import org.u2sa.drivers.ioio.IoioService;
-import org.u2sa.drivers.mavlink.MavlinkAutopilot;
-import org.u2sa.estimation.ComplementaryStateEstimator;
-import org.u2sa.estimation.FusingStateEstimator;
+import org.u2sa.device.port.DeviceSource;
+import org.u2sa.device.detection.ObjectDetector;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.registry.StandardTypes;
-import org.u2sa.planning.VectorFieldPlanner;
 import org.u2sa.service.Actuator;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
-import org.u2sa.vision.camera.CourseCamera;
-import org.u2sa.vision.laser.ScanClusters;
-import org.u2sa.world.WorldModeler;
 
 /** docs/configuration.md lists the variables that the services really declare. */
 class ConfigurationPageTest {
   private static final String MISSION = Page.ROOT.resolve("missions/cessna/mission.xml").toString();
+
+  private static final String[] PACKAGES = {
+    "org.u2sa.control",
+    "org.u2sa.core",
+    "org.u2sa.device",
+    "org.u2sa.drivers",
+    "org.u2sa.estimation",
+    "org.u2sa.mission",
+    "org.u2sa.planning",
+    "org.u2sa.recorder",
+    "org.u2sa.vision",
+    "org.u2sa.world"
+  };
+
+  /** A detector that sees nothing: the only one with a driver is the simulated one. */
+  private static final DeviceSource DETECTOR =
+      new DeviceSource() {
+        @Override
+        public <D> Optional<D> device(
+            Class<D> port, String service, XmlConfiguration variables, Clock clock) {
+          return Optional.of(port)
+              .filter(ObjectDetector.class::equals)
+              .map(
+                  detector ->
+                      detector.cast(
+                          Proxy.newProxyInstance(
+                              detector.getClassLoader(),
+                              new Class<?>[] {detector},
+                              (proxy, method, arguments) ->
+                                  method.getReturnType() == Optional.class
+                                      ? Optional.empty()
+                                      : null)));
+        }
+      };
 
   private static final String INTRODUCTION =
       """
@@ -79,25 +106,11 @@ class ConfigurationPageTest {
     for (SystemFile.Entry entry : system.services()) {
       services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
     }
-    services.put("ComplementaryStateEstimator", declaredBy(ComplementaryStateEstimator.class));
-    services.put("FusingStateEstimator", declaredBy(FusingStateEstimator.class));
-    services.put("VectorFieldPlanner", declaredBy(VectorFieldPlanner.class));
-    services.put("WorldModeler", declaredBy(WorldModeler.class));
-    services.put("ThesisControl", declaredBy(ThesisControl.class));
-    services.put("DifferentialPursuitControl", declaredBy(DifferentialPursuitControl.class));
-    services.put("DifferentialDriveControl", declaredBy(DifferentialDriveControl.class));
-    services.put("AckermannPursuitControl", declaredBy(AckermannPursuitControl.class));
-    services.put("VelocityControl", declaredBy(VelocityControl.class));
-    services.put("IoioService", declaredBy(IoioService.class));
-    services.put("WheelMotors", declaredBy(WheelMotors.class));
-    services.put("GpsSensor", declaredBy(GpsSensor.class));
-    services.put("CompassSensor", declaredBy(CompassSensor.class));
-    services.put("ImuSensor", declaredBy(ImuSensor.class));
-    services.put("RangeSensor", declaredBy(RangeSensor.class));
-    services.put("LidarSensor", declaredBy(LidarSensor.class));
-    services.put("CourseCamera", declaredBy(CourseCamera.class));
-    services.put("ScanClusters", declaredBy(ScanClusters.class));
-    services.put("MavlinkAutopilot", declaredBy(MavlinkAutopilot.class));
+    for (Class<?> service : others()) {
+      if (!services.containsKey(service.getSimpleName())) {
+        services.put(service.getSimpleName(), declaredBy(service));
+      }
+    }
     List<VariableDeclaration<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
     section(page, "Every service", common, List.of());
@@ -108,6 +121,19 @@ class ConfigurationPageTest {
         });
     section(page, "Actuator", declaredBy(AnyActuator.class), common);
     new Page("docs/configuration.md").mustBe(page.toString());
+  }
+
+  /** All services but those of demos, in the order of their names. */
+  private static List<Class<?>> others() {
+    return new ClassFileImporter()
+        .withImportOption(new ImportOption.DoNotIncludeTests())
+        .importPackages(PACKAGES).stream()
+            .filter(each -> each.isAssignableTo(U2SAService.class))
+            .filter(each -> !each.getModifiers().contains(JavaModifier.ABSTRACT))
+            .filter(each -> !each.isEquivalentTo(Launcher.class)) // has none, and no file
+            .sorted(Comparator.comparing(JavaClass::getSimpleName))
+            .map(JavaClass::reflect)
+            .collect(toList());
   }
 
   /** A table of the variables that are not among the common ones. */
@@ -180,12 +206,19 @@ class ConfigurationPageTest {
                 1.0,
                 "CONNECTION",
                 "tcp:127.0.0.1:9",
+                "KIND",
+                "LIGHT",
+                "MASS",
+                10.0,
+                "ACTUATORS",
+                "RELEASE=3",
                 "MOUNTED Z",
                 -1.0));
     ServiceContext context =
         ServiceContext.of("docs", configuration)
             .transport(new LocalBus("docs"))
             .logDirectory(logs)
+            .devices(DETECTOR)
             .build();
     U2SAService made =
         service
