@@ -2,7 +2,6 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.List;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -68,7 +67,7 @@ final class DockState extends StationTaskState {
     double aside = off.y() * Math.cos(psi) - off.x() * Math.sin(psi);
     double toGo = goal.way() - along;
     if (phase == Phase.LEAVE) {
-      return toGo > LEFT_M ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock") : back();
+      return toGo > LEFT_M ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock") : back(goal, state, BACK_MPS);
     }
     double turn = Math.IEEEremainder(state.psi().orElseThrow() - psi, 2.0 * Math.PI);
     if (phase == Phase.ALIGN && Math.abs(turn) < ALIGNED_RAD) {
@@ -92,7 +91,7 @@ final class DockState extends StationTaskState {
                   surroundings
                       .straight(state, TaskSite.at(from, psi, along + AHEAD_M, 0.0))
                       .speed(ENTER_MPS)));
-      case BACK_OFF -> back();
+      case BACK_OFF -> back(goal, state, BACK_MPS);
       default -> Plan.underWay(List.of(facing(goal, state, psi)));
     };
   }
@@ -106,10 +105,5 @@ final class DockState extends StationTaskState {
       stillMicros = micros(state);
     }
     return isStill;
-  }
-
-  private static Plan back() {
-    return Plan.underWay(
-        List.of(NavigationPoint.at(Point.of(-LEFT_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
   }
 }
