@@ -2,6 +2,7 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.List;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -66,8 +67,15 @@ final class DockState extends StationTaskState {
     double along = off.x() * Math.cos(psi) + off.y() * Math.sin(psi);
     double aside = off.y() * Math.cos(psi) - off.x() * Math.sin(psi);
     double toGo = goal.way() - along;
+    if (phase == Phase.LEAVE && toGo < IN_M) { // the dock lets it push back, but not turn
+      Point astern = Point.of(-LEFT_M, 0.0, 0.0);
+      return Plan.underWay(
+          List.of(NavigationPoint.at(astern).backwards(true).speed(BACK_MPS).turn(0.0)));
+    }
     if (phase == Phase.LEAVE) {
-      return toGo > LEFT_M ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock") : back(goal, state, BACK_MPS);
+      return toGo > LEFT_M
+          ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock")
+          : back(goal, state, BACK_MPS);
     }
     double turn = Math.IEEEremainder(state.psi().orElseThrow() - psi, 2.0 * Math.PI);
     if (phase == Phase.ALIGN && Math.abs(turn) < ALIGNED_RAD) {
@@ -81,7 +89,7 @@ final class DockState extends StationTaskState {
     }
     if (isStill(toGo, state)) {
       return Clock.seconds(micros(state) - stillMicros) < STILL_S
-          ? Plan.underWay(List.of())
+          ? Plan.underWay(List.of(NavigationPoint.at(Point.ORIGIN).speed(0.0).turn(0.0)))
           : new Plan(List.of(), Plan.Progress.COMPLETED, "docked");
     }
     return switch (phase) {
