@@ -67,8 +67,15 @@ final class DockState extends StationTaskState {
     double along = off.x() * Math.cos(psi) + off.y() * Math.sin(psi);
     double aside = off.y() * Math.cos(psi) - off.x() * Math.sin(psi);
     double toGo = goal.way() - along;
+    if (phase == Phase.LEAVE && toGo < IN_M) { // the dock lets it push back, but not turn
+      Point astern = Point.of(-LEFT_M, 0.0, 0.0);
+      return Plan.underWay(
+          List.of(NavigationPoint.at(astern).backwards(true).speed(BACK_MPS).turn(0.0)));
+    }
     if (phase == Phase.LEAVE) {
-      return toGo > LEFT_M ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock") : back();
+      return toGo > LEFT_M
+          ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock")
+          : back(goal, state, BACK_MPS);
     }
     double turn = Math.IEEEremainder(state.psi().orElseThrow() - psi, 2.0 * Math.PI);
     if (phase == Phase.ALIGN && Math.abs(turn) < ALIGNED_RAD) {
@@ -82,7 +89,7 @@ final class DockState extends StationTaskState {
     }
     if (isStill(toGo, state)) {
       return Clock.seconds(micros(state) - stillMicros) < STILL_S
-          ? Plan.underWay(List.of())
+          ? Plan.underWay(List.of(NavigationPoint.at(Point.ORIGIN).speed(0.0).turn(0.0)))
           : new Plan(List.of(), Plan.Progress.COMPLETED, "docked");
     }
     return switch (phase) {
@@ -92,7 +99,7 @@ final class DockState extends StationTaskState {
                   surroundings
                       .straight(state, TaskSite.at(from, psi, along + AHEAD_M, 0.0))
                       .speed(ENTER_MPS)));
-      case BACK_OFF -> back();
+      case BACK_OFF -> back(goal, state, BACK_MPS);
       default -> Plan.underWay(List.of(facing(goal, state, psi)));
     };
   }
@@ -106,10 +113,5 @@ final class DockState extends StationTaskState {
       stillMicros = micros(state);
     }
     return isStill;
-  }
-
-  private static Plan back() {
-    return Plan.underWay(
-        List.of(NavigationPoint.at(Point.of(-LEFT_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
   }
 }

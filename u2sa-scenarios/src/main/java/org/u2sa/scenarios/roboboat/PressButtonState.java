@@ -2,7 +2,6 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -80,16 +79,15 @@ final class PressButtonState extends StationTaskState {
       phase = Phase.BACK_OFF;
     }
     if (phase == Phase.BACK_OFF) {
-      return backOff(away);
+      return backOff(task, state, away);
     }
     Point aim = TaskSite.at(button.get(), bearing, 1.0, 0.0);
     return Plan.underWay(List.of(surroundings.straight(state, aim).speed(PRESS_MPS)));
   }
 
-  private Plan backOff(double awayM) {
+  private Plan backOff(BoatTask task, StateInformation state, double awayM) {
     if (awayM < OFF_M) {
-      return Plan.underWay(
-          List.of(NavigationPoint.at(Point.of(-OFF_M, 0.0, 0.0)).backwards(true).speed(BACK_MPS)));
+      return back(task, state, BACK_MPS);
     }
     if (isPressed) {
       return new Plan(List.of(), Plan.Progress.COMPLETED, "pressed");

@@ -97,8 +97,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     MooredVehicle boat =
         new MooredVehicle(
             maker,
-            maker.make(
-                Point.of(sailed.start().y(), sailed.start().x(), 0.0), sailed.headingRad()),
+            maker.make(Point.of(sailed.start().y(), sailed.start().x(), 0.0), sailed.headingRad()),
             TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M, 0.0),
             dock.headingRad());
     VehicleTrial placed = VehicleTrial.of(file, boat, seed);
@@ -126,8 +125,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             placed.name(),
             clock -> {
               judge.set(
-                  new BoatJudge(
-                      sailed, placed.run(), boat::isHeld, quadrotor, clock, directory));
+                  new BoatJudge(sailed, placed.run(), boat::isHeld, quadrotor, clock, directory));
               return judge.get();
             },
             launch -> launch.devices(devices));

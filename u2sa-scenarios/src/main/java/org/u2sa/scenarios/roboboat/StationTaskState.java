@@ -108,6 +108,12 @@ abstract class StationTaskState extends TaskState {
         .turn(Math.IEEEremainder(turn, 2.0 * Math.PI));
   }
 
+  /** Back to the station, stern first, also against wind and current from the side. */
+  final Plan back(BoatTask task, StateInformation state, double speedMps) {
+    NavigationPoint point = surroundings.straight(state, station(task, state));
+    return Plan.underWay(List.of(point.backwards(true).speed(speedMps)));
+  }
+
   /** Keeps the station, facing its objects. */
   final Plan lookOut(BoatTask task, StateInformation state) {
     double heading = task.psi().orElse(state.psi().orElseThrow());

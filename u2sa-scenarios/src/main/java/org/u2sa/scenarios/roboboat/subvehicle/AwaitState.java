@@ -3,7 +3,9 @@ package org.u2sa.scenarios.roboboat.subvehicle;
 import java.util.List;
 import java.util.Locale;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
@@ -42,6 +44,7 @@ final class AwaitState implements PlannerState {
           Plan.Progress.ABANDONED,
           String.format(Locale.ROOT, "given up: no report of the sub-vehicle for %.0f s", waitedS));
     }
-    return Plan.underWay(List.of()); // thrust against the dock would wind up control
+    NavigationPoint still = NavigationPoint.at(Point.ORIGIN).speed(0.0).turn(0.0);
+    return Plan.underWay(List.of(still)); // thrust against the dock would wind up control
   }
 }

@@ -99,6 +99,7 @@ public final class SubVehicleLink extends PeriodicService {
       report.systemId(context().systemId());
       log("goal \"" + report.uid() + "\": " + (report.completed() ? "done" : report.reason()));
       publish(Channels.GOAL_REPORTS, report);
+      tell(List.of()); // its mission is over
     }
   }
 
@@ -112,12 +113,16 @@ public final class SubVehicleLink extends PeriodicService {
       Point at = object.get().in(ReferenceFrame.GLOBAL, null).center();
       goal.x(at.x()).y(at.y());
     }
-    GoalList goals = new GoalList().goals(List.of(goal));
+    tell(List.of(goal));
+    log("goal \"" + goal.uid() + "\" sent to " + variables.subVehicleSystem());
+  }
+
+  private void tell(List<GoalInformation> current) {
+    GoalList goals = new GoalList().goals(current);
     goals.systemId(variables.subVehicleSystem());
     goals.timestamp(clock().micros());
     goals.freeze();
     connection.publish(Channels.GOALS, goals);
-    log("goal \"" + goal.uid() + "\" sent to " + variables.subVehicleSystem());
   }
 
   @Override
