@@ -129,8 +129,7 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
     int held = type.equals("mouseReleased") ? 0 : 1;
     send(
         "Input.dispatchMouseEvent",
-        Map.of(
-            "type", type, "x", x, "y", y, "button", "left", "buttons", held, "clickCount", 1));
+        Map.of("type", type, "x", x, "y", y, "button", "left", "buttons", held, "clickCount", 1));
   }
 
   private JsonNode send(String method, Map<String, Object> parameters) {
