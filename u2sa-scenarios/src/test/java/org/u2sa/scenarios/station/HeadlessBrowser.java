@@ -112,11 +112,24 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   }
 
   void clickAt(double x, double y) {
-    for (String type : List.of("mousePressed", "mouseReleased")) {
-      send(
-          "Input.dispatchMouseEvent",
-          Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1));
+    mouse("mousePressed", x, y);
+    mouse("mouseReleased", x, y);
+  }
+
+  /** Drags to the right in steps, as a hand does. */
+  void dragRight(double x, double y, int steps) {
+    mouse("mousePressed", x, y);
+    for (int i = 1; i <= steps; i++) {
+      mouse("mouseMoved", x + 10.0 * i, y);
     }
+    mouse("mouseReleased", x + 10.0 * steps, y);
+  }
+
+  private void mouse(String type, double x, double y) {
+    int held = type.equals("mouseReleased") ? 0 : 1;
+    send(
+        "Input.dispatchMouseEvent",
+        Map.of("type", type, "x", x, "y", y, "button", "left", "buttons", held, "clickCount", 1));
   }
 
   private JsonNode send(String method, Map<String, Object> parameters) {

@@ -83,15 +83,22 @@ class StationPageTest {
     browser.awaitText("doing", "to ");
     browser.awaitText("instruments", "m/s");
 
+    browser.press("hold");
+    browser.awaitText("doing", "held at");
+
     browser.press("tab-mission");
     browser.press("add");
     browser.clickAt(WIDTH / 4.0, HEIGHT / 2.0);
     browser.awaitText("goals", "w1");
     browser.press("upload");
     browser.awaitText("outcome", "inserted \"w1\"");
+    browser.press("add");
+    browser.dragRight(WIDTH / 4.0, HEIGHT / 2.0, 8);
+    browser.awaitText("goals", "changed");
+    browser.press("upload");
+    browser.awaitText("outcome", "updated \"w1\"");
 
     browser.press("tab-operate");
-    browser.press("hold");
     browser.awaitText("doing", "held at");
     browser.press("resume");
     browser.awaitText("doing", "to ");

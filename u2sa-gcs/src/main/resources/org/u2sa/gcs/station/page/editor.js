@@ -143,6 +143,7 @@ export class MissionEditor {
     const goals = new Map(vehicle.report.goals.map(goal => [goal.uid, goal]));
     const order = async (action, fields, accepted) => {
       outcomes.push(await this.orders.mission(vehicle, action, {file: 'web page', ...fields}));
+      await this.orders.report(vehicle).catch(() => undefined); // or what leaves the draft would vanish for a moment
       accepted();
       this.history = [emptyDraft()]; // what was accepted cannot be undone here
     };
@@ -156,7 +157,6 @@ export class MissionEditor {
       });
     }
     if (this.draft.removed.length > 0) {
-      await this.orders.report(vehicle); // with the goals just added
       const before = new MissionEditor(this.orders).route(vehicle);
       const leads = uid => before.find(item => item.uid === uid).followers.some(next => this.draft.removed.includes(next.uid));
       const links = this.route(vehicle).filter(item => !item.isRemoved && item.followers.length > 0 && leads(item.uid))

@@ -31,6 +31,7 @@ export class Vehicle {
     this.conditions = new Map();
     this.arming = null;
     this.failsafe = null;
+    this.lastStop = '';
     this.events = [];
   }
 
@@ -160,7 +161,9 @@ const HANDLERS = {
 
   'emergency-stop'(vehicle, fields) {
     const by = [fields.operator, fields.reason].filter(Boolean).join(': ');
-    vehicle.log(fields.active ? `emergency stop by ${by}` : `emergency stop cleared by ${by}`, 'important');
+    const text = fields.active ? `emergency stop by ${by}` : `emergency stop cleared by ${by}`;
+    if (text !== vehicle.lastStop) vehicle.log(text, 'important'); // services repeat what is in force
+    vehicle.lastStop = text;
   },
 
   'goal-reports'(vehicle, fields) {
