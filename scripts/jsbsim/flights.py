@@ -77,7 +77,8 @@ def flown(name, knots, feet, extra, length=60.0):
         for fdm, frame in ((theirs, i), (mine, i - 1)):  # JSBSim moves a surface one frame after its command
             added = extra(frame / RATE)
             for name in CONTROLS:
-                fdm[f"fcs/{name}-cmd-norm"] = held[name] + added.get(name, 0.0)
+                lowest = 0.0 if name in ("throttle", "flap") else -1.0
+                fdm[f"fcs/{name}-cmd-norm"] = max(lowest, min(1.0, held[name] + added.get(name, 0.0)))
             fdm.run()
         rows.append([(theirs[name], mine[name]) for name in QUANTITIES.values()])
     return rows
