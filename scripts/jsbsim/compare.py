@@ -167,6 +167,7 @@ def fly_theirs(feet, knots, gamma=0.0, bank=0.0, flaps=0.0, throttle=0.5, model=
     fdm["fcs/flap-cmd-norm"] = flaps
     fdm["fcs/flap-pos-norm"] = flaps
     fdm["fcs/mixture-cmd-norm"] = 1.0
+    fdm["fcs/advance-cmd-norm"] = 1.0
     fdm["fcs/throttle-cmd-norm"] = throttle
     for i in (0, 1) if model == "c172p" else ():
         fdm[f"inertia/pointmass-weight-lbs[{i}]"] = SEAT_LB

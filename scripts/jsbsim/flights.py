@@ -48,6 +48,7 @@ FLIGHTS = {
     "throttle steps": (90, 2000, lambda t: {"throttle": doublet(t, 5, 0.15, 10.0)}),
     "flaps": (75, 2000, lambda t: {"flap": 0.66 if t > 5 else 0.0}),
 }
+ENGINE = ("propeller-rpm", "map-pa", "blade-angle")
 CONTROLS = ("elevator", "aileron", "rudder", "throttle", "flap")
 
 
@@ -63,7 +64,7 @@ def pair(name, knots, feet):
         theirs["position/h-sl-ft"],
         body,
         *(theirs[f"attitude/{name}-rad"] for name in ("phi", "theta", "psi")),
-        given={f"propulsion/engine/{name}": theirs[f"propulsion/engine/{name}"] for name in ("propeller-rpm", "map-pa")},
+        given={f"propulsion/engine/{name}": theirs[f"propulsion/engine/{name}"] for name in ENGINE},
     )
     return theirs, mine
 
@@ -76,7 +77,8 @@ def flown(name, knots, feet, extra, length=60.0):
         for fdm, frame in ((theirs, i), (mine, i - 1)):  # JSBSim moves a surface one frame after its command
             added = extra(frame / RATE)
             for name in CONTROLS:
-                fdm[f"fcs/{name}-cmd-norm"] = held[name] + added.get(name, 0.0)
+                lowest = 0.0 if name in ("throttle", "flap") else -1.0
+                fdm[f"fcs/{name}-cmd-norm"] = max(lowest, min(1.0, held[name] + added.get(name, 0.0)))
             fdm.run()
         rows.append([(theirs[name], mine[name]) for name in QUANTITIES.values()])
     return rows

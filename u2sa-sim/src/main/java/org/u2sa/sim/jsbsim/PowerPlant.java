@@ -34,7 +34,9 @@ final class PowerPlant {
     this.properties = properties;
     engine.refuseUnknownChildren("feed thruster location orient description".split(" "));
     prefix = "propulsion/engine[" + number + "]/";
-    propeller = new TabulatedPropeller(engine.child("thruster").orElseThrow(), propellerFile);
+    propeller =
+        new TabulatedPropeller(
+            properties, prefix, engine.child("thruster").orElseThrow(), propellerFile);
     if (file.name().equals("electric_engine")) {
       file.refuseUnknownChildren("power", "description");
       piston = Optional.empty();
@@ -71,10 +73,6 @@ final class PowerPlant {
   /** Adds force and moment in body axes [lbf, lbf ft] and publishes what the tail feels of it. */
   void load(AirFlow flow, double[] gravityCentre, double[] load) {
     propeller.load(flow, gravityCentre, powerHp, load);
-    properties.set(prefix + "prop-induced-velocity_fps", propeller.induced());
-    properties.set(prefix + "thrust-coefficient", propeller.thrustCoefficient());
-    properties.set(prefix + "thrust-lbs", propeller.thrust());
-    properties.set(prefix + "advance-ratio", propeller.advanceRatio());
   }
 
   /** Runs the engine, burns fuel and turns the propeller. */
@@ -97,9 +95,6 @@ final class PowerPlant {
 
   private void publish() {
     properties.set(prefix + "power-hp", powerHp);
-    properties.set(prefix + "propeller-rpm", propeller.rpm());
-    properties.set(prefix + "engine-rpm", propeller.engineRpm());
-    properties.set(prefix + "blade-angle", propeller.bladeAngle());
     piston.ifPresent(each -> properties.set(prefix + "map-pa", each.manifoldPa()));
   }
 }

@@ -15,6 +15,8 @@ final class TabulatedPropeller {
   private static final double OIL_RPM = 200.0; // slower, the governor has no pressure
   private static final double SLOWEST_RADPS = 0.01;
 
+  private final PropertyTree properties;
+  private final String prefix; // of its properties
   private final BodyAttitude mounting = new BodyAttitude();
   private final double[] place; // structural [ft]
   private final double inertia;
@@ -37,17 +39,16 @@ final class TabulatedPropeller {
   private double pitch;
   private double rpm;
 
-  // results of load() and advance()
-  private double thrustCoefficient;
-  private double thrust;
-  private double induced;
-  private double advanceRatio;
+  private double requiredCoefficient; // of power, by load()
 
   /**
+   * @param prefix of the properties of its engine
    * @param thruster the aircraft file's element, with place and orientation
    * @param file the propeller's own file
    */
-  TabulatedPropeller(XmlElement thruster, XmlElement file) {
+  TabulatedPropeller(PropertyTree properties, String prefix, XmlElement thruster, XmlElement file) {
+    this.properties = properties;
+    this.prefix = prefix;
     thruster.refuseUnknownAttributes("file", "name");
     thruster.refuseUnknownChildren("location orient sense p_factor".split(" "));
     file.refuseUnknownChildren(
@@ -84,7 +85,7 @@ final class TabulatedPropeller {
     powerTable = table(file, "C_POWER").orElseThrow(() -> lacks(file, "C_POWER"));
     thrustByMach = table(file, "CT_MACH");
     powerByMach = table(file, "CP_MACH");
-    pitch = minPitch;
+    pitch = properties.define(prefix + "blade-angle", minPitch).value;
   }
 
   private static void readOrientation(XmlElement orient, double[] turn) {
@@ -116,35 +117,11 @@ final class TabulatedPropeller {
     return rpm * gearRatio;
   }
 
-  /** Speed of the propeller [1/min]. */
-  double rpm() {
-    return rpm;
-  }
-
   void spin(double newRpm) {
     rpm = newRpm;
-  }
-
-  double thrustCoefficient() {
-    return thrustCoefficient;
-  }
-
-  /** Thrust [lbf]. */
-  double thrust() {
-    return thrust;
-  }
-
-  /** Velocity that the propeller adds to the air in its disk [ft/s]. */
-  double induced() {
-    return induced;
-  }
-
-  double advanceRatio() {
-    return advanceRatio;
-  }
-
-  double bladeAngle() {
-    return pitch;
+    properties.set(prefix + "propeller-rpm", rpm);
+    properties.set(prefix + "engine-rpm", engineRpm());
+    properties.set(prefix + "blade-angle", pitch);
   }
 
   /**
@@ -163,19 +140,19 @@ final class TabulatedPropeller {
     double sideways = mounting.right(atX, atY, atZ);
     double below = mounting.below(atX, atY, atZ);
     double perS = rpm / 60.0;
-    advanceRatio = along / (diameter * (perS > 0.01 ? perS : 1.0));
+    double advanceRatio = along / (diameter * (perS > 0.01 ? perS : 1.0));
     double tip = perS * diameter * StrictMath.PI;
     double mach = StrictMath.sqrt(tip * tip + along * along) / flow.soundSpeed;
-    thrustCoefficient =
+    double thrustCoefficient =
         thrustFactor
             * thrustTable.at(advanceRatio, pitch)
             * thrustByMach.map(table -> table.at(mach, 0.0)).orElse(1.0);
     double d2 = diameter * diameter;
-    thrust = thrustCoefficient * perS * perS * d2 * d2 * flow.density;
+    double thrust = thrustCoefficient * perS * perS * d2 * d2 * flow.density;
     // momentum theory: McCormick, Aerodynamics, Aeronautics and Flight Mechanics, eq. 6.15
     double disk = 0.25 * d2 * StrictMath.PI;
     double square = along * Math.abs(along) + 2.0 * thrust / (flow.density * disk);
-    induced = 0.5 * (Math.copySign(StrictMath.sqrt(Math.abs(square)), square) - along);
+    double induced = 0.5 * (Math.copySign(StrictMath.sqrt(Math.abs(square)), square) - along);
     double across = StrictMath.sqrt(sideways * sideways + below * below);
     if (pFactor > 0.0001 && across > 0.0001) {
       // the blades' uneven load shifts the thrust; p_factor is in inches
@@ -203,9 +180,11 @@ final class TabulatedPropeller {
         powerFactor
             * powerTable.at(advanceRatio, pitch)
             * powerByMach.map(table -> table.at(mach, 0.0)).orElse(1.0);
+    properties.set(prefix + "prop-induced-velocity_fps", induced);
+    properties.set(prefix + "thrust-coefficient", thrustCoefficient);
+    properties.set(prefix + "thrust-lbs", thrust);
+    properties.set(prefix + "advance-ratio", advanceRatio);
   }
-
-  private double requiredCoefficient;
 
   /**
    * Turns the shaft; after {@link #load}.
@@ -224,6 +203,6 @@ final class TabulatedPropeller {
     double omega = rpm / 60.0 * 2.0 * StrictMath.PI;
     double excess = powerHp * UnitNumbers.FTLBF_PER_S_PER_HP - required;
     double torque = excess / (omega > SLOWEST_RADPS ? omega : 1.0);
-    rpm = Math.max(0.0, rpm + torque / inertia / (2.0 * StrictMath.PI) * dtS * 60.0);
+    spin(Math.max(0.0, rpm + torque / inertia / (2.0 * StrictMath.PI) * dtS * 60.0));
   }
 }
