@@ -65,7 +65,7 @@ public record SubCourse(List<List<CourseTask>> stages, double currentEastMps, do
             isLeftBin ? bin : otherBin,
             isLeftBin ? otherBin : bin,
             colours(random),
-            new Projectiles(seed));
+            seed);
 
     double hoops = between(random, 8.0, 10.0);
     double hoopsAside = -side * between(random, 1.5, 2.5);
@@ -79,7 +79,7 @@ public record SubCourse(List<List<CourseTask>> stages, double currentEastMps, do
             isLeftHoop ? otherHoop : hoop,
             walk.headingRad() + between(random, -0.25, 0.25),
             colours(random),
-            new Projectiles(seed + 1));
+            seed);
 
     Point ring = walk.at(between(random, 13.0, 16.0), between(random, -2.0, 2.0), 0.0);
     double to = between(random, -Math.PI, Math.PI);
