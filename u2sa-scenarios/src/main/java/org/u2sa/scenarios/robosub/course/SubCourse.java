@@ -114,13 +114,6 @@ public record SubCourse(
     return tasks().stream().flatMap(task -> task.objects().stream()).collect(Collectors.toList());
   }
 
-  /** Those that must not be touched. */
-  public List<ObjectDescription> solids() {
-    return objects().stream()
-        .filter(object -> !SubObjects.isTouchable(object))
-        .collect(Collectors.toList());
-  }
-
   /** The world of the run. */
   public World world() {
     return World.at(ORIGIN).with(objects()).with(new Water(0.0, currentEastMps, currentNorthMps));
