@@ -37,8 +37,7 @@ class ReleaseControlTest {
   }
 
   private void point(String subsystem) {
-    NavigationPoint point =
-        NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).subsystem(subsystem);
+    NavigationPoint point = NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).subsystem(subsystem);
     point.timestamp(Clock.micros(kit.nowS()));
     kit.publish(Channels.NAVIGATION, point);
   }

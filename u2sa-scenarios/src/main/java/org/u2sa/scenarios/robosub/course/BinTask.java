@@ -18,8 +18,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * @param colours of the right and the other one
  * @param seed of where the markers fall
  */
-record BinTask(Point right, Point wrong, List<Colour> colours, long seed)
-    implements CourseTask {
+record BinTask(Point right, Point wrong, List<Colour> colours, long seed) implements CourseTask {
   private static final double INSIDE_M = 0.3; // from the middle
 
   private ObjectDescription bin(Colour colour, Point at) {
@@ -34,8 +33,7 @@ record BinTask(Point right, Point wrong, List<Colour> colours, long seed)
 
   @Override
   public List<Goal> goals() {
-    return List.of(
-        new Goal("dropMarkers", "bin", List.of(SubObjects.type(colours.get(0), "bin"))));
+    return List.of(new Goal("dropMarkers", "bin", List.of(SubObjects.type(colours.get(0), "bin"))));
   }
 
   @Override

@@ -19,8 +19,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * @param colours of the right and the other one
  * @param seed of where the torpedoes go
  */
-record TorpedoTask(
-    Point right, Point wrong, double headingRad, List<Colour> colours, long seed)
+record TorpedoTask(Point right, Point wrong, double headingRad, List<Colour> colours, long seed)
     implements CourseTask {
   private static final double RADIUS_M = 0.3;
   private static final double TUBE_M = 0.05;

@@ -31,8 +31,7 @@ class TaskJudgesTest {
 
   private static TaskJudge hoop() {
     Point right = Point.of(10.0, 0.0, 2.0);
-    return new TorpedoTask(right, Point.of(10.0, 1.2, 2.0), 0.0, COLOURS, 1L)
-        .judge();
+    return new TorpedoTask(right, Point.of(10.0, 1.2, 2.0), 0.0, COLOURS, 1L).judge();
   }
 
   private static void release(TaskJudge judge, String actuator, VehicleTruth truth, int times) {
@@ -80,8 +79,7 @@ class TaskJudgesTest {
 
   @Test
   void gate_passedOnTheOtherSide_isWrong() {
-    TaskJudge judge =
-        new GateTask(Point.of(5.0, 0.0, 1.5), Point.of(0.0, 1.5, 0.0), true).judge();
+    TaskJudge judge = new GateTask(Point.of(5.0, 0.0, 1.5), Point.of(0.0, 1.5, 0.0), true).judge();
     judge.moved(Point.of(4.9, 0.7, 1.5), Point.of(5.1, 0.7, 1.5));
 
     assertThat(judge.violation()).hasValue("gate: passed on the wrong side");
