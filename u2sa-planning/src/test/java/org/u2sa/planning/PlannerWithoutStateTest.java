@@ -120,7 +120,8 @@ class PlannerWithoutStateTest extends PlannedVehicle {
     boolean isAbandoned = false;
     for (int i = 0; i < 30 && !isAbandoned; i++) { // each forgets what was published before
       pointsAtSight(new ObjectDescription[0]);
-      isAbandoned = kit.published(Channels.GOAL_REPORTS).stream().anyMatch(GoalInformation::abandoned);
+      isAbandoned =
+          kit.published(Channels.GOAL_REPORTS).stream().anyMatch(GoalInformation::abandoned);
     }
     assertThat(isAbandoned).isTrue();
   }
