@@ -177,8 +177,8 @@ public class PathPlanner extends EventDrivenService {
   /**
    * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
    * axes suffice for a goal that is relative to them, and lists without any for its search: the
-   * vehicle is at their origin (thesis 4.3.2). Any other goal, a holding position or a failsafe needs the vehicle's position; without it no
-   * navigation points are published.
+   * vehicle is at their origin (thesis 4.3.2). Any other goal, a holding position or a failsafe
+   * needs the vehicle's position; without it no navigation points are published.
    */
   private void onObjects(ObjectList list) {
     long now = clock().micros();

@@ -115,6 +115,18 @@ class PlannerWithoutStateTest extends PlannedVehicle {
   }
 
   @Test
+  void objects_listsWithoutItForLong_goalIsAbandoned() {
+    goals(toBarrel());
+    boolean isAbandoned = false;
+    for (int i = 0; i < 30 && !isAbandoned; i++) { // each forgets what was published before
+      pointsAtSight(new ObjectDescription[0]);
+      isAbandoned =
+          kit.published(Channels.GOAL_REPORTS).stream().anyMatch(GoalInformation::abandoned);
+    }
+    assertThat(isAbandoned).isTrue();
+  }
+
+  @Test
   void objects_waypointOrWhatIsSeen_waypointBegunIsKept() {
     goals(waypoint("near", 20, 0), toBarrel());
     drive();

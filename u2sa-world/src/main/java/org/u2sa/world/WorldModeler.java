@@ -38,7 +38,8 @@ import org.u2sa.world.xml.WorldFile;
  * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's
  * state at its measurement time, to the {@link Modeller}s selected by MODELLERS, and publishes
  * their results at RATE. In: sensed-objects, scans, state, goals; local-state, if a modeller
- * measures the state; sensed-state, if one needs it. Out: objects, grid; sensed-state, if a modeller measures the state.
+ * measures the state; sensed-state, if one needs it. Out: objects, grid; sensed-state, if a
+ * modeller measures the state.
  *
  * <p>Without a vehicle state it works in BODY (thesis 4.3.2) and switches frames when a state
  * arrives.

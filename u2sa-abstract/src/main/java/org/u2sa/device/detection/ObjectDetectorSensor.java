@@ -108,9 +108,7 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
         .z(body.z())
         .level(ObjectLevel.AVOID_ALWAYS)
         .sensorName(sensorName());
-    object
-        .motion()
-        .sigma(sigma(detection, direction(way)));
+    object.motion().sigma(sigma(detection, direction(way)));
     return object;
   }
 

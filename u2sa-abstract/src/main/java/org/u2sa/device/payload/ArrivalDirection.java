@@ -15,8 +15,10 @@ import org.u2sa.messages.frame.Point;
  */
 record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
   private static final int STEPS = 30;
-  private static final int STARTS = 12; // azimuths
+  private static final int STARTS = 8; // azimuths, below and above
   private static final double SMALL = 1e-10;
+  private static final double TIE = 1e-6; // two minima as deep as each other
+  private static final double ZERO = 1e-18; // [m²]
 
   /**
    * Computes the direction.
@@ -29,24 +31,35 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
   static ArrivalDirection of(
       List<Point> places, List<Double> arrivalsS, double soundMps, double sigmaS) {
     Array array = new Array(places, arrivalsS, soundMps);
-    Point best = Point.of(0.0, 0.0, 1.0);
-    for (int k = 0; k < STARTS; k++) {
+    Point best = null;
+    for (int k = 0; k < 2 * STARTS; k++) { // those below first
       double azimuth = 2.0 * Math.PI * k / STARTS;
-      Point start = unit(Point.of(Math.cos(azimuth), Math.sin(azimuth), 0.5));
-      best = array.cost(start) < array.cost(best) ? start : best;
-    }
-    for (int i = 0; i < STEPS; i++) {
-      Point next = array.improved(best);
-      boolean isDone = next.distanceTo(best) < SMALL || array.cost(next) > array.cost(best);
-      best = array.cost(next) <= array.cost(best) ? next : best;
-      if (isDone) {
-        break;
-      }
+      double down = k < STARTS ? 0.5 : -0.5;
+      Point end = descended(array, Point.of(Math.cos(azimuth), Math.sin(azimuth), down));
+      boolean isBetter = best == null || array.cost(end) < (1.0 - TIE) * array.cost(best) - ZERO;
+      best = isBetter ? end : best;
     }
     return new ArrivalDirection(
         best,
         soundMps * sigmaS / Math.sqrt(array.curvature(best)),
         Math.sqrt(array.cost(best) / places.size()) / soundMps);
+  }
+
+  /** End of the steps from a start. */
+  private static Point descended(Array array, Point start) {
+    Point best = unit(start);
+    for (int i = 0; i < STEPS; i++) {
+      Point next = array.improved(best);
+      if (array.cost(next) > array.cost(best)) {
+        break;
+      }
+      boolean isDone = next.distanceTo(best) < SMALL;
+      best = next;
+      if (isDone) {
+        break;
+      }
+    }
+    return best;
   }
 
   private static Point unit(Point vector) {

@@ -8,12 +8,15 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.marine.Buoy;
 import org.u2sa.messages.marine.Colour;
+import org.u2sa.messages.marine.PathMarker;
 import org.u2sa.testkit.ServiceKit;
 
 /** A detector that sees a buoy 10 m to the left and a pole straight ahead. */
@@ -67,6 +70,29 @@ class ObjectDetectorSensorTest {
     assertThat(buoy.z()).isCloseTo(-1.0, within(1e-9));
     assertThat(buoy.motion().sigma().orElseThrow().y()).as("range").isCloseTo(0.5, within(1e-9));
     assertThat(buoy.motion().sigma().orElseThrow().x()).as("bearing").isCloseTo(0.1, within(1e-9));
+  }
+
+  @Test
+  void step_markerBelowACameraThatLooksDown_hasItsDirectionAndTheTimeOfThePicture() {
+    kit.with("MOUNTED PITCH", -Math.PI / 2.0).with("DELAY", 0.1);
+    Point axis = Point.of(0.0, Math.sqrt(0.5), -Math.sqrt(0.5)); // to the left and, up, ahead
+    kit.start(
+        context ->
+            new ObjectDetectorSensor(
+                context,
+                now ->
+                    Optional.of(
+                        new ObjectDetector.Detections(
+                            now,
+                            List.of(
+                                new ObjectDetector.Detection(
+                                    "path marker", 0, 0, 2, 0.01, 0.1, 0, Optional.of(axis)))))));
+    kit.advance(0.5);
+
+    PathMarker marker = (PathMarker) kit.latest(Channels.SENSED_OBJECTS).orElseThrow();
+    assertThat(marker.z()).as("down").isCloseTo(2.0, within(1e-9));
+    assertThat(marker.psi()).as("to the left").isCloseTo(Math.PI / 4.0, within(1e-9));
+    assertThat(marker.timestamp()).hasValue(Clock.micros(kit.nowS()) - 100_000L);
   }
 
   @Test

@@ -23,8 +23,7 @@ class ArrivalDirectionProperties {
 
   private static Point direction(double azimuth, double elevation) {
     double level = Math.cos(elevation);
-    return Point.of(
-        level * Math.cos(azimuth), level * Math.sin(azimuth), -Math.sin(elevation));
+    return Point.of(level * Math.cos(azimuth), level * Math.sin(azimuth), -Math.sin(elevation));
   }
 
   /** A corner of a cube of 0.2 m and its three neighbours, each moved a little. */

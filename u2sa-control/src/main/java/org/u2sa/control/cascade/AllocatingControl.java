@@ -42,7 +42,8 @@ import org.u2sa.service.handover.HandOver;
  * actuator appears, disappears or weakens, the next state is allocated accordingly, and health
  * reports the remaining authority. Without fresh navigation the vehicle stops and keeps its
  * heading. Without any state it approaches the point using motion estimated from the sightings of
- * it ({@link SeenMotion}) or measured by its sensors ({@link SensedMotion}), and actuators are released when no point arrives (thesis 4.3.2).
+ * it ({@link SeenMotion}) or measured by its sensors ({@link SensedMotion}), and actuators are
+ * released when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
   /** Unit of actuator commands. */
@@ -134,8 +135,7 @@ public final class AllocatingControl extends ControlSystem {
     subscribe(Channels.HEALTH, roster::see);
     subscribe(Channels.ARMING_STATE, this::heed);
     if (choices.get().sensesMotion()) {
-      subscribe(
-          Channels.SENSED_STATE, measured -> sensed.sensed(measured, clock().micros()));
+      subscribe(Channels.SENSED_STATE, measured -> sensed.sensed(measured, clock().micros()));
     }
   }
 

@@ -43,8 +43,7 @@ final class SensedMotion {
   Optional<BodyMotion> now(long nowMicros) {
     double oldestS = Clock.seconds(nowMicros) - STALE_S;
     return turnS >= oldestS && velocityS >= oldestS
-        ? Optional.of(
-            new BodyMotion(LEVEL, tilt.nedOf(velocity), Point.of(0.0, 0.0, turnRadPerS)))
+        ? Optional.of(new BodyMotion(LEVEL, tilt.nedOf(velocity), Point.of(0.0, 0.0, turnRadPerS)))
         : Optional.empty();
   }
 }

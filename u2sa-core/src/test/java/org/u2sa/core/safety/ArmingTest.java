@@ -53,6 +53,14 @@ class ArmingTest extends WatchedVehicle {
   }
 
   @Test
+  void arm_noPositionAndNoneRequired_isNoReason() {
+    kit.with("POSITION REQUIRED", false);
+    startManager();
+
+    assertThat(arm(true).reasons()).isNotEmpty().noneMatch(words -> words.startsWith("position"));
+  }
+
+  @Test
   void arm_failedServiceThatIsWatchedNoMore_doesNotCount() {
     start();
     live(0.3);

@@ -68,6 +68,34 @@ class PingerSensorTest {
     assertThat(pinger().center().minus(Point.of(0.0, 0.0, 10.0)).distance()).isLessThan(1e-9);
   }
 
+  private void hearTimes(String sentence) {
+    kit.with("HYDROPHONE PLACES", "0.1 0 0; -0.1 0 0; 0 0.1 0; 0 0 0.1").with("RANGE", 5.0);
+    hear(sentence);
+  }
+
+  @Test
+  void step_arrivalTimesOfAPingFromTheLeft_isAPointThere() {
+    hearTimes("YXTOA,30000,100.0,100.0,33.333,100.0"); // 0.1 m at 1500 m/s
+
+    assertThat(pinger().center().minus(Point.of(0.0, 5.0, 0.0)).distance()).isLessThan(1e-3);
+    Point sigma = pinger().motion().sigma().orElseThrow();
+    assertThat(sigma.x()).as("by 2 µs at 0.1 m").isBetween(0.05, 0.4);
+  }
+
+  @Test
+  void step_oneHydrophoneHearsAnEcho_isNone() {
+    hearTimes("YXTOA,30000,100.0,100.0,33.333,600.0");
+
+    assertThat(kit.published(Channels.SENSED_OBJECTS)).isEmpty();
+  }
+
+  @Test
+  void step_anotherNumberOfArrivalsThanHydrophones_isNone() {
+    hearTimes("YXTOA,30000,100.0,100.0,33.333");
+
+    assertThat(kit.published(Channels.SENSED_OBJECTS)).isEmpty();
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {

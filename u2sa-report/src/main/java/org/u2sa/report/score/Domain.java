@@ -14,8 +14,8 @@ public enum Domain {
    */
   GROUND(3.0, 10.0, "driven"),
   /**
-   * A boat, over tens of metres. Without wheels it drifts outwards in turns and needs
-   * some lengths of two metres to settle.
+   * A boat, over tens of metres. Without wheels it drifts outwards in turns and needs some lengths
+   * of two metres to settle.
    */
   WATER(10.0, 20.0, "sailed"),
   /** A submarine, over tens of metres: as {@link #WATER}, with its depth. */

@@ -3,6 +3,7 @@ package org.u2sa.report.score;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Geodetic;
 
 /** Scores a run against its plan by ground truth only. Assumes straight motion between samples. */
@@ -41,9 +42,17 @@ public final class RunScorer {
         outcome.breaking(
             obstacles.stream()
                 .filter(ObstacleResult::touched)
+                .filter(result -> !isPassable(plan, result))
                 .map(ObstacleResult::violation)
                 .toList()),
         track.isEmpty() ? 0.0 : track.get(track.size() - 1).timeS() - track.get(0).timeS());
+  }
+
+  /** Whether an object may be touched. */
+  private static boolean isPassable(RunPlan plan, ObstacleResult result) {
+    return plan.surroundings().objects().stream()
+        .filter(object -> object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent())
+        .anyMatch(object -> object.uid().equals(result.name()));
   }
 
   private static List<ObstacleResult> obstacles(RunPlan plan, List<TrackSample> track) {

@@ -14,6 +14,7 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -121,6 +122,15 @@ class SurroundingsTest {
     assertThat(near.success()).isFalse();
     assertThat(near.outcome().violations()).hasSize(1);
     assertThat(near.outcome().violations().get(0)).contains("tower").contains("100.0 s");
+  }
+
+  @Test
+  void score_hindranceWithinReach_isTouchedButNoViolation() {
+    ObjectDescription buoy = tower("buoy", 300.0, 5_000.0, 200.0).level(ObjectLevel.HINDRANCE);
+    RunScore score = report(101.0, buoy).score();
+
+    assertThat(score.obstacles().get(0).touched()).isTrue();
+    assertThat(score.success()).isTrue();
   }
 
   @Test

@@ -63,12 +63,9 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
     return SubJudge.RUN_S;
   }
 
-  /** {@inheritDoc} Without what may be touched; the judge looks at that. */
   @Override
   public Surroundings surroundings() {
-    return course == null
-        ? Surroundings.none()
-        : new Surroundings(course.solids(), 0.0);
+    return course == null ? Surroundings.none() : new Surroundings(course.objects(), 0.0);
   }
 
   @Override

@@ -168,7 +168,10 @@ abstract class SightState implements PlannerState {
     return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
-  /** Straight, and facing ahead, to a place that lies in a direction from the vehicle: north, east, down [m]. */
+  /**
+   * Straight, and facing ahead, to a place that lies in a direction from the vehicle: north, east,
+   * down [m].
+   */
   final Plan to(SubTask task, StateInformation state, Point way) {
     Point place = surroundings.here(state).plus(way);
     NavigationPoint point = surroundings.straight(state, place).speed(task.speed());

@@ -13,13 +13,27 @@ import org.u2sa.planning.PlannerView;
 public final class SubTasks implements MessageTypeProvider, PlannerStateProvider {
   @Override
   public Collection<MessageType<?>> messageTypes() {
-    return List.of(SubTask.TYPE, PassGate.TYPE, BumpBuoy.TYPE, SurfaceInRing.TYPE, FollowMarker.TYPE, DropMarkers.TYPE, ShootTorpedoes.TYPE, HomeOnPinger.TYPE);
+    return List.of(
+        SubTask.TYPE,
+        PassGate.TYPE,
+        BumpBuoy.TYPE,
+        SurfaceInRing.TYPE,
+        FollowMarker.TYPE,
+        DropMarkers.TYPE,
+        ShootTorpedoes.TYPE,
+        HomeOnPinger.TYPE);
   }
 
   @Override
   public Collection<PlannerState> plannerStates(
       Configurator configuration, PlannerView surroundings) {
     return List.of(
-        new GateState(surroundings), new BuoyState(surroundings), new RingState(surroundings), new MarkerState(surroundings), new BinState(surroundings), new TorpedoState(surroundings), new PingerState(surroundings));
+        new GateState(surroundings),
+        new BuoyState(surroundings),
+        new RingState(surroundings),
+        new MarkerState(surroundings),
+        new BinState(surroundings),
+        new TorpedoState(surroundings),
+        new PingerState(surroundings));
   }
 }

@@ -33,14 +33,17 @@ class RoboSubRunTest {
   }
 
   @Test
-  void demo_randomLayout_passesGateBumpsBuoysInOrderAndSurfacesInTheRing() throws IOException {
+  void demo_randomLayout_doesAllTasksAndKnowsItsDepth() throws IOException {
     int status = dive("--seed", "41");
 
     assertThat(status).isZero();
     assertThat(read("summary.json"))
-        .contains("\"gatesPassed\"")
+        .containsPattern("\"tasksDone\" ?: ?7")
         .containsPattern("\"buoysBumpedInOrder\" ?: ?2")
-        .containsPattern("\"surfacedInRing\" ?: ?1");
+        .containsPattern("\"markersInBin\" ?: ?2")
+        .containsPattern("\"torpedoesThroughHoop\" ?: ?2")
+        .containsPattern("\"surfacedInRing\" ?: ?1")
+        .containsPattern("\"worstDepthErrorMetres\" ?: ?0\\.0");
   }
 
   @Test

@@ -13,6 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.marine.Buoy;
 import org.u2sa.messages.marine.Colour;
+import org.u2sa.messages.marine.PathMarker;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.sensor.NoiseStreams;
@@ -73,6 +74,24 @@ class SimulatedDetectorTest {
     assertThat(seen.elevationRad()).isCloseTo(0.0, within(1e-9));
     assertThat(seen.rangeM()).isCloseTo(Math.hypot(5.0, 10.0), within(1e-9));
     assertThat(seen.radiusM()).isEqualTo(0.2);
+  }
+
+  @Test
+  void read_pathMarker_hasTheDirectionOfItsLength() {
+    ObjectDescription marker = new PathMarker().length(1.2).width(0.15).psi(Math.PI / 6.0);
+    marker
+        .uid("marker")
+        .objectType("path marker")
+        .referenceFrame(ReferenceFrame.LOCAL_ENU)
+        .x(0.0)
+        .y(3.0)
+        .z(0.0);
+    marker.freeze();
+
+    Point axis = seen(EXACT, 1, marker).get(0).axis().orElseThrow(); // forward is north
+    assertThat(axis.x()).isCloseTo(0.5, within(1e-9));
+    assertThat(axis.y()).as("to the left").isCloseTo(-Math.cos(Math.PI / 6.0), within(1e-9));
+    assertThat(axis.z()).isCloseTo(0.0, within(1e-9));
   }
 
   @Test

@@ -9,8 +9,8 @@ import org.u2sa.messages.frame.Point;
  * @param rangeM guess of the distance, of which the truth may be off by as much [m]
  */
 record BearingLine(Point from, Point direction, double rangeM) {
-  private static final int ROUNDS = 5;
-  private static final double TRUSTED_SIGMAS = 2.0; // Huber's bound
+  private static final int ROUNDS = 10;
+  private static final double TRUSTED_SIGMAS = 2.0; // scale of the weights
   private static final double NEAREST_M = 0.5;
 
   /**
@@ -22,7 +22,7 @@ record BearingLine(Point from, Point direction, double rangeM) {
 
   /**
    * The place nearest to all lines: weighted least squares of the distances across the lines, with
-   * Huber's weights against echoes, and the newest line's guess of the range.
+   * the weights of Geman and McClure against echoes, and the newest line's guess of the range.
    *
    * @param lines at least one, the newest last
    * @param sigmaRad standard deviation of a direction [rad]
@@ -46,7 +46,7 @@ record BearingLine(Point from, Point direction, double rangeM) {
         double sigmaM = sigmaRad * Math.max(NEAREST_M, way.distance());
         double errors = way.minus(line.direction.times(dot(way, line.direction))).distance();
         double sigmas = errors / sigmaM;
-        double trust = Math.min(1.0, TRUSTED_SIGMAS / Math.max(1e-9, sigmas));
+        double trust = Math.pow(1.0 + sigmas * sigmas / (TRUSTED_SIGMAS * TRUSTED_SIGMAS), -2.0);
         squares += sigmas * sigmas;
         add(matrix, right, line, line.from, trust / (sigmaM * sigmaM), 0);
       }

@@ -39,8 +39,7 @@ class EgocentricModellerTest {
       imu.phi(0.0).theta(PITCH_RAD).psiDot(TURN_RAD_PER_S).timestamp(micros + STEP_MICROS);
       modeller.sensed(imu);
       if (hasLog) {
-        Point body =
-            new Attitude(0.0, PITCH_RAD, 0.0).bodyOf(Point.of(SPEED_MPS, 0.0, 0.0));
+        Point body = new Attitude(0.0, PITCH_RAD, 0.0).bodyOf(Point.of(SPEED_MPS, 0.0, 0.0));
         StateInformation log = new StateInformation().referenceFrame(ReferenceFrame.BODY);
         log.xDot(body.x()).yDot(body.y()).zDot(body.z()).timestamp(micros + STEP_MICROS);
         modeller.sensed(log);

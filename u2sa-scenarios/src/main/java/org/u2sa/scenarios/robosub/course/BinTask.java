@@ -16,10 +16,9 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * @param right middle of the right one
  * @param wrong middle of the other
  * @param colours of the right and the other one
- * @param projectiles where the markers fall
+ * @param seed of where the markers fall
  */
-record BinTask(Point right, Point wrong, List<Colour> colours, Projectiles projectiles)
-    implements CourseTask {
+record BinTask(Point right, Point wrong, List<Colour> colours, long seed) implements CourseTask {
   private static final double INSIDE_M = 0.3; // from the middle
 
   private ObjectDescription bin(Colour colour, Point at) {
@@ -34,8 +33,7 @@ record BinTask(Point right, Point wrong, List<Colour> colours, Projectiles proje
 
   @Override
   public List<Goal> goals() {
-    return List.of(
-        new Goal("dropMarkers", "bin", List.of(SubObjects.type(colours.get(0), "bin"))));
+    return List.of(new Goal("dropMarkers", "bin", List.of(SubObjects.type(colours.get(0), "bin"))));
   }
 
   @Override
@@ -44,6 +42,7 @@ record BinTask(Point right, Point wrong, List<Colour> colours, Projectiles proje
   }
 
   private final class Judge implements TaskJudge {
+    private final Projectiles projectiles = new Projectiles(seed);
     private int dropped;
     private int inside;
 

@@ -56,10 +56,7 @@ record RingTask(Point middle) implements CourseTask {
           ? Optional.empty()
           : Optional.of(
               String.format(
-                  Locale.ROOT,
-                  "ring: ended %.2f m from its middle, %.2f m deep",
-                  offM,
-                  downM));
+                  Locale.ROOT, "ring: ended %.2f m from its middle, %.2f m deep", offM, downM));
     }
 
     @Override

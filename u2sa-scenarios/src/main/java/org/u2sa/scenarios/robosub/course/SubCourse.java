@@ -17,7 +17,8 @@ import org.u2sa.sim.world.World;
  * @param currentEastMps of the water
  * @param currentNorthMps of the water
  */
-public record SubCourse(List<List<CourseTask>> stages, double currentEastMps, double currentNorthMps) {
+public record SubCourse(
+    List<List<CourseTask>> stages, double currentEastMps, double currentNorthMps) {
   /** Place of the layout's start. */
   public static final Geodetic ORIGIN = new Geodetic(-117.25, 32.7, 0.0);
 
@@ -61,11 +62,7 @@ public record SubCourse(List<List<CourseTask>> stages, double currentEastMps, do
     Point otherBin = walk.at(bins, binsAside + 0.75, FLOOR_M - 0.1);
     boolean isLeftBin = random.nextBoolean();
     CourseTask drop =
-        new BinTask(
-            isLeftBin ? bin : otherBin,
-            isLeftBin ? otherBin : bin,
-            colours(random),
-            new Projectiles(seed));
+        new BinTask(isLeftBin ? bin : otherBin, isLeftBin ? otherBin : bin, colours(random), seed);
 
     double hoops = between(random, 8.0, 10.0);
     double hoopsAside = -side * between(random, 1.5, 2.5);
@@ -79,7 +76,7 @@ public record SubCourse(List<List<CourseTask>> stages, double currentEastMps, do
             isLeftHoop ? otherHoop : hoop,
             walk.headingRad() + between(random, -0.25, 0.25),
             colours(random),
-            new Projectiles(seed + 1));
+            seed);
 
     Point ring = walk.at(between(random, 13.0, 16.0), between(random, -2.0, 2.0), 0.0);
     double to = between(random, -Math.PI, Math.PI);
@@ -116,13 +113,6 @@ public record SubCourse(List<List<CourseTask>> stages, double currentEastMps, do
   /** All objects. */
   public List<ObjectDescription> objects() {
     return tasks().stream().flatMap(task -> task.objects().stream()).collect(Collectors.toList());
-  }
-
-  /** Those that must not be touched. */
-  public List<ObjectDescription> solids() {
-    return objects().stream()
-        .filter(object -> !SubObjects.isTouchable(object))
-        .collect(Collectors.toList());
   }
 
   /** The world of the run. */

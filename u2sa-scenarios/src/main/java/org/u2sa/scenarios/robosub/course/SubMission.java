@@ -16,7 +16,8 @@ public final class SubMission {
 
   /** Writes the mission of a layout. */
   public static Mission write(SubCourse course, Path file) {
-    StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
+    StringBuilder text =
+        new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
     text.append("  <home><x>").append(SubCourse.ORIGIN.longitudeDeg());
     text.append("</x><y>").append(SubCourse.ORIGIN.latitudeDeg());
     text.append("</y><z>0</z><psi>0</psi></home>\n");
@@ -45,8 +46,7 @@ public final class SubMission {
       text.append("</name><objectTypes>").append(String.join(", ", types)).append("</objectTypes>");
       if (!next.isEmpty()) {
         text.append("<next>");
-        text.append(
-            next.stream().map(CourseTask.Goal::name).collect(Collectors.joining(", ")));
+        text.append(next.stream().map(CourseTask.Goal::name).collect(Collectors.joining(", ")));
         text.append("</next>");
       }
       text.append("</").append(goal.element()).append(">\n");

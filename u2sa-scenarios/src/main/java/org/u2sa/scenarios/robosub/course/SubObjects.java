@@ -19,7 +19,7 @@ final class SubObjects {
 
   /** Whether the rules let the vehicle touch an object. */
   static boolean isTouchable(ObjectDescription object) {
-    return object instanceof Buoy;
+    return object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent();
   }
 
   /** Places an object, whose UID is its type; {@code at} is north, east, down of the start [m]. */
@@ -31,7 +31,7 @@ final class SubObjects {
         .x(at.y())
         .y(at.x())
         .z(-at.z())
-        .level(ObjectLevel.AVOID_ALWAYS);
+        .level(object instanceof Buoy ? ObjectLevel.HINDRANCE : ObjectLevel.AVOID_ALWAYS);
     object.freeze();
     return object;
   }

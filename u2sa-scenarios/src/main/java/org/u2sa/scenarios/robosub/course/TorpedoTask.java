@@ -17,10 +17,9 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * @param wrong middle of the other
  * @param headingRad of their normals, clockwise from north
  * @param colours of the right and the other one
- * @param projectiles where the torpedoes go
+ * @param seed of where the torpedoes go
  */
-record TorpedoTask(
-    Point right, Point wrong, double headingRad, List<Colour> colours, Projectiles projectiles)
+record TorpedoTask(Point right, Point wrong, double headingRad, List<Colour> colours, long seed)
     implements CourseTask {
   private static final double RADIUS_M = 0.3;
   private static final double TUBE_M = 0.05;
@@ -48,6 +47,7 @@ record TorpedoTask(
   }
 
   private final class Judge implements TaskJudge {
+    private final Projectiles projectiles = new Projectiles(seed);
     private int shot;
     private int through;
 

@@ -1,0 +1,34 @@
+package org.u2sa.report.score;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+
+class RunVerdictTest {
+  private static String verdict(Map<String, Integer> counts) {
+    return new RunScore(
+            List.of(),
+            OptionalDouble.empty(),
+            OptionalDouble.empty(),
+            Optional.empty(),
+            List.of(),
+            new RunOutcome(0, false, List.of(), counts, Map.of()),
+            10.0)
+        .verdict();
+  }
+
+  @Test
+  void verdict_tasksButNoWaypoints_countsTasks() {
+    assertThat(verdict(Map.of(RunOutcome.TASKS, 7, RunOutcome.TASKS_DONE, 5)))
+        .isEqualTo("5 of 7 tasks done");
+  }
+
+  @Test
+  void verdict_noTasks_countsWaypoints() {
+    assertThat(verdict(Map.of())).isEqualTo("0 of 0 waypoints captured");
+  }
+}
