@@ -79,7 +79,8 @@ final class VrxDemo implements Callable<Integer>, Demo {
   public String systemFile() {
     return switch (world.task()) {
       case STATIONKEEPING, WAYFINDING -> "system.xml";
-      case PATH, DOCK -> "system-path.xml";
+      case PATH -> "system-path.xml";
+      case DOCK -> "system-dock.xml";
       case WILDLIFE -> "system-wildlife.xml";
     };
   }
