@@ -176,17 +176,14 @@ final class DockState implements PlannerState {
     double distance = apart(lights.get(0), here);
     return distance > LIGHT_M
         ? towards(
-            pursuit,
-            here.plus(way.times(1.0 - (LIGHT_M - 2.0) / distance)),
-            OptionalDouble.empty())
+            pursuit, here.plus(way.times(1.0 - (LIGHT_M - 2.0) / distance)), OptionalDouble.empty())
         : Plan.underWay(List.of());
   }
 
   private boolean hasRead(Map<String, Point> signs, StateInformation state) {
     long now = state.timestamp().orElseThrow();
     boolean isThere =
-        signs.size() == SIGNS
-            && apart(readPlace(signs), surroundings.here(state)) < READ_WITHIN_M;
+        signs.size() == SIGNS && apart(readPlace(signs), surroundings.here(state)) < READ_WITHIN_M;
     readMicros = isThere ? Math.min(readMicros, now) : Long.MAX_VALUE;
     return isThere && Clock.seconds(now - readMicros) >= READ_S;
   }
@@ -244,16 +241,15 @@ final class DockState implements PlannerState {
       return new Plan(List.of(), Plan.Progress.COMPLETED, "docked and left");
     }
     if (phase == Phase.LINES_UP && Math.hypot(way.x(), way.y()) > LINE_UP_M + 8.0) {
-      return towards(
-          pursuit, sign.get().minus(axis.times(LINE_UP_M)), OptionalDouble.of(NEAR_MPS));
+      return towards(pursuit, sign.get().minus(axis.times(LINE_UP_M)), OptionalDouble.of(NEAR_MPS));
     }
-    double wanted = phase == Phase.LINES_UP ? LINE_UP_M : phase == Phase.ENTERS ? BERTH_M : OUT_M + 1;
+    double wanted =
+        phase == Phase.LINES_UP ? LINE_UP_M : phase == Phase.ENTERS ? BERTH_M : OUT_M + 1;
     double rest = toGo - wanted;
     double step = isAligned ? Math.max(-AHEAD_M, Math.min(AHEAD_M, rest)) : Math.signum(rest) * 0.2;
     double ahead = phase == Phase.LINES_UP ? rest : step;
     Point aim = surroundings.here(state).plus(way).minus(axis.times(toGo - ahead));
-    return Plan.underWay(
-        List.of(surroundings.straight(state, aim).speed(SLOW_MPS).turn(turn)));
+    return Plan.underWay(List.of(surroundings.straight(state, aim).speed(SLOW_MPS).turn(turn)));
   }
 
   private Plan towards(Pursuit pursuit, Point place, OptionalDouble speedMps) {

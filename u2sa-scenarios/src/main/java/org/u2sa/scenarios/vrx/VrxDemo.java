@@ -134,7 +134,8 @@ final class VrxDemo implements Callable<Integer>, Demo {
       LightSight sight =
           new LightSight(world.docking(), timeS -> placed.run().at(Clock.micros(timeS)), seed);
       launch.beside(
-          XmlConfiguration.inMemory("LightReader", Map.of()), context -> new LightReader(context, sight));
+          XmlConfiguration.inMemory("LightReader", Map.of()),
+          context -> new LightReader(context, sight));
     }
   }
 }
