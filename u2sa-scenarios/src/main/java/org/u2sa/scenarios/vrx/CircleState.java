@@ -83,8 +83,7 @@ final class CircleState implements PlannerState {
     }
     double tangent = Math.acos(Math.min(1.0, goal.radius() / Math.max(1e-3, length(way))));
     double at = bearing + sign * Math.max(LEAD_RAD, tangent);
-    Point aim =
-        way.plus(Point.of(goal.radius() * Math.cos(at), goal.radius() * Math.sin(at), 0.0));
+    Point aim = way.plus(Point.of(goal.radius() * Math.cos(at), goal.radius() * Math.sin(at), 0.0));
     Point around = around(goal, state, aim);
     double longer = isOnIt ? 1.0 : Math.max(1.0, FULL_SPEED_M / Math.max(1e-3, length(around)));
     NavigationPoint point = to(around.times(longer), state);

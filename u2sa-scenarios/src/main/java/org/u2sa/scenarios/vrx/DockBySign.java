@@ -44,7 +44,8 @@ public final class DockBySign extends GoalInformation {
   }
 
   public DockBySign sequence(List<Colour> colours) {
-    return put(SEQUENCE, colours.stream().map(Colour::name).collect(Collectors.toUnmodifiableList()));
+    return put(
+        SEQUENCE, colours.stream().map(Colour::name).collect(Collectors.toUnmodifiableList()));
   }
 
   /** Type of the sign that the sequence names, such as "red circle". */

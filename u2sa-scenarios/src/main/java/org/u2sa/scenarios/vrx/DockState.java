@@ -34,8 +34,8 @@ final class DockState implements PlannerState {
   private static final double LIGHT_M = 10.0; // from the light buoy while it is read
   private static final double ROUND_M = 24.0; // from the middle of the dock, looking for signs
   private static final double STEP_RAD = 0.5; // ahead on the way around it
-  private static final double READ_M = 14.0; // before the middle of the signs
-  private static final double READ_WITHIN_M = 2.0;
+  private static final double READ_M = 16.0; // before the middle of the signs
+  private static final double READ_WITHIN_M = 3.0;
   private static final double READ_S = 4.0; // there, for accurate places
   private static final double LINE_UP_M = 15.0; // before a sign
   private static final double BERTH_M = 4.2;
@@ -45,6 +45,7 @@ final class DockState implements PlannerState {
   private static final double AHEAD_M = 2.0; // of the point on the axis to steer to
   private static final double WITHIN_M = 0.5; // of the berth, along the axis
   private static final double SLOW_MPS = 0.8;
+  private static final double NEAR_MPS = 1.5; // near the dock, so as not to overshoot
   private static final double TURN_RAD = 0.4; // ahead of the heading, on the spot
   private static final int SIGNS = 3;
 
@@ -126,14 +127,21 @@ final class DockState implements PlannerState {
     return places;
   }
 
+  /** Signs by their type; of several tracks of one, the surest: the others are old sightings. */
   private Map<String, Point> signs(StateInformation state) {
-    Map<String, Point> signs = new TreeMap<>();
+    Map<String, ObjectDescription> surest = new TreeMap<>();
     for (ObjectDescription object : surroundings.objects()) {
       if (object.objectType().matches("\\w+ (circle|cross|triangle|rectangle)")) {
-        signs.put(object.objectType(), surroundings.centre(object, state));
+        surest.merge(object.objectType(), object, (a, b) -> sigmaM(a) <= sigmaM(b) ? a : b);
       }
     }
+    Map<String, Point> signs = new TreeMap<>();
+    surest.forEach((type, object) -> signs.put(type, surroundings.centre(object, state)));
     return signs;
+  }
+
+  private static double sigmaM(ObjectDescription object) {
+    return object.motion().sigma().map(Point::distance).orElse(Double.MAX_VALUE);
   }
 
   /** The bays lie before the signs, square to their row, on the side from which they are seen. */
@@ -167,15 +175,15 @@ final class DockState implements PlannerState {
     Point way = lights.get(0).minus(here);
     double distance = apart(lights.get(0), here);
     return distance > LIGHT_M
-        ? towards(pursuit, here.plus(way.times(1.0 - (LIGHT_M - 2.0) / distance)))
+        ? towards(
+            pursuit, here.plus(way.times(1.0 - (LIGHT_M - 2.0) / distance)), OptionalDouble.empty())
         : Plan.underWay(List.of());
   }
 
   private boolean hasRead(Map<String, Point> signs, StateInformation state) {
     long now = state.timestamp().orElseThrow();
     boolean isThere =
-        signs.size() == SIGNS
-            && apart(readPlace(signs), surroundings.here(state)) < READ_WITHIN_M;
+        signs.size() == SIGNS && apart(readPlace(signs), surroundings.here(state)) < READ_WITHIN_M;
     readMicros = isThere ? Math.min(readMicros, now) : Long.MAX_VALUE;
     return isThere && Clock.seconds(now - readMicros) >= READ_S;
   }
@@ -187,7 +195,7 @@ final class DockState implements PlannerState {
   private Plan look(Pursuit pursuit, Map<String, Point> signs) {
     StateInformation state = pursuit.state();
     if (inwards.isPresent() && !signs.isEmpty()) {
-      return towards(pursuit, readPlace(signs));
+      return towards(pursuit, readPlace(signs), OptionalDouble.of(NEAR_MPS));
     }
     List<Point> blocks = places(Docking.BLOCK, state);
     if (blocks.isEmpty()) {
@@ -197,7 +205,9 @@ final class DockState implements PlannerState {
     Point from = surroundings.here(state).minus(middle);
     double at = Math.atan2(from.y(), from.x()) + STEP_RAD;
     return towards(
-        pursuit, middle.plus(Point.of(ROUND_M * Math.cos(at), ROUND_M * Math.sin(at), 0.0)));
+        pursuit,
+        middle.plus(Point.of(ROUND_M * Math.cos(at), ROUND_M * Math.sin(at), 0.0)),
+        OptionalDouble.empty());
   }
 
   private static Point middle(List<Point> places) {
@@ -231,19 +241,19 @@ final class DockState implements PlannerState {
       return new Plan(List.of(), Plan.Progress.COMPLETED, "docked and left");
     }
     if (phase == Phase.LINES_UP && Math.hypot(way.x(), way.y()) > LINE_UP_M + 8.0) {
-      return towards(pursuit, sign.get().minus(axis.times(LINE_UP_M)));
+      return towards(pursuit, sign.get().minus(axis.times(LINE_UP_M)), OptionalDouble.of(NEAR_MPS));
     }
-    double wanted = phase == Phase.LINES_UP ? LINE_UP_M : phase == Phase.ENTERS ? BERTH_M : OUT_M + 1;
+    double wanted =
+        phase == Phase.LINES_UP ? LINE_UP_M : phase == Phase.ENTERS ? BERTH_M : OUT_M + 1;
     double rest = toGo - wanted;
     double step = isAligned ? Math.max(-AHEAD_M, Math.min(AHEAD_M, rest)) : Math.signum(rest) * 0.2;
     double ahead = phase == Phase.LINES_UP ? rest : step;
     Point aim = surroundings.here(state).plus(way).minus(axis.times(toGo - ahead));
-    return Plan.underWay(
-        List.of(surroundings.straight(state, aim).speed(SLOW_MPS).turn(turn)));
+    return Plan.underWay(List.of(surroundings.straight(state, aim).speed(SLOW_MPS).turn(turn)));
   }
 
-  private Plan towards(Pursuit pursuit, Point place) {
-    PlannerView.Step step = surroundings.towards(pursuit, place, 1.0, OptionalDouble.empty());
+  private Plan towards(Pursuit pursuit, Point place, OptionalDouble speedMps) {
+    PlannerView.Step step = surroundings.towards(pursuit, place, 1.0, speedMps);
     return step.givenUp()
         .map(DockState::abandoned)
         .orElseGet(() -> Plan.underWay(List.of(step.point())));

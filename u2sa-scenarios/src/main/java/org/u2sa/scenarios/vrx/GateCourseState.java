@@ -28,7 +28,8 @@ final class GateCourseState implements PlannerState {
   private static final double REACH_M = 75.0; // to the next gate
   private static final double BEFORE_M = 6.0; // place on the axis to come to from aside
   private static final double BEYOND_M = 4.0;
-  private static final double THROUGH_SHARE = 0.3; // of the width, from the middle, on a way through
+  private static final double THROUGH_SHARE =
+      0.3; // of the width, from the middle, on a way through
   private static final double ON_M = 25.0; // beyond the last gate, looking for the next one
   private static final double WITHIN_M = 1.5;
   private static final double TURN_RAD = 0.4; // ahead of the heading, on the spot
@@ -61,9 +62,7 @@ final class GateCourseState implements PlannerState {
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
     Point here = surroundings.here(state);
-    return next((GateCourse) goal, state)
-        .map(gate -> apart(gate.middle(), here))
-        .orElse(UNKNOWN_M);
+    return next((GateCourse) goal, state).map(gate -> apart(gate.middle(), here)).orElse(UNKNOWN_M);
   }
 
   private static long micros(StateInformation state) {
@@ -99,7 +98,8 @@ final class GateCourseState implements PlannerState {
     return gates(goal, state).stream()
         .filter(gate -> last.isPresent() != (gate.place() == MarkerGate.Place.FIRST))
         .filter(gate -> last.map(old -> old.aheadM(gate.middle()) < -SAME_M).orElse(true))
-        .filter(gate -> passed.stream().allMatch(old -> apart(old.middle(), gate.middle()) > SAME_M))
+        .filter(
+            gate -> passed.stream().allMatch(old -> apart(old.middle(), gate.middle()) > SAME_M))
         .filter(gate -> apart(gate.middle(), from) < REACH_M)
         .min((a, b) -> Double.compare(apart(a.middle(), from), apart(b.middle(), from)));
   }

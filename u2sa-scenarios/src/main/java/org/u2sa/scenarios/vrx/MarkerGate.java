@@ -40,8 +40,7 @@ record MarkerGate(Point port, Point starboard, Place place) {
         continue;
       }
       double width = apart(partner.get(), port.at);
-      boolean isMutual =
-          ports.stream().allMatch(other -> apart(other.at, partner.get()) >= width);
+      boolean isMutual = ports.stream().allMatch(other -> apart(other.at, partner.get()) >= width);
       if (isMutual && width >= NARROWEST_M && width <= WIDEST_M) {
         gates.add(new MarkerGate(port.at, partner.get(), port.gate));
       }
@@ -87,8 +86,6 @@ record MarkerGate(Point port, Point starboard, Place place) {
 
   /** Whether a move leads through it in its direction. */
   boolean isPassed(Point before, Point now) {
-    return aheadM(before) > 0.0
-        && aheadM(now) <= 0.0
-        && Math.abs(asideM(now)) < widthM() / 2.0;
+    return aheadM(before) > 0.0 && aheadM(now) <= 0.0 && Math.abs(asideM(now)) < widthM() / 2.0;
   }
 }

@@ -79,7 +79,8 @@ final class VrxDemo implements Callable<Integer>, Demo {
   public String systemFile() {
     return switch (world.task()) {
       case STATIONKEEPING, WAYFINDING -> "system.xml";
-      case PATH, DOCK -> "system-path.xml";
+      case PATH -> "system-path.xml";
+      case DOCK -> "system-dock.xml";
       case WILDLIFE -> "system-wildlife.xml";
     };
   }
@@ -133,7 +134,8 @@ final class VrxDemo implements Callable<Integer>, Demo {
       LightSight sight =
           new LightSight(world.docking(), timeS -> placed.run().at(Clock.micros(timeS)), seed);
       launch.beside(
-          XmlConfiguration.inMemory("LightReader", Map.of()), context -> new LightReader(context, sight));
+          XmlConfiguration.inMemory("LightReader", Map.of()),
+          context -> new LightReader(context, sight));
     }
   }
 }

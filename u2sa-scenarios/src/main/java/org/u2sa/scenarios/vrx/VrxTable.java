@@ -153,8 +153,7 @@ final class VrxTable implements Callable<Integer> {
         String.format(Locale.ROOT, "%-44s %-14s", name, task.name().toLowerCase(Locale.ROOT)));
     int contacts = 0;
     for (Score each : scores) {
-      line.append(
-          String.format(Locale.ROOT, task.isFine() ? " %6.3f" : " %6.1f", each.score()));
+      line.append(String.format(Locale.ROOT, task.isFine() ? " %6.3f" : " %6.1f", each.score()));
       contacts += each.contacts();
     }
     return line + (contacts > 0 ? "  contacts " + contacts : "");
@@ -164,8 +163,8 @@ final class VrxTable implements Callable<Integer> {
   private static String ofAll(Path world, VrxTask task) {
     return switch (task) {
       case PATH -> " of " + PathJudge.most(VrxWorldReader.read(world).gates().size());
-      case DOCK -> String.format(
-          Locale.ROOT, " of %.0f", VrxWorldReader.read(world).docking().most());
+      case DOCK ->
+          String.format(Locale.ROOT, " of %.0f", VrxWorldReader.read(world).docking().most());
       case WILDLIFE -> " s";
       case STATIONKEEPING, WAYFINDING -> "";
     };

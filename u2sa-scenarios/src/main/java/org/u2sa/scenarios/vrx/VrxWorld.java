@@ -131,9 +131,7 @@ record VrxWorld(
     return World.at(origin)
         .with(all)
         .withMovers(
-            wildlife.animals().stream()
-                .map(Wildlife.Animal::mover)
-                .collect(Collectors.toList()));
+            wildlife.animals().stream().map(Wildlife.Animal::mover).collect(Collectors.toList()));
   }
 
   LocalPlane plane() {
@@ -149,11 +147,12 @@ record VrxWorld(
    */
   World simulated(long seed) {
     World wet =
-        solid().with(
-            new Water(
-                0.0,
-                CurrentField.uniform(0.0, 0.0),
-                sea.heightM() > 0.0 ? Optional.of(waves(seed)) : Optional.empty()));
+        solid()
+            .with(
+                new Water(
+                    0.0,
+                    CurrentField.uniform(0.0, 0.0),
+                    sea.heightM() > 0.0 ? Optional.of(waves(seed)) : Optional.empty()));
     return wet.with(
         Wind.constant(wind.fromRad(), wind.meanMps())
             .withGusts(VERTICAL_SHARE * wind.sigmaMps(), seed));

@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
@@ -32,7 +31,9 @@ final class VrxWorldReader {
   private static final Pattern PARAMETER =
       Pattern.compile("key: \"(\\w+)\".*?double_value: ([-+.0-9eE]+)", Pattern.DOTALL);
 
-  /** Speed of animals [m/s]. VRX pushes them with forces; their masses are not in its repository. */
+  /**
+   * Speed of animals [m/s]. VRX pushes them with forces; their masses are not in its repository.
+   */
   private static final double ANIMAL_MPS = 0.3;
 
   private static final double ANIMAL_RADIUS_M = 0.45;
@@ -198,20 +199,18 @@ final class VrxWorldReader {
             case "avoid" -> Wildlife.Part.AVOID;
             case "circumnavigate_clockwise" -> Wildlife.Part.CLOCKWISE;
             case "circumnavigate_counterclockwise" -> Wildlife.Part.ANTICLOCKWISE;
-            default -> throw goal.error(
-                "\""
-                    + goal.text()
-                    + "\": expected avoid, circumnavigate_clockwise or circumnavigate_counterclockwise");
+            default ->
+                throw goal.error(
+                    "\""
+                        + goal.text()
+                        + "\": expected avoid, circumnavigate_clockwise or circumnavigate_counterclockwise");
           };
       XmlElement named = required(buoy, "name");
       String name = named.text().trim().replaceFirst("::.*", "");
-      animals.add(
-          new Wildlife.Animal(name, part, mover(objects.named(named), name, part, plane)));
+      animals.add(new Wildlife.Animal(name, part, mover(objects.named(named), name, part, plane)));
     }
     return new Wildlife(
-        animals,
-        number(scoring, "engagement_distance", 10.0),
-        number(scoring, "time_bonus", 30.0));
+        animals, number(scoring, "engagement_distance", 10.0), number(scoring, "time_bonus", 30.0));
   }
 
   /** To and fro between the waypoints of the model's TrajectoryFollower. */
@@ -232,8 +231,7 @@ final class VrxWorldReader {
     if (way.isEmpty()) {
       way.add(new ScriptedMover.Waypoint(model.place(), ANIMAL_MPS, 0.0));
     }
-    return new ScriptedMover(
-        animal, plane, way, ScriptedMover.End.LOOP, 0.0, true, true);
+    return new ScriptedMover(animal, plane, way, ScriptedMover.End.LOOP, 0.0, true, true);
   }
 
   private Docking docking(XmlElement scoring) {
@@ -274,7 +272,6 @@ final class VrxWorldReader {
     return Arrays.stream(Colour.values())
         .filter(each -> each.name().equalsIgnoreCase(name))
         .findFirst()
-        .orElseThrow(
-            () -> element.error("\"" + name + "\": expected red, green, blue or yellow"));
+        .orElseThrow(() -> element.error("\"" + name + "\": expected red, green, blue or yellow"));
   }
 }

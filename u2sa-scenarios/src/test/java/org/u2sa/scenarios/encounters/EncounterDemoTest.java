@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.cli.command.ExitCode;
@@ -14,25 +16,26 @@ import org.u2sa.scenarios.run.CommandLineRun;
 class EncounterDemoTest {
   @TempDir private Path folder;
 
+  private String result(String... more) throws IOException {
+    List<String> arguments = new ArrayList<>(List.of("demo", "encounters", "--case", "dnv-02"));
+    arguments.addAll(List.of("--summary-only", "--port", "0", "--out", folder.toString()));
+    arguments.addAll(List.of(more));
+    CommandLineRun run = CommandLineRun.of(arguments.toArray(new String[0]));
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    return Files.readString(folder.resolve("encounters.txt"));
+  }
+
   @Test
   void demo_crossingVessel_isGivenWayTo() throws IOException {
-    CommandLineRun run =
-        CommandLineRun.of(
-            "demo",
-            "encounters",
-            "--case",
-            "dnv-02",
-            "--seed",
-            "3",
-            "--summary-only",
-            "--port",
-            "0",
-            "--out",
-            folder.toString());
-
-    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
-    assertThat(Files.readString(folder.resolve("encounters.txt")))
+    assertThat(result("--seed", "3"))
         .contains("CROSSING_GIVE_WAY  CROSSING_GIVE_WAY")
+        .doesNotContain("!");
+  }
+
+  @Test
+  void demo_crossingVesselInWindAndCurrent_isGivenWayTo() throws IOException {
+    assertThat(result("--seed", "6", "--vary"))
+        .contains("CROSSING_GIVE_WAY")
         .doesNotContain("!");
   }
 

@@ -34,8 +34,7 @@ class LightReaderTest {
 
   private List<GoalInformation> read(double fromS, double wrong, double seconds) {
     Random random = new Random(3);
-    kit.start(
-        context -> new LightReader(context, timeS -> shown(timeS, fromS, wrong, random)));
+    kit.start(context -> new LightReader(context, timeS -> shown(timeS, fromS, wrong, random)));
     GoalInformation goal = new DockBySign().duration(11.0).uid("dock");
     kit.publish(Channels.GOALS, new GoalList().goals(List.of(goal)));
     kit.advance(seconds);

@@ -21,8 +21,9 @@ class MarkerGateTest {
                 port(0.0, -8.0, MarkerGate.Place.FIRST), port(30.0, -8.0, MarkerGate.Place.LAST)),
             List.of(Point.of(0.0, 8.0, 0.0), Point.of(33.0, 10.0, 0.0)));
 
-    assertThat(gates).extracting(MarkerGate::place).containsExactly(
-        MarkerGate.Place.FIRST, MarkerGate.Place.LAST);
+    assertThat(gates)
+        .extracting(MarkerGate::place)
+        .containsExactly(MarkerGate.Place.FIRST, MarkerGate.Place.LAST);
     assertThat(gates.get(0).way().distanceTo(Point.of(1.0, 0.0, 0.0))).isCloseTo(0.0, within(1e-9));
   }
 
@@ -40,8 +41,7 @@ class MarkerGateTest {
   @Test
   void isPassed_throughInItsDirection_only() {
     MarkerGate gate =
-        new MarkerGate(
-            Point.of(0.0, -8.0, 0.0), Point.of(0.0, 8.0, 0.0), MarkerGate.Place.BETWEEN);
+        new MarkerGate(Point.of(0.0, -8.0, 0.0), Point.of(0.0, 8.0, 0.0), MarkerGate.Place.BETWEEN);
 
     assertThat(gate.isPassed(Point.of(-1.0, 2.0, 0.0), Point.of(0.5, 2.0, 0.0))).isTrue();
     assertThat(gate.isPassed(Point.of(1.0, 2.0, 0.0), Point.of(-0.5, 2.0, 0.0))).isFalse();

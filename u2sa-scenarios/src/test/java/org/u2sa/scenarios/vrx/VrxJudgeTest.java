@@ -113,13 +113,11 @@ class VrxJudgeTest {
   private void circle(VrxJudge judge, int animal, double turns) {
     for (int i = 0; i <= 400; i++) {
       timeS += 0.05;
-      Point centre =
-          judge.world().wildlife().animals().get(animal).mover().at(timeS).position();
+      Point centre = judge.world().wildlife().animals().get(animal).mover().at(timeS).position();
       double angle = Math.toRadians(20.0) + turns * 2.0 * Math.PI * i / 400.0;
       judge.see(
           at(
-              Point.of(
-                  centre.x() + 6.0 * Math.cos(angle), centre.y() + 6.0 * Math.sin(angle), 0.0),
+              Point.of(centre.x() + 6.0 * Math.cos(angle), centre.y() + 6.0 * Math.sin(angle), 0.0),
               0.0));
     }
   }

@@ -100,8 +100,7 @@ class VrxWorldReaderTest {
 
     assertThat(world.wildlife().animals())
         .extracting(Wildlife.Animal::part)
-        .containsExactly(
-            Wildlife.Part.AVOID, Wildlife.Part.CLOCKWISE, Wildlife.Part.ANTICLOCKWISE);
+        .containsExactly(Wildlife.Part.AVOID, Wildlife.Part.CLOCKWISE, Wildlife.Part.ANTICLOCKWISE);
     assertThat(world.wildlife().engagementM()).isEqualTo(10.0);
     assertThat(world.wildlife().animals().get(1).mover().at(5.0).position())
         .isNotEqualTo(Point.of(-520.0, 190.0, 0.0));
@@ -112,7 +111,8 @@ class VrxWorldReaderTest {
     Docking docking = VrxWorldReader.read(WORLDS.resolve("dock.sdf")).docking();
 
     assertThat(docking.sequence()).containsExactly(Colour.RED, Colour.GREEN, Colour.BLUE);
-    assertThat(docking.bays()).extracting(Docking.Bay::sign)
+    assertThat(docking.bays())
+        .extracting(Docking.Bay::sign)
         .containsExactly("red triangle", "red cross", "blue cross");
     assertThat(docking.most()).isEqualTo(30.0);
     Point inBay2 = // x 1.5, y 9 m of the dock
