@@ -1,5 +1,6 @@
 package org.u2sa.interfaces.mqtt;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -41,6 +42,7 @@ public final class BrokerAccess {
           String authority) {}
 
   private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);
+  private static final int LONGEST_CA_FILE = 1 << 20; // bytes: some hundred certificates
 
   private final String user;
   private final char[] password;
@@ -149,9 +151,18 @@ public final class BrokerAccess {
       throws GeneralSecurityException, IOException {
     Path path = path("CA FILE", caFile);
     SecretFiles.requireOwnersWord("CA FILE", path);
+    if (Files.exists(path) && !Files.isRegularFile(path)) { // a pipe might never answer
+      throw new BadInputException("CA FILE \"" + caFile + "\" is not a regular file");
+    }
     try (InputStream in = Files.newInputStream(path)) {
+      byte[] pem = in.readNBytes(LONGEST_CA_FILE + 1);
+      if (pem.length > LONGEST_CA_FILE) {
+        throw new BadInputException(
+            "CA FILE \"" + caFile + "\" is longer than 1 MiB; expected certificates in PEM");
+      }
       Collection<? extends Certificate> found =
-          CertificateFactory.getInstance("X.509").generateCertificates(in);
+          CertificateFactory.getInstance("X.509")
+              .generateCertificates(new ByteArrayInputStream(pem));
       if (found.isEmpty()) {
         throw new BadInputException(
             "CA FILE \"" + caFile + "\" holds no certificate; expected one or more in PEM");
