@@ -1,6 +1,5 @@
 package org.u2sa.scenarios.vrx;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -16,8 +15,6 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.shape.Cylinder;
 
 /** Reads the plugins of a world of VRX: task, goals, gates, wind, waves, and the buoys around. */
 final class VrxWorldReader {
@@ -25,20 +22,18 @@ final class VrxWorldReader {
   private static final Pattern PARAMETER =
       Pattern.compile("key: \"(\\w+)\".*?double_value: ([-+.0-9eE]+)", Pattern.DOTALL);
 
-  // mb_marker_buoy and mb_round_buoy of the models that the courses include
-  private static final double MARKER_RADIUS_M = 0.325;
-  private static final double ROUND_RADIUS_M = 0.25;
-  private static final double MARKER_HEIGHT_M = 1.1;
+  private static final int MOST_WAYPOINTS = 9; // VRX has five; all orders of them are tried
+  private static final double FULL_LATITUDE_DEG = 90.0;
 
   private final Path file;
   private final XmlElement world;
-  private final Map<String, Point> places = new HashMap<>(); // of all buoys, by name
-  private final List<ObjectDescription> buoys = new ArrayList<>();
+  private final VrxBuoys buoys;
 
   private VrxWorldReader(Path file) {
     this.file = file;
     XmlElement root = XmlReader.read(file, "sdf");
     world = required(root, "world");
+    buoys = new VrxBuoys(file);
   }
 
   /**
@@ -75,8 +70,11 @@ final class VrxWorldReader {
     XmlElement scoring = plugin(task.plugin()).orElseThrow();
     XmlElement sphere = required(world, "spherical_coordinates");
     Geodetic origin =
-        new Geodetic(number(sphere, "longitude_deg"), number(sphere, "latitude_deg"), 0.0);
-    world.children("include").forEach(include -> include(include, Point.ORIGIN, 0.0));
+        new Geodetic(
+            number(sphere, "longitude_deg"),
+            latitude(required(sphere, "latitude_deg"), number(sphere, "latitude_deg")),
+            0.0);
+    world.children("include").forEach(buoys::include);
     return new VrxWorld(
         file,
         task,
@@ -84,10 +82,11 @@ final class VrxWorldReader {
         plugin("USVWind").map(this::wind).orElse(new VrxWorld.Breeze(0.0, 0.0, 0.0, 1.0)),
         waves(),
         new VrxWorld.Times(
-            number(scoring, "ready_state_duration"), number(scoring, "running_state_duration")),
+            positive(scoring, "ready_state_duration"),
+            positive(scoring, "running_state_duration")),
         goals(task, scoring),
         task == VrxTask.PATH ? gates(required(scoring, "gates")) : List.of(),
-        List.copyOf(buoys));
+        buoys.all());
   }
 
   private Optional<XmlElement> plugin(String name) {
@@ -98,15 +97,11 @@ final class VrxWorldReader {
 
   private VrxWorld.Breeze wind(XmlElement plugin) {
     double towards = VrxWorld.headingOf(Math.toRadians(number(plugin, "wind_direction")));
-    double timeS = number(plugin, "var_wind_time_constants");
-    if (!(timeS > 0.0)) {
-      throw required(plugin, "var_wind_time_constants").error(timeS + " s: expected above 0");
-    }
     return new VrxWorld.Breeze(
         number(plugin, "wind_mean_velocity"),
         towards + Math.PI,
         number(plugin, "var_wind_gain_constants"),
-        timeS);
+        positive(plugin, "var_wind_time_constants"));
   }
 
   /**
@@ -119,7 +114,10 @@ final class VrxWorldReader {
       for (XmlElement message : plugin.children("message")) {
         Matcher found = PARAMETER.matcher(message.text());
         while (found.find()) {
-          values.put(found.group(1), Double.parseDouble(found.group(2)));
+          values.put(found.group(1), parsed(message, found.group(2)));
+        }
+        if (!(values.getOrDefault("period", 1.0) > 0.0)) {
+          throw message.error("period: expected above 0 s");
         }
       }
     }
@@ -151,11 +149,15 @@ final class VrxWorldReader {
       required(scoring, "waypoints")
           .children("waypoint")
           .forEach(each -> poses.add(required(each, "pose")));
+      if (poses.isEmpty() || poses.size() > MOST_WAYPOINTS) {
+        throw required(scoring, "waypoints")
+            .error(poses.size() + " <waypoint>; expected 1 to " + MOST_WAYPOINTS);
+      }
     }
     List<VrxWorld.Goal> goals = new ArrayList<>();
     for (XmlElement pose : poses) {
       double[] n = numbers(pose, 3);
-      goals.add(new VrxWorld.Goal(n[1], n[0], VrxWorld.headingOf(n[2])));
+      goals.add(new VrxWorld.Goal(n[1], latitude(pose, n[0]), VrxWorld.headingOf(n[2])));
     }
     return goals;
   }
@@ -174,61 +176,17 @@ final class VrxWorldReader {
   }
 
   private Point marker(XmlElement name) {
-    Point place = places.get(name.text().trim());
-    if (place == null) {
-      throw name.error(
-          "\""
-              + name.text()
-              + "\": no such marker; expected the name of an <include> of the world or of its course in ../models");
-    }
-    return place;
+    return buoys
+        .place(name.text().trim())
+        .orElseThrow(
+            () ->
+                name.error(
+                    "\""
+                        + name.text()
+                        + "\": no such marker; expected the name of an <include> of the world or of its course in ../models"));
   }
 
-  /** Adds the buoys of an included model, and those that it includes. */
-  private void include(XmlElement include, Point at, double yawRad) {
-    double[] pose = include.child("pose").map(each -> numbers(each, 6)).orElse(new double[6]);
-    Point place =
-        Point.of(
-            at.x() + pose[0] * Math.cos(yawRad) - pose[1] * Math.sin(yawRad),
-            at.y() + pose[0] * Math.sin(yawRad) + pose[1] * Math.cos(yawRad),
-            0.0);
-    String uri = required(include, "uri").text().trim();
-    String model = uri.substring(uri.lastIndexOf('/') + 1);
-    String name = include.child("name").map(each -> each.text().trim()).orElse(model);
-    if (model.contains("buoy")) {
-      places.put(name, place);
-      boolean isRound = model.contains("round");
-      double radiusM = isRound ? ROUND_RADIUS_M : MARKER_RADIUS_M;
-      ObjectDescription buoy =
-          new Cylinder().radius(radiusM).height(isRound ? radiusM : MARKER_HEIGHT_M);
-      buoy.uid(name).objectType(model).referenceFrame(ReferenceFrame.LOCAL_ENU);
-      buoy.x(place.x()).y(place.y()).z(0.0).freeze();
-      buoys.add(buoy);
-      return;
-    }
-    modelFile(model)
-        .map(each -> XmlReader.read(each, "sdf"))
-        .ifPresent(
-            root ->
-                root.children("model").stream()
-                    .flatMap(each -> each.children("include").stream())
-                    .forEach(each -> include(each, place, yawRad + pose[5])));
-  }
-
-  /** A model beside the worlds: in a folder "models" of the world's folder or of one above. */
-  private Optional<Path> modelFile(String model) {
-    Path folder = file.toAbsolutePath().normalize().getParent();
-    for (int i = 0; i < 3 && folder != null; i++) {
-      Path candidate = folder.resolve("models").resolve(model).resolve("model.sdf");
-      if (Files.isRegularFile(candidate)) {
-        return Optional.of(candidate);
-      }
-      folder = folder.getParent();
-    }
-    return Optional.empty();
-  }
-
-  private static XmlElement required(XmlElement parent, String name) {
+  static XmlElement required(XmlElement parent, String name) {
     return parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
   }
 
@@ -236,7 +194,35 @@ final class VrxWorldReader {
     return numbers(required(parent, name), 1)[0];
   }
 
-  private static double[] numbers(XmlElement element, int count) {
+  private static double positive(XmlElement parent, String name) {
+    double seconds = number(parent, name);
+    if (!(seconds > 0.0)) {
+      throw required(parent, name).error(seconds + " s: expected above 0");
+    }
+    return seconds;
+  }
+
+  private static double latitude(XmlElement element, double degrees) {
+    if (!(Math.abs(degrees) <= FULL_LATITUDE_DEG)) {
+      throw element.error(degrees + " deg: expected a latitude of -90 to 90");
+    }
+    return degrees;
+  }
+
+  private static double parsed(XmlElement element, String word) {
+    double number;
+    try {
+      number = Double.parseDouble(word);
+    } catch (NumberFormatException e) {
+      throw element.error("\"" + word + "\" is not a number", e);
+    }
+    if (!(Math.abs(number) <= LARGEST)) {
+      throw element.error("\"" + word + "\": expected a number of at most 10,000,000");
+    }
+    return number;
+  }
+
+  static double[] numbers(XmlElement element, int count) {
     String[] words = element.text().trim().split("\\s+");
     if (words.length < count) {
       throw element.error(
@@ -244,14 +230,7 @@ final class VrxWorldReader {
     }
     double[] numbers = new double[count];
     for (int i = 0; i < count; i++) {
-      try {
-        numbers[i] = Double.parseDouble(words[i]);
-      } catch (NumberFormatException e) {
-        throw element.error("\"" + words[i] + "\" is not a number", e);
-      }
-      if (!(Math.abs(numbers[i]) <= LARGEST)) {
-        throw element.error("\"" + words[i] + "\": expected a number of at most 10,000,000");
-      }
+      numbers[i] = parsed(element, words[i]);
     }
     return numbers;
   }
