@@ -11,7 +11,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
@@ -82,8 +81,7 @@ final class VrxWorldReader {
         plugin("USVWind").map(this::wind).orElse(new VrxWorld.Breeze(0.0, 0.0, 0.0, 1.0)),
         waves(),
         new VrxWorld.Times(
-            positive(scoring, "ready_state_duration"),
-            positive(scoring, "running_state_duration")),
+            positive(scoring, "ready_state_duration"), positive(scoring, "running_state_duration")),
         goals(task, scoring),
         task == VrxTask.PATH ? gates(required(scoring, "gates")) : List.of(),
         buoys.all());
