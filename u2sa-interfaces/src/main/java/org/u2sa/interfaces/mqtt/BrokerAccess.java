@@ -1,6 +1,5 @@
 package org.u2sa.interfaces.mqtt;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -154,15 +153,13 @@ public final class BrokerAccess {
     if (Files.exists(path) && !Files.isRegularFile(path)) { // a pipe might never answer
       throw new BadInputException("CA FILE \"" + caFile + "\" is not a regular file");
     }
+    if (Files.exists(path) && Files.size(path) > LONGEST_CA_FILE) {
+      throw new BadInputException(
+          "CA FILE \"" + caFile + "\" is longer than 1 MiB; expected certificates in PEM");
+    }
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] pem = in.readNBytes(LONGEST_CA_FILE + 1);
-      if (pem.length > LONGEST_CA_FILE) {
-        throw new BadInputException(
-            "CA FILE \"" + caFile + "\" is longer than 1 MiB; expected certificates in PEM");
-      }
       Collection<? extends Certificate> found =
-          CertificateFactory.getInstance("X.509")
-              .generateCertificates(new ByteArrayInputStream(pem));
+          CertificateFactory.getInstance("X.509").generateCertificates(in);
       if (found.isEmpty()) {
         throw new BadInputException(
             "CA FILE \"" + caFile + "\" holds no certificate; expected one or more in PEM");
