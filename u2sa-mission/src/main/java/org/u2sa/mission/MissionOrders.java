@@ -107,9 +107,7 @@ final class MissionOrders {
 
   private String afterFailsafe() {
     MissionProgress progress = run.progress();
-    return progress.isLeft()
-        ? "; the failsafe " + progress.pursuedFor() + " is pursued first"
-        : "";
+    return progress.isLeft() ? "; the failsafe " + progress.pursuedFor() + " is pursued first" : "";
   }
 
   private String skip(MissionOrder order) {

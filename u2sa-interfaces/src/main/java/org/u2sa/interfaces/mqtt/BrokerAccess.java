@@ -41,6 +41,7 @@ public final class BrokerAccess {
           String authority) {}
 
   private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);
+  private static final int LONGEST_CA_FILE = 1 << 20; // bytes: some hundred certificates
 
   private final String user;
   private final char[] password;
@@ -149,6 +150,13 @@ public final class BrokerAccess {
       throws GeneralSecurityException, IOException {
     Path path = path("CA FILE", caFile);
     SecretFiles.requireOwnersWord("CA FILE", path);
+    if (Files.exists(path) && !Files.isRegularFile(path)) { // a pipe might never answer
+      throw new BadInputException("CA FILE \"" + caFile + "\" is not a regular file");
+    }
+    if (Files.exists(path) && Files.size(path) > LONGEST_CA_FILE) {
+      throw new BadInputException(
+          "CA FILE \"" + caFile + "\" is longer than 1 MiB; expected certificates in PEM");
+    }
     try (InputStream in = Files.newInputStream(path)) {
       Collection<? extends Certificate> found =
           CertificateFactory.getInstance("X.509").generateCertificates(in);

@@ -156,6 +156,13 @@ class BrokerAccessTest {
     assertRefused(
         () -> BrokerAccess.of("", "", false, noise.toString()),
         "CA FILE \"" + noise + "\" cannot be used: ");
+    Path huge = Files.write(folder.resolve("huge.pem"), new byte[(1 << 20) + 1]);
+    assertRefused(
+        () -> BrokerAccess.of("", "", true, huge.toString()),
+        "CA FILE \"" + huge + "\" is longer than 1 MiB; expected certificates in PEM");
+    assertRefused(
+        () -> BrokerAccess.of("", "", true, folder.toString()),
+        "CA FILE \"" + folder + "\" is not a regular file");
     Path absent = folder.resolve("none.pem");
     assertRefused(
         () -> BrokerAccess.of("", "", true, absent.toString()),

@@ -6,6 +6,7 @@ import static org.u2sa.scenarios.vrx.SdfValues.required;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -35,13 +36,18 @@ final class VrxObjects {
    */
   record Included(String model, Point place, double yawRad, XmlElement element) {}
 
+  private static final int DEEPEST = 4; // models within models
+  private static final int MOST = 2_000; // includes; a course has some ten
+
   private final Path file;
+  private final Map<Path, XmlElement> models = new HashMap<>();
+  private int includes;
   private final Map<String, Included> included = new LinkedHashMap<>(); // by name
   private final List<ObjectDescription> buoys = new ArrayList<>();
 
   VrxObjects(Path file, XmlElement world) {
     this.file = file;
-    world.children("include").forEach(include -> include(include, Point.ORIGIN, 0.0));
+    world.children("include").forEach(include -> include(include, Point.ORIGIN, 0.0, 0));
   }
 
   /** All buoys, in LOCAL_ENU. */
@@ -67,7 +73,11 @@ final class VrxObjects {
     return included.values().stream().filter(each -> each.model.startsWith(model)).findFirst();
   }
 
-  private void include(XmlElement include, Point at, double yawRad) {
+  private void include(XmlElement include, Point at, double yawRad, int depth) {
+    if (depth > DEEPEST || ++includes > MOST) {
+      throw include.error(
+          "expected at most " + DEEPEST + " models within models, and " + MOST + " <include>");
+    }
     double[] pose = include.child("pose").map(each -> numbers(each, 6)).orElse(new double[6]);
     Point place =
         Point.of(
@@ -83,12 +93,12 @@ final class VrxObjects {
       return;
     }
     modelFile(model)
-        .map(each -> XmlReader.read(each, "sdf"))
+        .map(each -> models.computeIfAbsent(each, sdf -> XmlReader.read(sdf, "sdf")))
         .ifPresent(
             root ->
                 root.children("model").stream()
                     .flatMap(each -> each.children("include").stream())
-                    .forEach(each -> include(each, place, yawRad + pose[5])));
+                    .forEach(each -> include(each, place, yawRad + pose[5], depth + 1)));
   }
 
   private static ObjectDescription buoy(String name, String model, Point place) {

@@ -1,7 +1,10 @@
 package org.u2sa.scenarios.vrx;
 
+import static org.u2sa.scenarios.vrx.SdfValues.latitude;
 import static org.u2sa.scenarios.vrx.SdfValues.number;
 import static org.u2sa.scenarios.vrx.SdfValues.numbers;
+import static org.u2sa.scenarios.vrx.SdfValues.parsed;
+import static org.u2sa.scenarios.vrx.SdfValues.positive;
 import static org.u2sa.scenarios.vrx.SdfValues.required;
 import static org.u2sa.scenarios.vrx.SdfValues.text;
 
@@ -36,6 +39,7 @@ final class VrxWorldReader {
    */
   private static final double ANIMAL_MPS = 0.3;
 
+  private static final int MOST_WAYPOINTS = 9; // VRX has five; all orders of them are tried
   private static final double ANIMAL_RADIUS_M = 0.45;
   private static final double ANIMAL_HEIGHT_M = 0.6;
 
@@ -87,7 +91,10 @@ final class VrxWorldReader {
     XmlElement scoring = plugin(task.plugin()).orElseThrow();
     XmlElement sphere = required(world, "spherical_coordinates");
     Geodetic origin =
-        new Geodetic(number(sphere, "longitude_deg"), number(sphere, "latitude_deg"), 0.0);
+        new Geodetic(
+            number(sphere, "longitude_deg"),
+            latitude(required(sphere, "latitude_deg"), number(sphere, "latitude_deg")),
+            0.0);
     return new VrxWorld(
         file,
         task,
@@ -95,7 +102,7 @@ final class VrxWorldReader {
         plugin("USVWind").map(this::wind).orElse(new VrxWorld.Breeze(0.0, 0.0, 0.0, 1.0)),
         waves(),
         new VrxWorld.Times(
-            number(scoring, "ready_state_duration"), number(scoring, "running_state_duration")),
+            positive(scoring, "ready_state_duration"), positive(scoring, "running_state_duration")),
         goals(task, scoring),
         task == VrxTask.PATH ? gates(required(scoring, "gates")) : List.of(),
         objects.buoys(),
@@ -111,15 +118,11 @@ final class VrxWorldReader {
 
   private VrxWorld.Breeze wind(XmlElement plugin) {
     double towards = VrxWorld.headingOf(Math.toRadians(number(plugin, "wind_direction")));
-    double timeS = number(plugin, "var_wind_time_constants");
-    if (!(timeS > 0.0)) {
-      throw required(plugin, "var_wind_time_constants").error(timeS + " s: expected above 0");
-    }
     return new VrxWorld.Breeze(
         number(plugin, "wind_mean_velocity"),
         towards + Math.PI,
         number(plugin, "var_wind_gain_constants"),
-        timeS);
+        positive(plugin, "var_wind_time_constants"));
   }
 
   /**
@@ -132,7 +135,10 @@ final class VrxWorldReader {
       for (XmlElement message : plugin.children("message")) {
         Matcher found = PARAMETER.matcher(message.text());
         while (found.find()) {
-          values.put(found.group(1), Double.parseDouble(found.group(2)));
+          values.put(found.group(1), parsed(message, found.group(2)));
+        }
+        if (!(values.getOrDefault("period", 1.0) > 0.0)) {
+          throw message.error("period: expected above 0 s");
         }
       }
     }
@@ -164,11 +170,15 @@ final class VrxWorldReader {
       required(scoring, "waypoints")
           .children("waypoint")
           .forEach(each -> poses.add(required(each, "pose")));
+      if (poses.isEmpty() || poses.size() > MOST_WAYPOINTS) {
+        throw required(scoring, "waypoints")
+            .error(poses.size() + " <waypoint>; expected 1 to " + MOST_WAYPOINTS);
+      }
     }
     List<VrxWorld.Goal> goals = new ArrayList<>();
     for (XmlElement pose : poses) {
       double[] n = numbers(pose, 3);
-      goals.add(new VrxWorld.Goal(n[1], n[0], VrxWorld.headingOf(n[2])));
+      goals.add(new VrxWorld.Goal(n[1], latitude(pose, n[0]), VrxWorld.headingOf(n[2])));
     }
     return goals;
   }

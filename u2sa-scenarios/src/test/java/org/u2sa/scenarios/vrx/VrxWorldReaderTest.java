@@ -7,8 +7,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.marine.Colour;
@@ -144,5 +147,46 @@ class VrxWorldReaderTest {
 
     assertThatThrownBy(() -> VrxWorldReader.read(world))
         .hasMessageContaining("expected one of StationkeepingScoringPlugin");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          <latitude_deg>[^<]*                       | <latitude_deg>1e6                  | <latitude_deg>: 1000000.0 deg: expected a latitude of -90 to 90
+          -33.722650 150                            | -133.722650 150                    | <pose>: -133.72265 deg: expected a latitude of -90 to 90
+          "period" value . type: DOUBLE double_value: 5.0 | "period" double_value: 1e.e  | <message>: "1e.e" is not a number
+          "period" value . type: DOUBLE double_value: 5.0 | "period" double_value: 0     | <message>: period: expected above 0 s
+          <ready_state_duration>10                  | <ready_state_duration>-1e6         | <ready_state_duration>: -1000000.0 s: expected above 0
+          (?s)<waypoints>.*</waypoints>             | <waypoints></waypoints>            | <waypoints>: 0 <waypoint>; expected 1 to 9
+          (<waypoint><pose>.*?</waypoint>)          | $1$1$1$1$1$1$1$1$1$1$1$1$1$1$1$1$1 | <waypoints>: 18 <waypoint>; expected 1 to 9
+          """)
+  void read_absurdWorld_isRefusedWithFileAndLine(String what, String by, String message)
+      throws IOException {
+    Path world = folder.resolve("absurd.sdf");
+    String text = Files.readString(WORLDS.resolve("waypoints.sdf"));
+    Files.writeString(world, text.replaceFirst(what, by));
+
+    assertThatThrownBy(() -> VrxWorldReader.read(world))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageMatching("(?s).*absurd.sdf, line \\d+, " + Pattern.quote(message) + ".*");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, models within models", "30, <include>"})
+  void read_modelThatIncludesItself_isRefused(int times, String message) throws IOException {
+    String itself = "<include><uri>model://course</uri></include>";
+    Path model = Files.createDirectories(folder.resolve("models/course")).resolve("model.sdf");
+    Files.writeString(
+        model, "<sdf><model name=\"course\">" + itself.repeat(times) + "</model></sdf>");
+    Path world = folder.resolve("loop.sdf");
+    String text = Files.readString(WORLDS.resolve("station.sdf"));
+    Files.writeString(world, text.replace("</world>", itself + "</world>"));
+
+    assertThatThrownBy(() -> VrxWorldReader.read(world))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("model.sdf, line")
+        .hasMessageContaining(message);
   }
 }
