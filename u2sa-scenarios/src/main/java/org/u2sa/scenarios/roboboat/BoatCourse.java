@@ -28,6 +28,9 @@ record BoatCourse(List<Gate> speedGates, List<Gate> channel, Point end, Weather 
   /** Place of the competition: Nathan Benderson Park, Florida. */
   static final Geodetic ORIGIN = new Geodetic(-82.4507, 27.3767, 0.0);
 
+  /** Where a run ends. */
+  static final Point HOME = Point.of(-2.0, 0.0, 0.0);
+
   /** Colour of the buoys to the left on the way out. */
   static final Colour LEFT = Colour.ORANGE;
 

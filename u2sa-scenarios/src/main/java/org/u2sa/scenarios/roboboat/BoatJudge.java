@@ -22,6 +22,8 @@ final class BoatJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 20.0 * 60.0;
 
+  private static final double HOME_M = 2.5; // the mission's 2 m, and the errors of the boat
+
   private final RunningVehicle run;
   private final Leg speed;
   private final Leg out;
@@ -29,6 +31,7 @@ final class BoatJudge implements TruthObserver.Scorer {
   private final Path directory;
   private final List<String> log = new ArrayList<>();
   private Point before; // null at the start
+  private boolean isHome; // after the return channel
   private volatile boolean over;
 
   /** Gates to be passed in order. */
@@ -88,6 +91,10 @@ final class BoatJudge implements TruthObserver.Scorer {
       Leg leg = !speed.isDone() ? speed : !out.isDone() ? out : back;
       say(truth.timeS(), leg.move(before, now, truth.headingRad(), truth.timeS()));
     }
+    if (!isHome && back.isDone() && Gate.distance(now, BoatCourse.HOME) < HOME_M) {
+      isHome = true;
+      say(truth.timeS(), "home");
+    }
     before = now;
     over |= truth.timeS() >= RUN_S;
   }
@@ -122,6 +129,10 @@ final class BoatJudge implements TruthObserver.Scorer {
             leg.name + ": " + leg.passed + " of " + leg.gates.size() + " gates passed in order");
       }
     }
+    if (!isHome) {
+      violations.add("not home by the return channel in time");
+    }
+    counts.put("homeInTime", isHome ? 1 : 0);
     counts.put("speedGatesPassed", speed.passed);
     counts.put("channelGatesPassed", out.passed);
     counts.put("returnGatesPassed", back.passed);

@@ -36,7 +36,7 @@ final class BoatMission {
     Gate last = course.channel().get(course.channel().size() - 1);
     channel(
         "return", last.beyond(BEFORE_M), true, "<gates>" + course.channel().size() + "</gates>");
-    text.append("  <waypoint><name>home</name>").append(place(Point.of(-2.0, 0.0, 0.0)));
+    text.append("  <waypoint><name>home</name>").append(place(BoatCourse.HOME));
     text.append("<horizontalThreshold>2</horizontalThreshold></waypoint>\n</mission>\n");
     return text.toString();
   }
