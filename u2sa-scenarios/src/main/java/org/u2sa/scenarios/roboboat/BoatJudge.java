@@ -129,7 +129,7 @@ final class BoatJudge implements TruthObserver.Scorer {
             leg.name + ": " + leg.passed + " of " + leg.gates.size() + " gates passed in order");
       }
     }
-    if (!isHome) {
+    if (!isHome && !back.gates.isEmpty()) {
       violations.add("not home by the return channel in time");
     }
     counts.put("homeInTime", isHome ? 1 : 0);

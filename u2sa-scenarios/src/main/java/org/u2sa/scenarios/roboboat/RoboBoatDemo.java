@@ -15,6 +15,7 @@ import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 
 /** {@code u2sa demo roboboat}: a course of the competition (thesis 4.2). */
 @Command(
@@ -30,6 +31,12 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
 
   @Mixin private VehicleFileChanges changes;
 
+  @Option(
+      names = "--holonomic",
+      description =
+          "Sail with four thrusters at 45 degrees, which also push sideways, instead of two.")
+  private boolean holonomic;
+
   private BoatCourse course; // of the newest run
 
   @Override
@@ -40,6 +47,11 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
   @Override
   public Profile profile() {
     return new Profile("roboboat", "roboboat", "course.xml", Domain.WATER, 60.0, 0.1);
+  }
+
+  @Override
+  public String systemFile() {
+    return holonomic ? "system-holonomic.xml" : "system.xml";
   }
 
   @Override
@@ -62,7 +74,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle.xml")),
+            changes.load(system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml")),
             sailed.world(),
             Point.ORIGIN,
             0.0,
