@@ -29,7 +29,7 @@ final class ChannelState extends TaskState {
   private static final double FIRST_M = 8.0; // from the entrance to the first gate
   private static final double AT_ENTRANCE_M = 3.0;
   private static final double LOOK_S = 30.0; // at the entrance, for the first gate
-  private static final double BLIND_M = 25.0; // straight on without a gate in sight
+  private static final double BLIND_M = 10.0; // straight on without a gate in sight, which is farther than the next gate
   private static final double AT_END_M = 5.0; // from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
   private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
@@ -201,18 +201,20 @@ way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
         arrivedS = OptionalDouble.of(pursuit.missionS());
       }
       if (arrivedS.isPresent() && pursuit.missionS() - arrivedS.getAsDouble() > LOOK_S) {
-        return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: no gate at the entrance")
-            .changing(now);
+        return givenUp("no gate at the entrance", now);
       }
       return step(pursuit, towards(pursuit, entrance, 1.0, now.speed()), now);
     }
     double beyond = -gates.last().get().aheadM(here);
     if (beyond > BLIND_M) {
-      return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: no further gate was seen")
-          .changing(now);
+      return givenUp("no further gate was seen", now);
     }
     return step(
         pursuit, towards(pursuit, gates.last().get().beyond(BLIND_M + AHEAD_M), 1.0, SEARCH_MPS), now);
+  }
+
+  private static Plan givenUp(String reason, BuoyChannel now) {
+    return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: " + reason).changing(now);
   }
 
   private static Plan step(Pursuit pursuit, PlannerView.Step step, BuoyChannel now) {
