@@ -4,35 +4,49 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import org.u2sa.messages.frame.Point;
 
 class DriftTest {
-  private final Drift drift = new Drift();
+  private static final double EASTWARD_MPS = 0.4;
+  private static final double SLIP_M = -0.5; // to the left in a turn to the right
 
-  private void go(double forward, double right, double turnRadps, double seconds) {
-    for (double t = 0.0; t < seconds; t += 0.1) {
-      drift.step(Point.of(forward, right, 0.0), turnRadps, 0.1);
+  private final Drift drift = new Drift();
+  private double headingRad;
+
+  /** Sails in a steady eastward drift; the hull slips in turns. */
+  private void sail(double turnRadps, double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.05) {
+      headingRad += 0.05 * turnRadps;
+      double aside = EASTWARD_MPS * Math.cos(headingRad) + SLIP_M * turnRadps;
+      drift.step(headingRad, aside, turnRadps, 0.05);
     }
   }
 
   @Test
-  void rad_steadyDriftToTheRight_isTheAngleOfTheCourse() {
-    go(1.0, 0.5, 0.0, 30.0);
+  void crabRad_driftFromTheLeft_turnsTheBowToTheLeft() {
+    sail(0.0, 30.0);
 
-    assertThat(drift.rad()).isCloseTo(Math.atan2(0.5, 1.0), within(0.001));
+    assertThat(drift.crabRad(0.0, 1.0)).isCloseTo(-Math.asin(EASTWARD_MPS), within(0.03));
   }
 
   @Test
-  void rad_slipOfAFastTurn_isHardlyLearnt() {
-    go(1.0, 0.5, 1.0, 2.0);
+  void crabRad_afterTurningBack_isOnTheOtherSideAtOnce() {
+    sail(0.0, 30.0);
+    sail(Math.PI / 8.0, 8.0); // half a turn
 
-    assertThat(drift.rad()).isBetween(0.0, 0.05);
+    assertThat(drift.crabRad(Math.PI, 1.0)).isCloseTo(Math.asin(EASTWARD_MPS), within(0.1));
   }
 
   @Test
-  void rad_sternwayInACurrent_staysWithinItsLimit() {
-    go(-1.0, 5.0, 0.0, 60.0);
+  void crabRad_alongTheDrift_isNone() {
+    sail(0.2, 120.0);
 
-    assertThat(Math.toDegrees(drift.rad())).isCloseTo(50.0, within(0.1));
+    assertThat(drift.crabRad(Math.PI / 2.0, 1.0)).isCloseTo(0.0, within(0.05));
+  }
+
+  @Test
+  void crabRad_driftFasterThanTheVehicle_staysWithinItsLimit() {
+    sail(0.0, 30.0);
+
+    assertThat(Math.toDegrees(drift.crabRad(0.0, 0.1))).isCloseTo(-50.0, within(0.1));
   }
 }

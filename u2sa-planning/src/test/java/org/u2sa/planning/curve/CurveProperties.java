@@ -27,6 +27,18 @@ class CurveProperties {
     assertThat(shortest.pieces()).allMatch(piece -> piece.lengthM() >= 0.0);
   }
 
+  @Property(tries = 1000)
+  void dubinsAll_anyPoses_endThereAndContainTheShortest(@ForAll long seed) {
+    Random random = new Random(seed);
+    Pose from = pose(random);
+    Pose to = pose(random);
+
+    List<Curve> all = Dubins.all(from, to, RADIUS);
+
+    all.forEach(curve -> assertEnds(curve, from, to));
+    assertThat(all).contains(Dubins.shortest(from, to, RADIUS));
+  }
+
   @Property(tries = 2000)
   void dubinsToPlace_randomWord_isNeverLongerAndEndsThere(@ForAll long seed) {
     Random random = new Random(seed);

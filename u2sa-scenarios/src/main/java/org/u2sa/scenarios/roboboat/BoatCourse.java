@@ -38,6 +38,8 @@ record BoatCourse(
   /** Place of the competition: Nathan Benderson Park, Florida. */
   static final Geodetic ORIGIN = new Geodetic(-82.4507, 27.3767, 0.0);
 
+  private static final double HOME_BEHIND_M = 2.0; // the start
+
   /** Colour of the buoys to the left on the way out. */
   static final Colour LEFT = Colour.ORANGE;
 
@@ -135,5 +137,10 @@ record BoatCourse(
         .with(objects())
         .with(new Water(0.0, current, waves))
         .with(Wind.gusty(weather.windFromRad(), weather.windMps(), weather.seed()));
+  }
+
+  /** Where a run ends: north, east [m]. */
+  Point home() {
+    return TaskSite.at(start(), headingRad(), -HOME_BEHIND_M, 0.0);
   }
 }

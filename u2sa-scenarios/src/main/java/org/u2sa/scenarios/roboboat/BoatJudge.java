@@ -27,6 +27,8 @@ final class BoatJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 20.0 * 60.0;
 
+  private static final double HOME_M = 2.5; // the mission's 2 m, and the errors of the boat
+
   private final RunningVehicle run;
   private final Clock clock;
   private final TaskJudge tasks;
@@ -35,9 +37,11 @@ final class BoatJudge implements TruthObserver.Scorer {
   private final Leg speed;
   private final Leg out;
   private final Leg back;
+  private final Point home;
   private final Path directory;
   private final List<String> log = new ArrayList<>();
   private Point before; // null at the start
+  private boolean isHome; // after the return channel
   private volatile boolean over;
 
   /** Gates to be passed in order. */
@@ -94,6 +98,7 @@ final class BoatJudge implements TruthObserver.Scorer {
     this.quadrotor = quadrotor;
     this.clock = clock;
     tasks = new TaskJudge(course.sites(), course.weather().seed(), this::say);
+    home = course.home();
     this.directory = directory;
     speed = new Leg("speed gates", course.speedGates());
     out = new Leg("channel", course.channel());
@@ -109,6 +114,10 @@ final class BoatJudge implements TruthObserver.Scorer {
     if (before != null) {
       Leg leg = !speed.isDone() ? speed : !out.isDone() ? out : back;
       say(truth.timeS(), leg.move(before, now, truth.headingRad(), truth.timeS()));
+    }
+    if (!isHome && back.isDone() && Gate.distance(now, home) < HOME_M) {
+      isHome = true;
+      say(truth.timeS(), "home");
     }
     before = now;
     tasks.judgeShots();
@@ -163,6 +172,10 @@ final class BoatJudge implements TruthObserver.Scorer {
             leg.name + ": " + leg.passed + " of " + leg.gates.size() + " gates passed in order");
       }
     }
+    if (!isHome && !back.gates.isEmpty()) {
+      violations.add("not home by the return channel in time");
+    }
+    counts.put("homeInTime", isHome ? 1 : 0);
     counts.put("speedGatesPassed", speed.passed);
     counts.put("channelGatesPassed", out.passed);
     counts.put("returnGatesPassed", back.passed);

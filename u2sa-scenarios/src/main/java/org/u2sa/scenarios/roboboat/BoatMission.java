@@ -25,7 +25,6 @@ final class BoatMission {
   private static final double HOMEWARD_MPS = 0.6; // for the time to get home
   private static final double RESERVE_S = 60.0;
   private static final double GRIP_M = 0.25; // of the quadrotor above the deck, at the puck
-  private static final double HOME_BEHIND_M = 2.0; // the start
 
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
   private final BoatCourse course;
@@ -62,7 +61,7 @@ final class BoatMission {
             + course.channel().size()
             + "</gates>");
     text.append("  <waypoint><name>home way</name>");
-    text.append(place(TaskSite.at(course.start(), course.headingRad(), -HOME_BEHIND_M, 0.0)));
+    text.append(place(course.home()));
     text.append("<horizontalThreshold>2</horizontalThreshold></waypoint>\n</mission>\n");
     return text.toString();
   }

@@ -39,7 +39,8 @@ record Gate(Point left, Point right) {
     return nearest;
   }
 
-  private static double distance(Point a, Point b) {
+  /** Level distance [m]. */
+  static double distance(Point a, Point b) {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 

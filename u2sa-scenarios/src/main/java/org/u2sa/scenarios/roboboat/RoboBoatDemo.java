@@ -48,6 +48,12 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
       description = "Nothing is heard of the quadrotor: the boat has to leave the dock without it.")
   private boolean radioFails;
 
+  @Option(
+      names = "--holonomic",
+      description =
+          "Sail with four thrusters at 45 degrees, which also push sideways, instead of two.")
+  private boolean holonomic;
+
   private BoatCourse course; // of the newest run
 
   @Override
@@ -58,6 +64,11 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
   @Override
   public Profile profile() {
     return new Profile("roboboat", "roboboat", "course.xml", Domain.WATER, 60.0, 0.1);
+  }
+
+  @Override
+  public String systemFile() {
+    return holonomic ? "system-holonomic.xml" : "system.xml";
   }
 
   @Override
@@ -90,7 +101,8 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     course = sailed;
     Mission mission =
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
-    VehicleFile file = changes.load(system().resolveSibling("vehicle.xml"));
+    VehicleFile file = changes.load(
+            system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml"));
     World world = sailed.world();
     MooredVehicle.Maker maker = (at, headingRad) -> file.make(world, at, headingRad, seed);
     TaskSite dock = sailed.site(TaskSite.Task.DOCK);

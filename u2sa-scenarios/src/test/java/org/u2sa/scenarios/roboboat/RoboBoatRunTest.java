@@ -43,6 +43,15 @@ class RoboBoatRunTest {
         .contains("channel: gate 15 of 15")
         .contains("return channel: gate 15 of 15")
         .doesNotContain("touches");
+    assertThat(read("summary.json")).contains("\"homeInTime\" : 1");
+  }
+
+  @Test
+  void demo_oneOfFourThrustersFails_passesAllGatesWithoutContactAndSaysSo() throws IOException {
+    int status = sail("--seed", "402", "--holonomic", "--change", "vessel/thruster/failsAt=60");
+
+    assertThat(status).isZero();
+    assertThat(read("logs/Control.log")).contains("lost: LEFT REAR");
   }
 
   @Test

@@ -73,7 +73,7 @@ public final class VehicleDevices implements DeviceSource {
   public <D> Optional<D> device(
       Class<D> port, String service, XmlConfiguration variables, Clock clock) {
     if (port == Thruster.class) {
-      return Optional.of(port.cast(thruster(service, variables)));
+      return Optional.of(port.cast(thruster(service, variables, clock)));
     }
     if (port == Servo.class && isOfTheModel(service, variables)) {
       return Optional.of(port.cast(servo(service, variables)));
@@ -157,14 +157,16 @@ public final class VehicleDevices implements DeviceSource {
     return () -> run.read(clock.micros(), vehicle -> ((GroundVehicle) vehicle).state());
   }
 
-  private Thruster thruster(String service, XmlConfiguration variables) {
+  private Thruster thruster(String service, XmlConfiguration variables, Clock clock) {
     String name = stated(variables, ACTUATOR_NAME).orElse(service);
     VehicleModel model = file.model();
     if (model.actuators().contains(name)
         && model.travelRad(name).isEmpty()
         && model.wheels().isEmpty()
         && run instanceof VehicleRun commanded) {
-      return new VehicleThruster(commanded, name);
+      VehicleThruster thruster = new VehicleThruster(commanded, name);
+      thruster.failAt(model.failsAtS(name), () -> run.at(clock.micros()).timeS());
+      return thruster;
     }
     throw none(service, "Thruster \"" + name + "\"");
   }

@@ -51,6 +51,11 @@ public interface VehicleModel {
     return -1.0;
   }
 
+  /** Time at which an actuator is disconnected [s]; infinite for never. */
+  default double failsAtS(String actuator) {
+    return Double.POSITIVE_INFINITY;
+  }
+
   /** Angle of a servo at full command [rad]; empty for other actuators. */
   default OptionalDouble travelRad(String actuator) {
     return OptionalDouble.empty();

@@ -2,7 +2,9 @@ package org.u2sa.sim.file;
 
 import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
@@ -21,9 +23,17 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** A hull with any number of thrusters, propellers and fins, on or under water, after Fossen. */
+/**
+ * A hull with any number of thrusters, propellers and fins, on or under water, after Fossen.
+ *
+ * @param failures times at which thrusters fail, by name [s]; infinite for never
+ */
 record VesselModel(
-    Hull hull, List<VesselActuator> parts, Footprint footprint, Optional<Windage> windage)
+    Hull hull,
+    List<VesselActuator> parts,
+    Map<String, Double> failures,
+    Footprint footprint,
+    Optional<Windage> windage)
     implements VehicleModel {
   private static final double LARGEST = 1e9;
   private static final double FAR_M = 1_000.0;
@@ -63,7 +73,9 @@ record VesselModel(
             !file.has("munkMoment")
                 || file.choice("munkMoment", MunkMoment.class) == MunkMoment.INCLUDED);
     Optional<Windage> windage = file.optionalPart("windage").map(VesselModel::windage);
-    return new VesselModel(hull, actuators(file), body.footprint(), windage);
+    Map<String, Double> failures = new HashMap<>();
+    List<VesselActuator> actuators = actuators(file, failures);
+    return new VesselModel(hull, actuators, Map.copyOf(failures), body.footprint(), windage);
   }
 
   private static Point coefficients(FileElement file, String name, String unit) {
@@ -114,9 +126,10 @@ record VesselModel(
                 file.positive("density", "kg/m^3", 20_000.0)));
   }
 
-  private static List<VesselActuator> actuators(FileElement file) {
+  private static List<VesselActuator> actuators(
+      FileElement file, Map<String, Double> failures) {
     List<VesselActuator> all = new ArrayList<>();
-    add(file, "thruster", VesselModel::thruster, all);
+    add(file, "thruster", each -> thruster(each, failures), all);
     add(file, "propeller", VesselModel::propeller, all);
     add(file, "fin", VesselModel::fin, all);
     boolean isDriven = all.stream().anyMatch(each -> !(each instanceof Fin));
@@ -146,12 +159,14 @@ record VesselModel(
     }
   }
 
-  private static VesselActuator thruster(FileElement file) {
+  private static VesselActuator thruster(FileElement file, Map<String, Double> failures) {
     Point direction = file.direction("direction");
+    String name = file.xml().attribute("name");
+    failures.put(name, file.number("failsAt", "s", 0.0, LARGEST, Double.POSITIVE_INFINITY));
     return file.complete(
         () ->
             new VesselThruster(
-                file.xml().attribute("name"),
+                name,
                 file.vector("position", "m", -FAR_M, FAR_M),
                 direction,
                 file.positive("forward", "N", LARGEST),
@@ -222,6 +237,11 @@ record VesselModel(
   @Override
   public List<String> actuators() {
     return parts.stream().map(VesselActuator::name).toList();
+  }
+
+  @Override
+  public double failsAtS(String actuator) {
+    return failures.getOrDefault(actuator, Double.POSITIVE_INFINITY);
   }
 
   @Override

@@ -263,6 +263,23 @@ class VehicleDevicesTest {
   }
 
   @Test
+  void device_thrusterThatFails_isDisconnectedFromThen() throws InterruptedException {
+    VehicleFile file =
+        Vehicles.parse(
+            Vehicles.threeThrusters()
+                .replaceFirst("(<thruster name=\"BOW\"[^>]*>)", "$1<failsAt unit=\"s\">1</failsAt>"));
+    Thruster bow =
+        device(file, Thruster.class, "X", variables("ACTUATOR NAME", "BOW")).orElseThrow();
+    bow.read(clock.micros());
+    boolean before = bow.isConnected();
+    clock.advance(1_100_000L);
+    bow.read(clock.micros());
+
+    assertThat(before).isTrue();
+    assertThat(bow.isConnected()).isFalse();
+  }
+
+  @Test
   void device_payloads_areTheVehiclesWithTheirLimits() {
     VehicleFile file =
         Vehicles.parse(

@@ -1,0 +1,46 @@
+package org.u2sa.scenarios.roboboat;
+
+import org.u2sa.messages.frame.Point;
+
+/**
+ * The line to the middle of a gate and on to the next, on a level plane with axes north and east
+ * [m].
+ *
+ * @param from start of the line
+ * @param over middle of the gate
+ * @param to place behind it
+ */
+record GateLine(Point from, Point over, Point to) {
+  private static final double LEAST_M = 1.0e-6; // length of a piece
+
+  /** Distance from the piece to the gate, positive to the right [m]. */
+  double asideM(Point here) {
+    double length = lengthM();
+    double north = (over.x() - from.x()) / length;
+    double east = (over.y() - from.y()) / length;
+    return (here.y() - from.y()) * north - (here.x() - from.x()) * east;
+  }
+
+  private double lengthM() {
+    return Math.max(LEAST_M, Gate.distance(from, over));
+  }
+
+  /** Place this far ahead of a boat that is abreast of the piece to the gate. */
+  Point ahead(Point here, double metres) {
+    double length = lengthM();
+    double along =
+        ((here.x() - from.x()) * (over.x() - from.x())
+                + (here.y() - from.y()) * (over.y() - from.y()))
+            / length;
+    double reached = along + metres;
+    return reached <= length
+        ? between(from, over, reached / length)
+        : between(over, to, (reached - length) / Math.max(LEAST_M, Gate.distance(over, to)));
+  }
+
+  /** Place between two others, or beyond them. */
+  static Point between(Point from, Point to, double share) {
+    return Point.of(
+        from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.0);
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.scenarios.roboboat;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.frame.Point;
+
+/** The gates of a channel as they are known, which have been passed, and which is next. */
+final class GateSequence {
+  private static final double SAME_M = 2.0; // two gates this near are the same
+  private static final double BEHIND_M = 1.0; // a gate is still ahead
+  private static final double REACH_M = 30.0; // to the next gate
+  private static final double KEPT_M = 4.0; // a gate this near is kept if a buoy is lost from sight
+
+  private final List<Point> passed = new ArrayList<>(); // their middles
+  private List<Gate> gates = List.of(); // newest
+  private Optional<Point> before = Optional.empty(); // place of the boat at the last state
+  private Optional<Gate> last = Optional.empty();
+  private Optional<Gate> aimed = Optional.empty(); // gate to be passed, at the last state
+
+  void begin() {
+    passed.clear();
+    before = Optional.empty();
+    last = Optional.empty();
+    aimed = Optional.empty();
+  }
+
+  /** Returns whether the boat has passed a gate since the last call. */
+  boolean move(List<Gate> seen, Point here) {
+    gates = new ArrayList<>(seen);
+    aimed
+        .filter(gate -> Gate.distance(gate.middle(), here) < KEPT_M)
+        .filter(gate -> nearest(gate.middle(), SAME_M).isEmpty())
+        .ifPresent(gates::add);
+    Optional<Point> from = before;
+    before = Optional.of(here);
+    Optional<Gate> now =
+        gates.stream()
+            .filter(gate -> !isPassed(gate))
+            .filter(gate -> from.map(place -> gate.isPassed(place, here)).orElse(false))
+            .findFirst();
+    now.ifPresent(
+        gate -> {
+          passed.add(gate.middle());
+          last = now;
+        });
+    return now.isPresent();
+  }
+
+  int passed() {
+    return passed.size();
+  }
+
+  /** The gate passed last. */
+  Optional<Gate> last() {
+    return last;
+  }
+
+  /** Remembers the gate that the boat sails to. */
+  void aimAt(Optional<Gate> gate) {
+    aimed = gate;
+  }
+
+  private boolean isPassed(Gate gate) {
+    return passed.stream().anyMatch(old -> Gate.distance(old, gate.middle()) < SAME_M);
+  }
+
+  /** The newest estimate of a gate that has not been passed. */
+  Optional<Gate> again(Gate gate) {
+    return nearest(gate.middle(), SAME_M);
+  }
+
+  /** The gate nearest to a place that has not been passed. */
+  Optional<Gate> nearest(Point place, double withinM) {
+    return gates.stream()
+        .filter(gate -> !isPassed(gate) && Gate.distance(gate.middle(), place) < withinM)
+        .min(Comparator.comparingDouble(gate -> Gate.distance(gate.middle(), place)));
+  }
+
+  /** The gate nearest to a place, ahead of it and behind another gate. */
+  Optional<Gate> next(Point here, Gate behind) {
+    return gates.stream()
+        .filter(gate -> !isPassed(gate) && gate.aheadM(here) > -BEHIND_M)
+        .filter(gate -> behind.aheadM(gate.middle()) < -SAME_M)
+        .filter(gate -> Gate.distance(gate.middle(), here) < REACH_M)
+        .min(Comparator.comparingDouble(gate -> Gate.distance(gate.middle(), here)));
+  }
+}
