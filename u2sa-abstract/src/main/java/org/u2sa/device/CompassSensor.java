@@ -1,9 +1,9 @@
 package org.u2sa.device;
 
-import org.u2sa.device.mapping.TrueNorth;
-import org.u2sa.device.mapping.HeadingMapping;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.u2sa.device.mapping.HeadingMapping;
+import org.u2sa.device.mapping.TrueNorth;
 import org.u2sa.device.port.Compass;
 import org.u2sa.device.port.Heading;
 import org.u2sa.interfaces.communication.Channels;

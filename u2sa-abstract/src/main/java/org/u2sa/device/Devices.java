@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import org.u2sa.device.port.Device;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.service.ServiceContext;
 
 /** Finds the device that a service's configuration names among all {@link DeviceProvider}s. */

@@ -1,7 +1,7 @@
 package org.u2sa.device;
 
-import org.u2sa.device.mapping.FixMapping;
 import java.util.stream.Stream;
+import org.u2sa.device.mapping.FixMapping;
 import org.u2sa.device.port.GpsFix;
 import org.u2sa.device.port.GpsReceiver;
 import org.u2sa.interfaces.communication.Channels;

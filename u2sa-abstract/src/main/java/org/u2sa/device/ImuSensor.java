@@ -1,7 +1,7 @@
 package org.u2sa.device;
 
-import org.u2sa.device.mapping.TrueNorth;
 import java.util.stream.Stream;
+import org.u2sa.device.mapping.TrueNorth;
 import org.u2sa.device.port.Imu;
 import org.u2sa.device.port.Orientation;
 import org.u2sa.interfaces.communication.Channels;

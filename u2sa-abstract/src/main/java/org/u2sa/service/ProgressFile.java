@@ -1,6 +1,5 @@
 package org.u2sa.service;
 
-import org.u2sa.service.handover.RememberedStates;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.IOException;
@@ -14,6 +13,7 @@ import org.u2sa.interfaces.log.ReplacedFile;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.service.handover.HandOverText;
+import org.u2sa.service.handover.RememberedStates;
 
 /**
  * Saved state of a service for its restart in this run: a text file in its log folder, replaced

@@ -1,10 +1,5 @@
 package org.u2sa.service;
 
-import org.u2sa.messages.schema.MessageCodec;
-import org.u2sa.interfaces.mqtt.MqttTransport;
-import org.u2sa.interfaces.mqtt.BrokerAccess;
-import org.u2sa.interfaces.configuration.Variable;
-import org.u2sa.interfaces.configuration.Description;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -16,8 +11,13 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 
 /** A service's connection: publishes, subscribes, and is handed to a successor. */
@@ -75,12 +75,16 @@ final class ServiceConnection {
     unconnected =
         context.execution().outlet((channel, message) -> connection().publish(channel, message));
     outlet = unconnected;
-    transport = 
+    transport =
         context
             .transport()
             .orElseGet(
                 () ->
-                    context.configuration().settings(ManagerAddress.class).get().transport(context));
+                    context
+                        .configuration()
+                        .settings(ManagerAddress.class)
+                        .get()
+                        .transport(context));
   }
 
   /**

@@ -1,19 +1,19 @@
 package org.u2sa.service;
 
-import org.u2sa.service.handover.RememberedStates;
-import org.u2sa.device.port.DeviceSource;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.Deque;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.handover.RememberedStates;
 
 /**
  * Everything a service gets at construction: its system, configuration, clock and communication.

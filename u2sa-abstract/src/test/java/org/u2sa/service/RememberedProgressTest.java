@@ -1,6 +1,5 @@
 package org.u2sa.service;
 
-import org.u2sa.service.handover.RememberedStates;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -22,6 +21,7 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.handover.RememberedStates;
 
 /** What a service knows after it was started again. */
 @Timeout(120)

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.core.launch.Launcher;
 import org.u2sa.core.launch.SystemFile;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.device.detection.ObjectDetector;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
@@ -126,8 +126,7 @@ class ConfigurationPageTest {
   /** All services but those of demos, in the order of their names. */
   private static List<Class<?>> others() {
     return new ClassFileImporter()
-        .withImportOption(new ImportOption.DoNotIncludeTests())
-        .importPackages(PACKAGES).stream()
+        .withImportOption(new ImportOption.DoNotIncludeTests()).importPackages(PACKAGES).stream()
             .filter(each -> each.isAssignableTo(U2SAService.class))
             .filter(each -> !each.getModifiers().contains(JavaModifier.ABSTRACT))
             .filter(each -> !each.isEquivalentTo(Launcher.class)) // has none, and no file

@@ -16,8 +16,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
-import org.u2sa.sim.file.element.Presets;
 import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.file.element.Presets;
 
 /** The tables of docs/vehicle-files.md against what the reader asks for. */
 class VehicleFilesPageTest {

@@ -12,10 +12,10 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 

@@ -7,9 +7,9 @@ import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.service.Execution;
-import org.u2sa.service.handover.RememberedStates;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
+import org.u2sa.service.handover.RememberedStates;
 
 /** Creates the services of one system, each with its configuration, clock, transport and seed. */
 final class ServiceMaker {

@@ -7,12 +7,12 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.GpsSensor;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.device.port.DeviceSource;
 
 class ServiceMakerTest {
   /** A simulation, whose devices must not be made twice. */

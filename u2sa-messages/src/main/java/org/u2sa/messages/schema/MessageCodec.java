@@ -1,12 +1,12 @@
 package org.u2sa.messages.schema;
 
-import org.u2sa.messages.cbor.TextPeek;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.cbor.CborInput;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.MalformedMessageException;
 import org.u2sa.messages.cbor.RecentTexts;
+import org.u2sa.messages.cbor.TextPeek;
 import org.u2sa.messages.cbor.WireForm;
 
 /** Encodes messages and decodes messages of the registered types. Immutable and thread-safe. */

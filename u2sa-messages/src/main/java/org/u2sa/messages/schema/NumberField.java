@@ -23,7 +23,8 @@ public final class NumberField<T extends StoredMessage> extends MessageField<T> 
   final double least; // finite, so that comparisons also reject infinities and NaN
   final double most;
 
-  NumberField(MessageField.Outline outline, String globalUnit, double ifUnset, double min, double max) {
+  NumberField(
+      MessageField.Outline outline, String globalUnit, double ifUnset, double min, double max) {
     super(outline, Kind.DOUBLE);
     this.globalUnit = globalUnit;
     this.ifUnset = ifUnset;

@@ -24,8 +24,8 @@ import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
 
 /**
- * Map layer of areas and obstacles, below everything else: static ones filled; moving ones at the moment
- * of closest approach, with their path around it and the time.
+ * Map layer of areas and obstacles, below everything else: static ones filled; moving ones at the
+ * moment of closest approach, with their path around it and the time.
  */
 final class ObstacleLayer {
   private static final Color STANDS = new Color(0x8a, 0x5a, 0x2b, 0x66);

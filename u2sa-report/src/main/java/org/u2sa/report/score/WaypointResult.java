@@ -80,7 +80,9 @@ public record WaypointResult(
       }
     }
 
-    /** Fraction of the way between two altitudes that is closest to the waypoint's, if it has one. */
+    /**
+     * Fraction of the way between two altitudes that is closest to the waypoint's, if it has one.
+     */
     private double vertically(double fromM, double toM) {
       return waypoint.altitudeM().isEmpty() || fromM == toM
           ? 0.0

@@ -3,13 +3,13 @@ package org.u2sa.scenarios.roboboat;
 import java.util.Optional;
 import java.util.function.LongConsumer;
 import org.u2sa.device.payload.SwitchOutput;
+import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.scenarios.roboboat.gun.SimulatedDartGun;
 import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.roboboat.subvehicle.SubVehicle;
-import org.u2sa.device.port.DeviceSource;
 
 /**
  * Devices of a simulated boat.

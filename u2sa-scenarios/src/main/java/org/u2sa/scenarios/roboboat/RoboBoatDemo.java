@@ -101,8 +101,8 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     course = sailed;
     Mission mission =
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
-    VehicleFile file = changes.load(
-            system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml"));
+    VehicleFile file =
+        changes.load(system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml"));
     World world = sailed.world();
     MooredVehicle.Maker maker = (at, headingRad) -> file.make(world, at, headingRad, seed);
     TaskSite dock = sailed.site(TaskSite.Task.DOCK);

@@ -112,8 +112,7 @@ class GimbalRunTest {
       Point ned =
           new Geodetic(Double.parseDouble(fields[1]), Double.parseDouble(fields[2]), 0.0)
               .nedOf(BARREL);
-      double right =
-          Math.atan2(ned.y(), ned.x()) - Math.toRadians(Double.parseDouble(fields[4]));
+      double right = Math.atan2(ned.y(), ned.x()) - Math.toRadians(Double.parseDouble(fields[4]));
       double off = Math.IEEEremainder(pans.floorEntry(time).getValue() + right, 2.0 * Math.PI);
       assertThat(Math.toDegrees(off)).as("pan at %s s", time).isBetween(-6.0, 6.0);
       turned = Math.max(turned, Math.abs(right));

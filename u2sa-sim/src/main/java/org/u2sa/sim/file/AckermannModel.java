@@ -1,9 +1,9 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.ground.AckermannParameters;
 import org.u2sa.sim.ground.AckermannVehicle;
 import org.u2sa.sim.ground.GroundStart;

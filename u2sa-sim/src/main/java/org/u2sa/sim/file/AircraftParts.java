@@ -1,9 +1,9 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.LandingLeg;
 import org.u2sa.sim.flight.MassProperties;

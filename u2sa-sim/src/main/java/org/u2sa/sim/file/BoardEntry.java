@@ -1,8 +1,8 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.function.DoubleFunction;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.ground.MiniMolle;

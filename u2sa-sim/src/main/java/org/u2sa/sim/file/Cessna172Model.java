@@ -1,12 +1,12 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.Locale;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.RunwayStart;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.World;
 

@@ -1,9 +1,9 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;

@@ -1,8 +1,8 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.guide.Carriage;
 import org.u2sa.sim.guide.Guide;
 import org.u2sa.sim.vehicle.SimulatedVehicle;

@@ -1,11 +1,11 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.ControlSurface;
 import org.u2sa.sim.flight.ElectricPropeller;

@@ -1,7 +1,7 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.SplittableRandom;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.ground.BatteryParameters;
 import org.u2sa.sim.ground.MotorParameters;
 import org.u2sa.sim.ground.Payload;

@@ -1,9 +1,9 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**

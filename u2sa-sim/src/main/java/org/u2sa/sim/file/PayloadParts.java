@@ -1,9 +1,9 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.Map;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedLoadCell;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.payload.SimulatedGimbal;
 import org.u2sa.sim.payload.SimulatedServo;
 import org.u2sa.sim.payload.SimulatedSwitch;

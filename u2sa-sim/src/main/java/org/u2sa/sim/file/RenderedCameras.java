@@ -1,6 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +15,7 @@ import org.u2sa.sim.camera.WaterLook;
 import org.u2sa.sim.camera.WaterScenery;
 import org.u2sa.sim.camera.WaterType;
 import org.u2sa.sim.device.SimulatedColourCamera;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.world.Sunlight;
 import org.u2sa.sim.world.World;
 

@@ -1,6 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -30,6 +29,7 @@ import org.u2sa.device.port.TrackingRadar;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.VelocityLog;
 import org.u2sa.device.port.WheelEncoder;
+import org.u2sa.sim.file.element.FileElement;
 
 /** The kinds of sensors in vehicle files, one for each port of devices. */
 final class SensorKinds {

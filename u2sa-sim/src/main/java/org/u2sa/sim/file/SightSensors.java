@@ -1,6 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +19,7 @@ import org.u2sa.sim.device.SimulatedRadar;
 import org.u2sa.sim.device.SimulatedRangeFinder;
 import org.u2sa.sim.device.SimulatedSonar;
 import org.u2sa.sim.device.SimulatedTraffic;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Ray;
 import org.u2sa.sim.world.ScriptedMover;

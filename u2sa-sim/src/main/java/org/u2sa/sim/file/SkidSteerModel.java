@@ -1,10 +1,10 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.ground.BatteryParameters;
 import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundVehicle;

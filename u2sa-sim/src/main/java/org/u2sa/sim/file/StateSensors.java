@@ -1,6 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
@@ -18,6 +17,7 @@ import org.u2sa.sim.device.SimulatedGps;
 import org.u2sa.sim.device.SimulatedImu;
 import org.u2sa.sim.device.SimulatedPitotTube;
 import org.u2sa.sim.device.SimulatedVelocityLog;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.sensor.CompassModel;
 import org.u2sa.sim.sensor.CompassParameters;
 import org.u2sa.sim.sensor.GpsParameters;

@@ -1,7 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.VehicleChanges;
-import org.u2sa.sim.file.element.FileElement;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,6 +10,8 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
+import org.u2sa.sim.file.element.VehicleChanges;
 import org.u2sa.sim.ground.Hazards;
 import org.u2sa.sim.ground.MiniMolle;
 import org.u2sa.sim.vehicle.RunningVehicle;

@@ -1,11 +1,11 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiFunction;
 import java.util.stream.Collectors;
+import org.u2sa.sim.file.element.FileElement;
 
 /** The kinds of dynamics, by their elements in vehicle files. */
 final class VehicleModels {

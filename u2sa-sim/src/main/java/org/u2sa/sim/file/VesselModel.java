@@ -1,6 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.FileElement;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -9,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.marine.CrossFlow;
 import org.u2sa.sim.marine.Fin;
 import org.u2sa.sim.marine.Hull;
@@ -126,8 +126,7 @@ record VesselModel(
                 file.positive("density", "kg/m^3", 20_000.0)));
   }
 
-  private static List<VesselActuator> actuators(
-      FileElement file, Map<String, Double> failures) {
+  private static List<VesselActuator> actuators(FileElement file, Map<String, Double> failures) {
     List<VesselActuator> all = new ArrayList<>();
     add(file, "thruster", each -> thruster(each, failures), all);
     add(file, "propeller", VesselModel::propeller, all);

@@ -62,9 +62,7 @@ public final class Carriage implements SimulatedVehicle {
     double sin = StrictMath.sin(headingRad);
     double cos = StrictMath.cos(headingRad);
     Point body = guide.direction();
-    way =
-        Point.of(
-            body.x() * sin + body.y() * cos, body.x() * cos - body.y() * sin, -body.z());
+    way = Point.of(body.x() * sin + body.y() * cos, body.x() * cos - body.y() * sin, -body.z());
     weightN = (massKg - guide.counterweightKg()) * Gravity.STANDARD_MPS2 * body.z();
   }
 
@@ -76,8 +74,7 @@ public final class Carriage implements SimulatedVehicle {
   @Override
   public void command(String actuator, double value) {
     if (!actuator.equals(DRIVE)) {
-      throw new IllegalArgumentException(
-          "actuator \"" + actuator + "\": expected " + actuators());
+      throw new IllegalArgumentException("actuator \"" + actuator + "\": expected " + actuators());
     }
     command =
         Double.isNaN(value)

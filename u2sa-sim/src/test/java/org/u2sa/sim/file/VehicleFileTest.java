@@ -1,6 +1,5 @@
 package org.u2sa.sim.file;
 
-import org.u2sa.sim.file.element.Presets;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -9,6 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.file.element.Presets;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;

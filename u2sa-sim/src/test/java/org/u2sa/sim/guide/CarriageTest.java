@@ -18,7 +18,14 @@ class CarriageTest {
   private static Carriage elevator(double counterweightKg) {
     return carriage(
         new Guide(
-            Point.of(0.0, 0.0, -1.0), 0.0, 20.0, 4_000.0, 0.1, 200.0, 0.0, 6_000.0,
+            Point.of(0.0, 0.0, -1.0),
+            0.0,
+            20.0,
+            4_000.0,
+            0.1,
+            200.0,
+            0.0,
+            6_000.0,
             counterweightKg),
         0.0);
   }
@@ -87,8 +94,7 @@ class CarriageTest {
 
   @Test
   void step_railAhead_followsTheHeading() {
-    Guide rail =
-        new Guide(Point.of(1.0, 0.0, 0.0), -5.0, 5.0, 100.0, 0.1, 50.0, 0.0, 1_000.0, 0.0);
+    Guide rail = new Guide(Point.of(1.0, 0.0, 0.0), -5.0, 5.0, 100.0, 0.1, 50.0, 0.0, 1_000.0, 0.0);
     Carriage trolley = carriage(rail, Math.toRadians(90.0));
     trolley.command(Carriage.DRIVE, -1.0);
 
