@@ -15,7 +15,8 @@ import org.u2sa.drivers.nmea.NmeaSentence;
  * A hydrophone array whose processor sends a sentence for each ping, in the form of NMEA 0183:
  * {@code $YXPNG,frequency [Hz],azimuth clockwise from ahead [deg],elevation up [deg],sigma
  * [deg]*hh}; sigma may be empty. Or its arrival times: {@code $YXTOA,frequency [Hz],first
- * hydrophone [µs],second,…*hh}, from any common instant. The sentences are U2SA's own: arrays share no protocol.
+ * hydrophone [µs],second,…*hh}, from any common instant. The sentences are U2SA's own: arrays share
+ * no protocol.
  */
 public final class NmeaHydrophones extends ParsedDevice<HydrophoneArray.Heard>
     implements HydrophoneArray {
