@@ -38,7 +38,7 @@ class RoboSubRunTest {
 
     assertThat(status).isZero();
     assertThat(read("summary.json"))
-        .containsPattern("\"tasksDone\" ?: ?7")
+        .containsPattern("\"tasksDone\" ?: ?8")
         .containsPattern("\"buoysBumpedInOrder\" ?: ?2")
         .containsPattern("\"markersInBin\" ?: ?2")
         .containsPattern("\"torpedoesThroughHoop\" ?: ?2")

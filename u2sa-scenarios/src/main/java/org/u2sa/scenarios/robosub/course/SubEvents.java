@@ -3,11 +3,11 @@ package org.u2sa.scenarios.robosub.course;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
-import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.safety.FailsafeAction;
@@ -19,16 +19,16 @@ import org.u2sa.messages.schema.U2SAData;
  * many recognised objects the current goals needed (thesis 4.3.2).
  */
 final class SubEvents {
-  private static final Pattern SKIPPED = Pattern.compile("not sought by the goal (\\d+)");
+  private static final Pattern SEEN = Pattern.compile("(\\d+); not sought by the goal (\\d+)");
 
   private final Map<String, String> troubles = new LinkedHashMap<>(); // by words without figures
-  private int processed;
-  private int skipped;
+  private final Map<String, Integer> processed = new TreeMap<>(); // by detector
+  private final Map<String, Integer> skipped = new TreeMap<>();
   private boolean isStopped;
   private String completed = ""; // UID of the newest completed goal
 
   List<Channel<?>> listensTo() {
-    return List.of(Channels.SENSED_OBJECTS, Channels.HEALTH, Channels.FAILSAFE);
+    return List.of(Channels.HEALTH, Channels.FAILSAFE);
   }
 
   void reported(GoalInformation report) {
@@ -42,12 +42,13 @@ final class SubEvents {
 
   /** Takes note of a message; false if it is of another kind. */
   boolean heard(U2SAData data) {
-    if (data instanceof ObjectDescription object) {
-      processed += object.sensorName().startsWith("ObjectDetectorSensor") ? 1 : 0;
-    } else if (data instanceof HealthReport health) {
+    if (data instanceof HealthReport health) {
       for (String remark : health.remarks()) {
-        Matcher matcher = SKIPPED.matcher(remark);
-        skipped = matcher.find() ? Integer.parseInt(matcher.group(1)) : skipped;
+        Matcher matcher = SEEN.matcher(remark);
+        if (matcher.find()) {
+          processed.put(health.serviceName(), Integer.parseInt(matcher.group(1)));
+          skipped.put(health.serviceName(), Integer.parseInt(matcher.group(2)));
+        }
       }
     } else if (data instanceof FailsafeState failsafe) {
       isStopped = failsafe.action() == FailsafeAction.STOP;
@@ -81,11 +82,15 @@ final class SubEvents {
     return List.copyOf(troubles.values());
   }
 
-  /** Objects that the detector's service published, and left out. */
+  private static int sum(Map<String, Integer> byDetector) {
+    return byDetector.values().stream().mapToInt(Integer::intValue).sum();
+  }
+
+  /** Objects that the detectors' services published, and left out. */
   Map<String, Integer> counts() {
     Map<String, Integer> counts = new LinkedHashMap<>();
-    counts.put("objectsProcessed", processed);
-    counts.put("objectsSkipped", skipped);
+    counts.put("objectsProcessed", sum(processed));
+    counts.put("objectsSkipped", sum(skipped));
     return counts;
   }
 }

@@ -12,7 +12,7 @@ class SubCourseTest {
     SubCourse course = SubCourse.of(seed);
 
     assertThat(SubCourse.of(seed)).isEqualTo(course);
-    assertThat(course.objects()).hasSize(12).allMatch(object -> object.z() <= 0.0);
+    assertThat(course.objects()).hasSize(13).allMatch(object -> object.z() <= 0.0);
     assertThat(course.tasks().stream().flatMap(task -> task.goals().stream()))
         .extracting(CourseTask.Goal::name)
         .doesNotHaveDuplicates();
