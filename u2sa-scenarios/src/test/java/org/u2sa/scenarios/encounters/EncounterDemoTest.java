@@ -34,9 +34,7 @@ class EncounterDemoTest {
 
   @Test
   void demo_crossingVesselInWindAndCurrent_isGivenWayTo() throws IOException {
-    assertThat(result("--seed", "6", "--vary"))
-        .contains("CROSSING_GIVE_WAY")
-        .doesNotContain("!");
+    assertThat(result("--seed", "6", "--vary")).contains("CROSSING_GIVE_WAY").doesNotContain("!");
   }
 
   @Test
