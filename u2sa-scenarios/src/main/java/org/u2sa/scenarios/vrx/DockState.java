@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.TreeMap;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
@@ -87,7 +86,7 @@ final class DockState implements PlannerState {
   public Plan plan(Pursuit pursuit) {
     DockBySign goal = (DockBySign) pursuit.goal();
     StateInformation state = pursuit.state();
-    Map<String, Point> signs = signs(state);
+    Map<String, Point> signs = SeenSigns.of(surroundings, state);
     face(signs, surroundings.here(state));
     if (phase == Phase.SCANS && !goal.sequence().isEmpty()) {
       next(Phase.LOOKS);
@@ -125,23 +124,6 @@ final class DockState implements PlannerState {
       }
     }
     return places;
-  }
-
-  /** Signs by their type; of several tracks of one, the surest: the others are old sightings. */
-  private Map<String, Point> signs(StateInformation state) {
-    Map<String, ObjectDescription> surest = new TreeMap<>();
-    for (ObjectDescription object : surroundings.objects()) {
-      if (object.objectType().matches("\\w+ (circle|cross|triangle|rectangle)")) {
-        surest.merge(object.objectType(), object, (a, b) -> sigmaM(a) <= sigmaM(b) ? a : b);
-      }
-    }
-    Map<String, Point> signs = new TreeMap<>();
-    surest.forEach((type, object) -> signs.put(type, surroundings.centre(object, state)));
-    return signs;
-  }
-
-  private static double sigmaM(ObjectDescription object) {
-    return object.motion().sigma().map(Point::distance).orElse(Double.MAX_VALUE);
   }
 
   /** The bays lie before the signs, square to their row, on the side from which they are seen. */

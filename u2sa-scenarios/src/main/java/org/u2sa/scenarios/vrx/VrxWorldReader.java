@@ -6,7 +6,6 @@ import static org.u2sa.scenarios.vrx.SdfValues.numbers;
 import static org.u2sa.scenarios.vrx.SdfValues.parsed;
 import static org.u2sa.scenarios.vrx.SdfValues.positive;
 import static org.u2sa.scenarios.vrx.SdfValues.required;
-import static org.u2sa.scenarios.vrx.SdfValues.text;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,7 +23,6 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.marine.Colour;
 import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.ScriptedMover;
@@ -107,7 +105,7 @@ final class VrxWorldReader {
         task == VrxTask.PATH ? gates(required(scoring, "gates")) : List.of(),
         objects.buoys(),
         task == VrxTask.WILDLIFE ? wildlife(scoring, new LocalPlane(origin)) : Wildlife.none(),
-        task == VrxTask.DOCK ? docking(scoring) : Docking.none());
+        task == VrxTask.DOCK ? DockingReader.read(world, objects, scoring) : Docking.none());
   }
 
   private Optional<XmlElement> plugin(String name) {
@@ -242,46 +240,5 @@ final class VrxWorldReader {
       way.add(new ScriptedMover.Waypoint(model.place(), ANIMAL_MPS, 0.0));
     }
     return new ScriptedMover(animal, plane, way, ScriptedMover.End.LOOP, 0.0, true, true);
-  }
-
-  private Docking docking(XmlElement scoring) {
-    VrxObjects.Included dock =
-        objects.first("dock").orElseThrow(() -> world.error("includes no dock"));
-    VrxObjects.Included light =
-        objects.first("robotx_light").orElseThrow(() -> world.error("includes no light buoy"));
-    List<Docking.Bay> bays = new ArrayList<>();
-    double stayS = 0.0;
-    for (XmlElement bay : required(scoring, "bays").children("bay")) {
-      String[] sign = text(bay, "symbol").split("_");
-      bays.add(
-          new Docking.Bay(
-              colour(required(bay, "symbol"), sign[0]),
-              sign[sign.length - 1],
-              text(bay, "correct_dock").equalsIgnoreCase("true")));
-      stayS = number(bay, "min_dock_time");
-    }
-    List<Colour> sequence = new ArrayList<>();
-    for (String name : List.of("color_1", "color_2", "color_3")) {
-      XmlElement each = required(scoring, name);
-      sequence.add(colour(each, each.text().trim()));
-    }
-    return new Docking(
-        dock.place(),
-        dock.yawRad(),
-        bays,
-        sequence,
-        light.place(),
-        new Docking.Points(
-            number(scoring, "color_bonus_points", 10.0),
-            number(scoring, "dock_bonus_points", 10.0),
-            number(scoring, "correct_dock_bonus_points", 10.0)),
-        stayS);
-  }
-
-  private static Colour colour(XmlElement element, String name) {
-    return Arrays.stream(Colour.values())
-        .filter(each -> each.name().equalsIgnoreCase(name))
-        .findFirst()
-        .orElseThrow(() -> element.error("\"" + name + "\": expected red, green, blue or yellow"));
   }
 }
