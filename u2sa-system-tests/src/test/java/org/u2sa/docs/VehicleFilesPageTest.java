@@ -51,7 +51,7 @@ class VehicleFilesPageTest {
   private static TreeSet<String> asked(String element, List<String> vehicles) {
     TreeSet<String> asked = new TreeSet<>();
     Pattern empty = Pattern.compile("<" + element + "( [^>]*)?/>");
-    Pattern open = Pattern.compile("<" + element + "( [^>/]*)?>");
+    Pattern open = Pattern.compile("<" + element + "( [^>]*[^>/])?>");
     for (String vehicle : vehicles) {
       String wrong =
           open.matcher(

@@ -17,7 +17,7 @@ final class PistonPower {
   private static final double M3_PER_IN3 = 1.6387064e-5;
   private static final double PUMPING_W_MIN_PER_HP = 22_371.0; // ½ · 60 s/min · 745.7 W/hp
   private static final double STALLS_AT_IDLE = 0.8; // of the idling speed
-  private static final double LEAST_HP = 0.125; // less indicated power stops it
+  private static final double RUNS_ABOVE_HP = 0.125; // less indicated power stops it
 
   /** Efficiency over the ratio of fuel to air: JSBSim's default. */
   private static final double[][] MIXTURE = {
@@ -149,7 +149,7 @@ final class PistonPower {
       frictionPa = -dynamicFriction * pistonFps * UnitNumbers.M_PER_FT - staticFrictionPa;
       indicated += fuelLbPerS * 3_600.0 / specificConsumption * efficiency(fuelToAir);
     }
-    isRunning &= indicated >= LEAST_HP;
+    isRunning &= indicated >= RUNS_ABOVE_HP;
     double pumpingPa = (manifoldPa - flow.pressurePa) * volumetricEfficiency;
     double pumpingHp =
         (pumpingPa + frictionPa) * displacementM3 * rpm / (cycles * PUMPING_W_MIN_PER_HP);
