@@ -56,8 +56,7 @@ final class Cascade {
 
   /** Computes the wanted wrench: X, Y, Z [N], K, M, N [N m]; valid until the next call. */
   double[] step(BodyMotion motion, MotionTarget target, double stepS) {
-    drift.step(
-        motion.attitude().psi(), motion.levelVelocity().y(), motion.rates().z(), stepS);
+    drift.step(motion.attitude().psi(), motion.levelVelocity().y(), motion.rates().z(), stepS);
     weatherVane(target, stepS);
     aim(motion, target);
     boolean leans = settings.leans();

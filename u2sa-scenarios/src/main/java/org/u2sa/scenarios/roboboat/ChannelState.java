@@ -29,7 +29,8 @@ final class ChannelState extends TaskState {
   private static final double FIRST_M = 8.0; // from the entrance to the first gate
   private static final double AT_ENTRANCE_M = 3.0;
   private static final double LOOK_S = 30.0; // at the entrance, for the first gate
-  private static final double BLIND_M = 10.0; // straight on without a gate in sight, which is farther than the next gate
+  private static final double BLIND_M =
+      10.0; // straight on without a gate in sight, which is farther than the next gate
   private static final double AT_END_M = 5.0; // from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
   private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
@@ -124,7 +125,8 @@ final class ChannelState extends TaskState {
   }
 
   private static boolean isBefore(Point end, Optional<Gate> next, Point here) {
-    return next.map(gate -> Gate.distance(end, here) < Gate.distance(gate.middle(), here)).orElse(true);
+    return next.map(gate -> Gate.distance(end, here) < Gate.distance(gate.middle(), here))
+        .orElse(true);
   }
 
   private Plan through(Gate gate, Pursuit pursuit, BuoyChannel now) {
@@ -133,8 +135,7 @@ final class ChannelState extends TaskState {
       return approach(gate, here, pursuit, now);
     }
     Point middle = gate.middle();
-    Point after =
-        gates.next(middle, gate).map(Gate::middle).orElse(gate.beyond(BEFORE_M));
+    Point after = gates.next(middle, gate).map(Gate::middle).orElse(gate.beyond(BEFORE_M));
     GateLine line = new GateLine(lineFrom.get(), middle, after);
     if (mustBreakOff(gate, line, here) && plan(gate, here, pursuit.state())) {
       breakOffs++;
@@ -159,9 +160,7 @@ final class ChannelState extends TaskState {
     StateInformation state = pursuit.state();
     boolean isOff =
         approach
-            .map(
-                way ->
-way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
+            .map(way -> way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
             .orElse(true);
     if (isOff && triedAt.map(place -> Gate.distance(place, here) > RETRY_M).orElse(true)) {
       triedAt = Optional.of(here);
@@ -181,14 +180,14 @@ way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
 
   private boolean plan(Gate gate, Point here, StateInformation state) {
     Pose pose = new Pose(here.x(), here.y(), surroundings.courseRad(state));
-    Optional<GateApproach> planned =
-        GateApproach.plan(pose, gate, surroundings.outlines(state));
+    Optional<GateApproach> planned = GateApproach.plan(pose, gate, surroundings.outlines(state));
     approach = planned.or(() -> approach);
     return planned.isPresent();
   }
 
   private Plan steer(Pursuit pursuit, Point here, Point aim, double speedMps, BuoyChannel now) {
-    Point farther = GateLine.between(here, aim, FULL_SPEED_M / Math.max(0.1, Gate.distance(here, aim)));
+    Point farther =
+        GateLine.between(here, aim, FULL_SPEED_M / Math.max(0.1, Gate.distance(here, aim)));
     NavigationPoint point = surroundings.straight(pursuit.state(), farther);
     return Plan.underWay(List.of(point.speed(speedMps))).changing(now);
   }
@@ -210,7 +209,9 @@ way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
       return givenUp("no further gate was seen", now);
     }
     return step(
-        pursuit, towards(pursuit, gates.last().get().beyond(BLIND_M + AHEAD_M), 1.0, SEARCH_MPS), now);
+        pursuit,
+        towards(pursuit, gates.last().get().beyond(BLIND_M + AHEAD_M), 1.0, SEARCH_MPS),
+        now);
   }
 
   private static Plan givenUp(String reason, BuoyChannel now) {

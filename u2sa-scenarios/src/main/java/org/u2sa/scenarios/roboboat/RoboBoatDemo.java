@@ -74,7 +74,8 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
         frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
     VehicleTrial placed =
         VehicleTrial.of(
-            changes.load(system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml")),
+            changes.load(
+                system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml")),
             sailed.world(),
             Point.ORIGIN,
             0.0,

@@ -125,8 +125,7 @@ record VesselModel(
                 file.positive("density", "kg/m^3", 20_000.0)));
   }
 
-  private static List<VesselActuator> actuators(
-      FileElement file, Map<String, Double> failures) {
+  private static List<VesselActuator> actuators(FileElement file, Map<String, Double> failures) {
     List<VesselActuator> all = new ArrayList<>();
     add(file, "thruster", each -> thruster(each, failures), all);
     add(file, "propeller", VesselModel::propeller, all);

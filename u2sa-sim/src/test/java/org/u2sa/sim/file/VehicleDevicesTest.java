@@ -267,7 +267,8 @@ class VehicleDevicesTest {
     VehicleFile file =
         Vehicles.parse(
             Vehicles.threeThrusters()
-                .replaceFirst("(<thruster name=\"BOW\"[^>]*>)", "$1<failsAt unit=\"s\">1</failsAt>"));
+                .replaceFirst(
+                    "(<thruster name=\"BOW\"[^>]*>)", "$1<failsAt unit=\"s\">1</failsAt>"));
     Thruster bow =
         device(file, Thruster.class, "X", variables("ACTUATOR NAME", "BOW")).orElseThrow();
     bow.read(clock.micros());
