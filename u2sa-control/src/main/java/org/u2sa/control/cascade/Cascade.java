@@ -19,7 +19,7 @@ final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
   private static final double VANE_PER_S = 0.1; // turning rate per angle off the weather
   private static final double FLIES_FROM = 0.5; // fraction of the weight that is lifted
-  private static final double LEAST_AHEAD_MPS = 0.5; // to which a vehicle at rest accelerates soon
+  private static final double MIN_AHEAD_MPS = 0.5; // to which a vehicle at rest accelerates soon
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
   private static final int HEAVE = DegreeOfFreedom.HEAVE.ordinal();
@@ -109,7 +109,7 @@ final class Cascade {
         && distanceM(target) >= settings.way().facingDistance()) {
       double astern = target.isBackwards() ? Math.PI : 0.0;
       double course = Math.atan2(toGo.y(), toGo.x());
-      double ahead = Math.max(LEAST_AHEAD_MPS, motion.velocity().x());
+      double ahead = Math.max(MIN_AHEAD_MPS, motion.velocity().x());
       double crab =
           settings.way().countersDrift() && !target.isBackwards()
               ? drift.crabRad(course, ahead)

@@ -39,7 +39,7 @@ final class ChannelState extends TaskState {
   private static final double RETRY_M = 0.5; // between two attempts to plan
   private static final double DECIDE_M = 3.0; // before a gate: the last place to break off
   private static final double STEEPEST = 0.25; // of the way back to the line, aside per metre
-  private static final int MOST_BREAK_OFFS = 3;
+  private static final int MAX_BREAK_OFFS = 3;
 
   private final GateSequence gates = new GateSequence();
   private Optional<Point> lineFrom = Optional.empty(); // start of the line to the next gate
@@ -149,7 +149,7 @@ final class ChannelState extends TaskState {
   private boolean mustBreakOff(Gate gate, GateLine line, Point here) {
     double ahead = gate.aheadM(here);
     return gates.last().isEmpty()
-        && breakOffs < MOST_BREAK_OFFS
+        && breakOffs < MAX_BREAK_OFFS
         && ahead > DECIDE_M
         && ahead < DECIDE_M + 2.0
         && Math.abs(line.asideM(here)) > STEEPEST * ahead;

@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.Point;
  * @param to place behind it
  */
 record GateLine(Point from, Point over, Point to) {
-  private static final double LEAST_M = 1.0e-6; // length of a piece
+  private static final double MIN_LENGTH_M = 1.0e-6; // length of a piece
 
   /** Distance from the piece to the gate, positive to the right [m]. */
   double asideM(Point here) {
@@ -22,7 +22,7 @@ record GateLine(Point from, Point over, Point to) {
   }
 
   private double lengthM() {
-    return Math.max(LEAST_M, Gate.distance(from, over));
+    return Math.max(MIN_LENGTH_M, Gate.distance(from, over));
   }
 
   /** Place this far ahead of a boat that is abreast of the piece to the gate. */
@@ -35,7 +35,7 @@ record GateLine(Point from, Point over, Point to) {
     double reached = along + metres;
     return reached <= length
         ? between(from, over, reached / length)
-        : between(over, to, (reached - length) / Math.max(LEAST_M, Gate.distance(over, to)));
+        : between(over, to, (reached - length) / Math.max(MIN_LENGTH_M, Gate.distance(over, to)));
   }
 
   /** Place between two others, or beyond them. */
