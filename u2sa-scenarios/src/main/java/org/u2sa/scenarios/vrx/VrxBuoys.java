@@ -21,8 +21,8 @@ final class VrxBuoys {
   private static final double ROUND_RADIUS_M = 0.25;
   private static final double MARKER_HEIGHT_M = 1.1;
 
-  private static final int DEEPEST = 4; // models within models
-  private static final int MOST = 2_000; // includes; a course has some ten
+  private static final int MAX_DEPTH = 4; // models within models
+  private static final int MAX_INCLUDES = 2_000; // includes; a course has some ten
 
   private final Path world;
   private final Map<Path, XmlElement> models = new HashMap<>();
@@ -49,9 +49,9 @@ final class VrxBuoys {
   }
 
   private void include(XmlElement include, Point at, double yawRad, int depth) {
-    if (depth > DEEPEST || ++includes > MOST) {
+    if (depth > MAX_DEPTH || ++includes > MAX_INCLUDES) {
       throw include.error(
-          "expected at most " + DEEPEST + " models within models, and " + MOST + " <include>");
+          "expected at most " + MAX_DEPTH + " models within models, and " + MAX_INCLUDES + " <include>");
     }
     double[] pose =
         include.child("pose").map(each -> VrxWorldReader.numbers(each, 6)).orElse(new double[6]);

@@ -21,7 +21,7 @@ final class VrxWorldReader {
   private static final Pattern PARAMETER =
       Pattern.compile("key: \"(\\w+)\".*?double_value: ([-+.0-9eE]+)", Pattern.DOTALL);
 
-  private static final int MOST_WAYPOINTS = 9; // VRX has five; all orders of them are tried
+  private static final int MAX_WAYPOINTS = 9; // VRX has five; all orders of them are tried
   private static final double FULL_LATITUDE_DEG = 90.0;
 
   private final Path file;
@@ -147,9 +147,9 @@ final class VrxWorldReader {
       required(scoring, "waypoints")
           .children("waypoint")
           .forEach(each -> poses.add(required(each, "pose")));
-      if (poses.isEmpty() || poses.size() > MOST_WAYPOINTS) {
+      if (poses.isEmpty() || poses.size() > MAX_WAYPOINTS) {
         throw required(scoring, "waypoints")
-            .error(poses.size() + " <waypoint>; expected 1 to " + MOST_WAYPOINTS);
+            .error(poses.size() + " <waypoint>; expected 1 to " + MAX_WAYPOINTS);
       }
     }
     List<VrxWorld.Goal> goals = new ArrayList<>();
