@@ -51,7 +51,11 @@ final class VrxBuoys {
   private void include(XmlElement include, Point at, double yawRad, int depth) {
     if (depth > MAX_DEPTH || ++includes > MAX_INCLUDES) {
       throw include.error(
-          "expected at most " + MAX_DEPTH + " models within models, and " + MAX_INCLUDES + " <include>");
+          "expected at most "
+              + MAX_DEPTH
+              + " models within models, and "
+              + MAX_INCLUDES
+              + " <include>");
     }
     double[] pose =
         include.child("pose").map(each -> VrxWorldReader.numbers(each, 6)).orElse(new double[6]);
