@@ -37,7 +37,7 @@ final class VrxWorldReader {
    */
   private static final double ANIMAL_MPS = 0.3;
 
-  private static final int MOST_WAYPOINTS = 9; // VRX has five; all orders of them are tried
+  private static final int MAX_WAYPOINTS = 9; // VRX has five; all orders of them are tried
   private static final double ANIMAL_RADIUS_M = 0.45;
   private static final double ANIMAL_HEIGHT_M = 0.6;
 
@@ -168,9 +168,9 @@ final class VrxWorldReader {
       required(scoring, "waypoints")
           .children("waypoint")
           .forEach(each -> poses.add(required(each, "pose")));
-      if (poses.isEmpty() || poses.size() > MOST_WAYPOINTS) {
+      if (poses.isEmpty() || poses.size() > MAX_WAYPOINTS) {
         throw required(scoring, "waypoints")
-            .error(poses.size() + " <waypoint>; expected 1 to " + MOST_WAYPOINTS);
+            .error(poses.size() + " <waypoint>; expected 1 to " + MAX_WAYPOINTS);
       }
     }
     List<VrxWorld.Goal> goals = new ArrayList<>();

@@ -20,6 +20,7 @@ import org.u2sa.messages.marine.MarineObjects;
 import org.u2sa.mission.Mission;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
+import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.Pursuit;
 
 /** The station is at the origin, the hoop 4 m north of it. */
@@ -59,6 +60,16 @@ class HulaHoopStateTest {
     @Override
     public NavigationPoint straight(StateInformation state, Point place) {
       return NavigationPoint.at(place.minus(here(state)));
+    }
+
+    @Override
+    public List<PlanarShape> outlines(StateInformation state) {
+      return List.of();
+    }
+
+    @Override
+    public double courseRad(StateInformation state) {
+      return state.psi().orElseThrow();
     }
 
     @Override
