@@ -20,8 +20,8 @@ import org.u2sa.messages.marine.MarineObjects;
 import org.u2sa.mission.Mission;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
-import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.seen.PlanarShape;
 
 /** The station is at the origin, the hoop 4 m north of it. */
 class HulaHoopStateTest {
