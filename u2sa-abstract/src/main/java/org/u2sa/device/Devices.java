@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.Set;
 import org.u2sa.device.port.Device;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -41,7 +40,7 @@ public final class Devices {
   public static <D extends Device<?>> D open(
       Class<D> port, Usual usual, ServiceContext context, String service, Optional<D> made) {
     XmlConfiguration configuration = context.configuration();
-    if (context.devices() != DeviceSource.NONE) {
+    if (context.devices() != ServiceContext.DeviceSource.NONE) {
       context.beforeDevice(); // a simulated one is a device, too
     }
     Optional<D> provided =

@@ -109,12 +109,6 @@ public interface Execution {
   /** Called when the service's loop has ended, before its shutdown. */
   default void ends() {}
 
-  /** Records the executions of services created after it, such as a recorder. */
-  interface Keeper {
-    /** Called before a service of that class is created; empty if it is not recorded. */
-    Optional<Execution> keep(String className, ServiceContext context);
-  }
-
   /** Publishes frozen messages. */
   @FunctionalInterface
   interface Outlet {

@@ -6,7 +6,6 @@ import java.util.Deque;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -19,6 +18,39 @@ import org.u2sa.service.handover.RememberedStates;
  * Everything a service gets at construction: its system, configuration, clock and communication.
  */
 public final class ServiceContext {
+  /**
+   * Devices that the host of a run provides in place of the configured ones, such as a simulated
+   * vehicle's sensors.
+   */
+  public interface DeviceSource {
+    /** Provides none: every service opens its configured device. */
+    DeviceSource NONE =
+        new DeviceSource() {
+          @Override
+          public <D> Optional<D> device(
+              Class<D> port, String service, XmlConfiguration variables, Clock clock) {
+            return Optional.empty();
+          }
+        };
+
+    /**
+     * Device of a service; called once, while the service is constructed.
+     *
+     * @param port kind of device: an interface of {@code org.u2sa.device.port}
+     * @param variables those that follow from the device may be overridden
+     * @return empty: the service opens its configured device
+     * @throws org.u2sa.interfaces.BadInputException if it must not, but there is no other device
+     *     for it
+     */
+    <D> Optional<D> device(Class<D> port, String service, XmlConfiguration variables, Clock clock);
+  }
+
+  /** Records the executions of services created after it, such as a recorder. */
+  public interface ExecutionKeeper {
+    /** Called before a service of that class is created; empty if it is not recorded. */
+    Optional<Execution> keep(String className, ServiceContext context);
+  }
+
   /** Ends a service's trial construction at its device. Not a failure; only launchers catch it. */
   public static final class TrialEnded extends RuntimeException {
     private static final long serialVersionUID = 1L;

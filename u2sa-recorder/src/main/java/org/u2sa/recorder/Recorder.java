@@ -24,7 +24,7 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>Can also be listed in a system file, including on a phone.
  */
-public final class Recorder extends EventDrivenService implements Execution.Keeper {
+public final class Recorder extends EventDrivenService implements ServiceContext.ExecutionKeeper {
   private static final String LIBRARY = "u2sa";
 
   private final Recording recording;

@@ -22,7 +22,6 @@ import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.core.launch.Launcher;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.device.detection.ObjectDetector;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.Range;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
@@ -51,8 +50,8 @@ class ConfigurationPageTest {
   };
 
   /** A detector that sees nothing: the only one with a driver is the simulated one. */
-  private static final DeviceSource DETECTOR =
-      new DeviceSource() {
+  private static final ServiceContext.DeviceSource DETECTOR =
+      new ServiceContext.DeviceSource() {
         @Override
         public <D> Optional<D> device(
             Class<D> port, String service, XmlConfiguration variables, Clock clock) {

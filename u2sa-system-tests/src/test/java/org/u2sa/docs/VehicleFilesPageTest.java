@@ -38,6 +38,7 @@ class VehicleFilesPageTest {
     vehicles.add(new Page("config/vehicles/bluerov2.xml").text());
     vehicles.add(new Page("config/cessna/vehicle.xml").text());
     vehicles.add(new Page("config/vehicles/remus100.xml").text());
+    vehicles.add(new Page("config/robosub/vehicle.xml").text());
     vehicles.add(new Page("config/vehicles/trainer.xml").text());
     return vehicles;
   }
@@ -71,7 +72,7 @@ class VehicleFilesPageTest {
 
   @Test
   void examples_ofThePage_areVehicles() throws IOException {
-    assertThat(vehicles()).hasSize(10).allSatisfy(VehicleFilesPageTest::read);
+    assertThat(vehicles()).hasSize(12).allSatisfy(VehicleFilesPageTest::read);
   }
 
   @Test

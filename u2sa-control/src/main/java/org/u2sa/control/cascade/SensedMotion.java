@@ -21,7 +21,7 @@ final class SensedMotion {
   private double turnS = Double.NEGATIVE_INFINITY;
   private double velocityS = Double.NEGATIVE_INFINITY;
 
-  /** Takes note of what a sensor measured, which has arrived now [µs]. */
+  /** Adds what a sensor measured, which has arrived now [µs]. */
   void sensed(StateInformation measured, long nowMicros) {
     boolean isBody = measured.referenceFrame().equals(ReferenceFrame.BODY);
     if (!isBody && measured.psiDot().isPresent()) {

@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.IntConsumer;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
@@ -32,7 +31,7 @@ public final class LaunchOptions {
   boolean besideManager;
   boolean throughBroker;
   Optional<IntConsumer> otherPort = Optional.empty();
-  DeviceSource devices = DeviceSource.NONE;
+  ServiceContext.DeviceSource devices = ServiceContext.DeviceSource.NONE;
   private final Map<String, Map<String, Object>> overrides = new LinkedHashMap<>();
   private final Map<String, Function<ServiceContext, ? extends U2SAService>> makers =
       new HashMap<>();
@@ -124,7 +123,7 @@ public final class LaunchOptions {
   }
 
   /** Sets where services find devices that replace their configured ones; restarts use it too. */
-  public LaunchOptions devices(DeviceSource value) {
+  public LaunchOptions devices(ServiceContext.DeviceSource value) {
     devices = Objects.requireNonNull(value, "devices");
     return this;
   }

@@ -6,7 +6,6 @@ import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.schema.MessageTypes;
-import org.u2sa.service.Execution;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.U2SAService;
 import org.u2sa.service.handover.RememberedStates;
@@ -18,7 +17,7 @@ final class ServiceMaker {
   private final MessageTypes types;
   private final Transport transport;
   private final RememberedStates remembered = new RememberedStates();
-  private volatile Execution.Keeper keeper; // null if executions are not recorded
+  private volatile ServiceContext.ExecutionKeeper keeper; // null if executions are not recorded
 
   ServiceMaker(String systemId, LaunchOptions options, MessageTypes types, Transport transport) {
     this.systemId = systemId;
@@ -136,7 +135,7 @@ final class ServiceMaker {
    * own devices are excluded, because they cannot be replayed.
    */
   private ServiceContext kept(String className, ServiceContext context) {
-    Execution.Keeper present = keeper;
+    ServiceContext.ExecutionKeeper present = keeper;
     return present == null || options.makerOf(className).isPresent()
         ? context
         : present.keep(className, context).map(context::with).orElse(context);
@@ -147,8 +146,8 @@ final class ServiceMaker {
     try {
       U2SAService service = constructor.apply(context);
       context.execution().made(service);
-      if (service instanceof Execution.Keeper) {
-        keeper = (Execution.Keeper) service;
+      if (service instanceof ServiceContext.ExecutionKeeper) {
+        keeper = (ServiceContext.ExecutionKeeper) service;
       }
       return service;
     } catch (RuntimeException | Error e) {

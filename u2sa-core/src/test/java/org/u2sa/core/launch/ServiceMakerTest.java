@@ -7,16 +7,16 @@ import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.GpsSensor;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.schema.MessageTypes;
+import org.u2sa.service.ServiceContext;
 
 class ServiceMakerTest {
   /** A simulation, whose devices must not be made twice. */
-  private static final class Simulation implements DeviceSource {
+  private static final class Simulation implements ServiceContext.DeviceSource {
     @Override
     public <D> Optional<D> device(
         Class<D> port, String service, XmlConfiguration variables, Clock clock) {

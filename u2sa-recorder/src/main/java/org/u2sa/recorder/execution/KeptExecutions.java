@@ -10,7 +10,7 @@ import org.u2sa.service.Execution;
 import org.u2sa.service.ServiceContext;
 
 /** Starts and names the executions of a recording. */
-public final class KeptExecutions implements Execution.Keeper {
+public final class KeptExecutions implements ServiceContext.ExecutionKeeper {
   private final BiConsumer<String, ExecutionStart> starts;
   private final Consumer<ExecutionPart> parts;
   private final Consumer<String> trouble;

@@ -3,13 +3,13 @@ package org.u2sa.scenarios.roboboat;
 import java.util.Optional;
 import java.util.function.LongConsumer;
 import org.u2sa.device.payload.SwitchOutput;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.scenarios.roboboat.gun.SimulatedDartGun;
 import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.roboboat.subvehicle.SubVehicle;
+import org.u2sa.service.ServiceContext;
 
 /**
  * Devices of a simulated boat.
@@ -20,8 +20,11 @@ import org.u2sa.scenarios.roboboat.subvehicle.SubVehicle;
  * @param radioFails whether nothing is heard of the quadrotor
  */
 record BoatDevices(
-    DeviceSource vehicle, LongConsumer fired, QuadrotorOnDeck quadrotor, boolean radioFails)
-    implements DeviceSource {
+    ServiceContext.DeviceSource vehicle,
+    LongConsumer fired,
+    QuadrotorOnDeck quadrotor,
+    boolean radioFails)
+    implements ServiceContext.DeviceSource {
   @Override
   public <D> Optional<D> device(
       Class<D> port, String service, XmlConfiguration variables, Clock clock) {

@@ -22,6 +22,6 @@ public final class VrxGoals implements MessageTypeProvider, PlannerStateProvider
     return List.of(
         new GateCourseState(surroundings),
         new CircleState(surroundings),
-        new DockState(surroundings));
+        new DockBySignState(surroundings));
   }
 }

@@ -10,13 +10,13 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.device.port.Device;
-import org.u2sa.device.port.DeviceSource;
 import org.u2sa.device.port.MotorController;
 import org.u2sa.device.port.Servo;
 import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.device.SimulatedMotors;
 import org.u2sa.sim.device.SimulatedTraffic;
 import org.u2sa.sim.device.VehicleServo;
@@ -34,7 +34,7 @@ import org.u2sa.sim.vehicle.VehicleRun;
  * own. Each service has its own noise. Variables that follow from the device, such as a receiver's
  * DELAY, are set unless the service's file sets them.
  */
-public final class VehicleDevices implements DeviceSource {
+public final class VehicleDevices implements ServiceContext.DeviceSource {
   private static final String ACTUATOR_NAME = "ACTUATOR NAME";
   private static final String COUNTS = "COUNTS PER TURN";
   private static final double USUAL_COUNTS = 2_000.0;

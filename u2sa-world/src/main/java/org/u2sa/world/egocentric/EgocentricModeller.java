@@ -22,7 +22,7 @@ import org.u2sa.world.modeller.Sighting;
  * velocity log measure them, carry it along. Objects are published in BODY, as of a level vehicle.
  */
 public final class EgocentricModeller implements Modeller {
-  private static final double LEAST_SHARE = 0.1; // of a sighting in the place
+  private static final double MIN_SHARE = 0.1; // of a sighting in the place
   private static final double RANGE_SHARE = 0.125; // error of the range
 
   private record Variables(
@@ -47,7 +47,7 @@ public final class EgocentricModeller implements Modeller {
 
     void see(ObjectDescription seen, boolean isUnsure, long micros) {
       sightings++;
-      double share = isUnsure ? 1.0 : Math.max(LEAST_SHARE, 1.0 / sightings);
+      double share = isUnsure ? 1.0 : Math.max(MIN_SHARE, 1.0 / sightings);
       Point before = object.center();
       Point at = before.plus(seen.center().minus(before).times(share));
       object = seen.copy().x(at.x()).y(at.y()).z(at.z());

@@ -20,7 +20,7 @@ final class OwnMotion {
   private Point velocity = Point.ORIGIN; // forward, left, down [m/s]
   private long velocityMicros = Long.MIN_VALUE / 2;
 
-  /** Takes note of what a sensor measured. */
+  /** Adds what a sensor measured. */
   void sensed(StateInformation measured, long micros) {
     boolean isBody = measured.referenceFrame().equals(ReferenceFrame.BODY);
     if (isBody && measured.xDot().isPresent()) {

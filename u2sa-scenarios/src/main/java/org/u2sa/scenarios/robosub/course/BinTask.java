@@ -37,11 +37,11 @@ record BinTask(Point right, Point wrong, List<Colour> colours, long seed) implem
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private final Projectiles projectiles = new Projectiles(seed);
     private int dropped;
     private int inside;

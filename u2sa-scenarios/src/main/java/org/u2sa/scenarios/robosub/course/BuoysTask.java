@@ -41,11 +41,11 @@ record BuoysTask(List<Point> places, List<Colour> colours) implements CourseTask
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private final List<String> bumped = new ArrayList<>();
 
     @Override

@@ -21,5 +21,5 @@ public interface CourseTask {
   List<Goal> goals();
 
   /** A judge of one run. */
-  TaskJudge judge();
+  SubTaskJudge judge();
 }

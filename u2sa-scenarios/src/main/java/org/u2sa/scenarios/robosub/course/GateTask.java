@@ -41,11 +41,11 @@ record GateTask(Point middle, Point across, boolean isLeft) implements CourseTas
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private boolean isPassed;
     private boolean isWrongSide;
 

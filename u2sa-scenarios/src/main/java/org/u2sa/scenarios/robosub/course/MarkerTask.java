@@ -31,11 +31,11 @@ record MarkerTask(String name, Point place, double headingRad) implements Course
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private boolean isFollowed;
 
     @Override

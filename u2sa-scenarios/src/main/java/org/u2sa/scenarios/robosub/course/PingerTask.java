@@ -54,11 +54,11 @@ public record PingerTask(Point pinger, Point otherRing) implements CourseTask {
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private double nearestM = Double.POSITIVE_INFINITY; // level distance
 
     @Override

@@ -31,11 +31,11 @@ record RingTask(Point middle) implements CourseTask {
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private double offM = Double.POSITIVE_INFINITY; // level distance from the middle
     private double downM;
 

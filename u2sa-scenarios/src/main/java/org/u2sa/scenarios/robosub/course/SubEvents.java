@@ -40,7 +40,7 @@ final class SubEvents {
     }
   }
 
-  /** Takes note of a message; false if it is of another kind. */
+  /** Counts a message; false if it is of another kind. */
   boolean heard(U2SAData data) {
     if (data instanceof HealthReport health) {
       for (String remark : health.remarks()) {

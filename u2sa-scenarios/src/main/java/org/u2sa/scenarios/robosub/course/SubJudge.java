@@ -42,7 +42,7 @@ public final class SubJudge implements TruthObserver.Scorer {
   private static final double STOPPED_S = 30.0; // time to rise after a failsafe
 
   private final SubCourse course;
-  private final List<TaskJudge> judges;
+  private final List<SubTaskJudge> judges;
   private final RunningVehicle run;
   private final Path directory;
   private final ToDoubleFunction<String> switchPercent;
@@ -168,7 +168,7 @@ public final class SubJudge implements TruthObserver.Scorer {
     counts.put(
         RunOutcome.TASKS_DONE,
         (int) judges.stream().filter(judge -> judge.violation().isEmpty()).count());
-    for (TaskJudge judge : judges) {
+    for (SubTaskJudge judge : judges) {
       judge.violation().ifPresent(violations::add);
       counts.putAll(judge.counts());
       figures.putAll(judge.figures());

@@ -42,11 +42,11 @@ record TorpedoTask(Point right, Point wrong, double headingRad, List<Colour> col
   }
 
   @Override
-  public TaskJudge judge() {
+  public SubTaskJudge judge() {
     return new Judge();
   }
 
-  private final class Judge implements TaskJudge {
+  private final class Judge implements SubTaskJudge {
     private final Projectiles projectiles = new Projectiles(seed);
     private int shot;
     private int through;

@@ -24,17 +24,17 @@ class TaskJudgesTest {
         Point.ORIGIN);
   }
 
-  private static TaskJudge bin() {
+  private static SubTaskJudge bin() {
     Point right = Point.of(10.0, 0.0, 3.6);
     return new BinTask(right, Point.of(10.0, 1.5, 3.6), COLOURS, 1L).judge();
   }
 
-  private static TaskJudge hoop() {
+  private static SubTaskJudge hoop() {
     Point right = Point.of(10.0, 0.0, 2.0);
     return new TorpedoTask(right, Point.of(10.0, 1.2, 2.0), 0.0, COLOURS, 1L).judge();
   }
 
-  private static void release(TaskJudge judge, String actuator, VehicleTruth truth, int times) {
+  private static void release(SubTaskJudge judge, String actuator, VehicleTruth truth, int times) {
     for (int i = 0; i < times; i++) {
       judge.released(actuator, truth);
     }
@@ -42,7 +42,7 @@ class TaskJudgesTest {
 
   @Test
   void bin_twoMarkersFromAbove_isDone() {
-    TaskJudge judge = bin();
+    SubTaskJudge judge = bin();
     release(judge, "DROPPER", at(10.0, 0.05, 2.7, 0.0), 2);
 
     assertThat(judge.violation()).isEmpty();
@@ -51,7 +51,7 @@ class TaskJudgesTest {
 
   @Test
   void bin_markersIntoTheOtherBinOrMoreThanTwo_doNotCount() {
-    TaskJudge judge = bin();
+    SubTaskJudge judge = bin();
     release(judge, "DROPPER", at(10.0, 1.5, 2.7, 0.0), 2);
     release(judge, "DROPPER", at(10.0, 0.0, 2.7, 0.0), 2);
 
@@ -60,7 +60,7 @@ class TaskJudgesTest {
 
   @Test
   void hoop_twoTorpedoesFromInFront_isDone() {
-    TaskJudge judge = hoop();
+    SubTaskJudge judge = hoop();
     release(judge, "LAUNCHER", at(8.7, 0.0, 2.0, 0.0), 2);
 
     assertThat(judge.violation()).isEmpty();
@@ -68,7 +68,7 @@ class TaskJudgesTest {
 
   @Test
   void hoop_noseUpOrFromBehindOrFarAway_doesNotCount() {
-    TaskJudge judge = hoop();
+    SubTaskJudge judge = hoop();
     release(judge, "LAUNCHER", at(8.7, 0.0, 2.0, 0.3), 1);
     release(judge, "DROPPER", at(8.7, 0.0, 2.0, 0.0), 1);
     release(judge, "LAUNCHER", at(11.0, 0.0, 2.0, 0.0), 1);
@@ -79,7 +79,8 @@ class TaskJudgesTest {
 
   @Test
   void gate_passedOnTheOtherSide_isWrong() {
-    TaskJudge judge = new GateTask(Point.of(5.0, 0.0, 1.5), Point.of(0.0, 1.5, 0.0), true).judge();
+    SubTaskJudge judge =
+        new GateTask(Point.of(5.0, 0.0, 1.5), Point.of(0.0, 1.5, 0.0), true).judge();
     judge.moved(Point.of(4.9, 0.7, 1.5), Point.of(5.1, 0.7, 1.5));
 
     assertThat(judge.violation()).hasValue("gate: passed on the wrong side");
@@ -87,7 +88,7 @@ class TaskJudgesTest {
 
   @Test
   void buoys_bumpedInTheOtherOrder_doNotCount() {
-    TaskJudge judge =
+    SubTaskJudge judge =
         new BuoysTask(List.of(Point.of(5.0, 0.0, 1.5), Point.of(9.0, 0.0, 1.5)), COLOURS).judge();
     judge.touched("green buoy");
     judge.touched("red buoy");

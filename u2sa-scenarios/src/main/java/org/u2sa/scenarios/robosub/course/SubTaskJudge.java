@@ -9,7 +9,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * Scores one task of a run by the truth. Places are north, east and down of the start [m]; what is
  * returned by an event goes to the log.
  */
-public interface TaskJudge {
+public interface SubTaskJudge {
   /** The vehicle's centre moved. */
   default Optional<String> moved(Point from, Point to) {
     return Optional.empty();

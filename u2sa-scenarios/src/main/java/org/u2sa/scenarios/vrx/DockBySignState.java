@@ -20,7 +20,7 @@ import org.u2sa.planning.Pursuit;
  * Docks by a {@link DockBySign}: waits near the light buoy until the sequence is known, goes around
  * the dock until it sees the signs, lines up with the bay, enters, stays, and leaves in reverse.
  */
-final class DockState implements PlannerState {
+final class DockBySignState implements PlannerState {
   private enum Phase {
     SCANS,
     LOOKS,
@@ -55,7 +55,7 @@ final class DockState implements PlannerState {
   private long readMicros; // before the signs since
   private long thereMicros; // in the bay since
 
-  DockState(PlannerView surroundings) {
+  DockBySignState(PlannerView surroundings) {
     this.surroundings = surroundings;
   }
 
@@ -237,7 +237,7 @@ final class DockState implements PlannerState {
   private Plan towards(Pursuit pursuit, Point place, OptionalDouble speedMps) {
     PlannerView.Step step = surroundings.towards(pursuit, place, 1.0, speedMps);
     return step.givenUp()
-        .map(DockState::abandoned)
+        .map(DockBySignState::abandoned)
         .orElseGet(() -> Plan.underWay(List.of(step.point())));
   }
 
