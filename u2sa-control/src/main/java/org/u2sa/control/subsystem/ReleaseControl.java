@@ -34,7 +34,7 @@ public final class ReleaseControl extends ControlSystem {
     super(context, "ReleaseControl");
     actuators =
         Arrays.stream(settings(Variables.class).get().actuators().split(","))
-            .map(String::strip)
+            .map(String::trim)
             .filter(name -> !name.isEmpty())
             .collect(Collectors.toList());
   }
