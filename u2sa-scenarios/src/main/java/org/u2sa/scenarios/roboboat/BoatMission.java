@@ -57,7 +57,7 @@ final class BoatMission {
         "return",
         new Gate(last.right(), last.left()),
         true,
-        "<next>home way</next><timeLimit>300</timeLimit><fallback>true</fallback><gates>"
+        "<next>home way</next><fallback>true</fallback><gates>"
             + course.channel().size()
             + "</gates>");
     text.append("  <waypoint><name>home way</name>");
@@ -89,7 +89,6 @@ final class BoatMission {
     text.append(element("expectedTime", outlook.expectedS()));
     text.append(element("successProbability", outlook.probability()));
     text.append(element("endBy", endByS(site.station())));
-    text.append(element("timeLimit", outlook.limitS()));
     text.append("<objectTypes>").append(types).append("</objectTypes>");
     if (isDock) {
       text.append(way()).append("<next>fetch</next><next if=\"failed\">");

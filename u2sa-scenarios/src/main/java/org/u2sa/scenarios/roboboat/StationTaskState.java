@@ -2,6 +2,7 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -21,7 +22,9 @@ abstract class StationTaskState extends TaskState {
   private static final double CARRIED_OFF_M = 2.5;
   private static final double WAY_MPS = 1.2;
   private static final double NEAR_M = 10.0; // objects of a station
+  private static final double LIMIT_S = 200.0; // after which it is left, with the way there
 
+  private long enteredMicros; // Long.MIN_VALUE: not yet
   private boolean isThere;
   private long arrivedMicros; // Long.MIN_VALUE: not yet
 
@@ -49,6 +52,7 @@ abstract class StationTaskState extends TaskState {
     surroundings.begin();
     isThere = false;
     arrivedMicros = Long.MIN_VALUE;
+    enteredMicros = Long.MIN_VALUE;
     begin((BoatTask) pursuit.goal());
   }
 
@@ -56,6 +60,12 @@ abstract class StationTaskState extends TaskState {
   public final Plan plan(Pursuit pursuit) {
     BoatTask task = (BoatTask) pursuit.goal();
     StateInformation state = pursuit.state();
+    if (enteredMicros == Long.MIN_VALUE) {
+      enteredMicros = micros(state);
+    }
+    if (Clock.seconds(micros(state) - enteredMicros) > LIMIT_S) {
+      return givenUp(String.format(Locale.ROOT, "not done within %.0f s", LIMIT_S));
+    }
     Point station = station(task, state);
     double away = away(station, state);
     if (isThere && away > CARRIED_OFF_M && !isFree()) {

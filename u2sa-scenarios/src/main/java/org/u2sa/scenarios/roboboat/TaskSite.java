@@ -19,13 +19,13 @@ record TaskSite(
 
   enum Task {
     /** Shoot darts through a hoop of a given colour. */
-    HOOP(new Outlook(45.0, 0.9, 240.0)),
+    HOOP(new Outlook(45.0, 0.9)),
     /** Press the button beside the submerged white buoy. */
-    BUTTON(new Outlook(30.0, 0.8, 150.0)),
+    BUTTON(new Outlook(30.0, 0.8)),
     /** Enter a dock, and have the sub-vehicle fetch the puck from it. */
-    DOCK(new Outlook(110.0, 0.7, 200.0)),
+    DOCK(new Outlook(110.0, 0.7)),
     /** Report where the target is that is hotter than the others. */
-    TARGET(new Outlook(12.0, 0.95, 150.0));
+    TARGET(new Outlook(12.0, 0.95));
 
     private final Outlook outlook;
 
@@ -43,9 +43,8 @@ record TaskSite(
    *
    * @param expectedS time at the station
    * @param probability of success, 0…1
-   * @param limitS time after which it is left, with the way there
    */
-  record Outlook(double expectedS, double probability, double limitS) {}
+  record Outlook(double expectedS, double probability) {}
 
   /** The first object of the sought type. */
   ObjectDescription object() {
