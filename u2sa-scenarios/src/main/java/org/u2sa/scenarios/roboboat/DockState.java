@@ -67,7 +67,8 @@ final class DockState extends StationTaskState {
     double along = off.x() * Math.cos(psi) + off.y() * Math.sin(psi);
     double aside = off.y() * Math.cos(psi) - off.x() * Math.sin(psi);
     double toGo = goal.way() - along;
-    if (phase == Phase.LEAVE && toGo < IN_M) { // the dock lets it push back, but not turn
+    boolean isHeld = toGo < IN_M && speed(state) < STILL_MPS;
+    if (phase == Phase.LEAVE && isHeld) { // the dock lets it push back, but not turn
       Point astern = Point.of(-LEFT_M, 0.0, 0.0);
       return Plan.underWay(
           List.of(NavigationPoint.at(astern).backwards(true).speed(BACK_MPS).turn(0.0)));
@@ -105,13 +106,17 @@ final class DockState extends StationTaskState {
   }
 
   private boolean isStill(double toGoM, StateInformation state) {
-    double speed = Math.hypot(state.xDot().orElse(1.0), state.yDot().orElse(1.0));
-    boolean isStill = phase == Phase.ENTER && Math.abs(toGoM) < IN_M && speed < STILL_MPS;
+    boolean isStill =
+        phase == Phase.ENTER && Math.abs(toGoM) < IN_M && speed(state) < STILL_MPS;
     if (!isStill) {
       stillMicros = Long.MIN_VALUE;
     } else if (stillMicros == Long.MIN_VALUE) {
       stillMicros = micros(state);
     }
     return isStill;
+  }
+
+  private static double speed(StateInformation state) {
+    return Math.hypot(state.xDot().orElse(1.0), state.yDot().orElse(1.0));
   }
 }
