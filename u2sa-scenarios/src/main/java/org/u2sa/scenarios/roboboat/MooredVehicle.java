@@ -73,7 +73,7 @@ final class MooredVehicle implements SimulatedVehicle {
   public void step(double dtS) {
     if (held) {
       beforeS += dtS;
-      if (commands.values().stream().mapToDouble(value -> value).sum() < REVERSE) {
+      if (pushed() < REVERSE) {
         release();
       }
       return;
@@ -92,6 +92,14 @@ final class MooredVehicle implements SimulatedVehicle {
             && ahead < DEEP_M
             && Math.abs(aside) < ASIDE_M
             && Math.abs(turn) < TURN_RAD;
+  }
+
+  /** Sum of the commands; a released actuator, whose command is NaN, does not count. */
+  private double pushed() {
+    return commands.values().stream()
+        .mapToDouble(Double::doubleValue)
+        .filter(command -> !Double.isNaN(command))
+        .sum();
   }
 
   private void release() {
