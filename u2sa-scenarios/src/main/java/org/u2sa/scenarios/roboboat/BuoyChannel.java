@@ -21,7 +21,7 @@ public final class BuoyChannel extends BoatTask {
   private static final ValueField<BuoyChannel, Colour> END =
       SCHEMA.optionalChoice("endBuoy", Colour.class);
   private static final ValueField<BuoyChannel, Long> GATES = SCHEMA.optionalCount("gates", "");
-  private static final NumberField<BuoyChannel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final NumberField<BuoyChannel> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.1);
   private static final ValueField<BuoyChannel, Long> PASSED = SCHEMA.optionalCount("passed", "");
 
   public static final MessageType<BuoyChannel> TYPE = SCHEMA.build();

@@ -31,7 +31,7 @@ final class ChannelState extends TaskState {
   private static final double LOOK_S = 30.0; // at the entrance, for the first gate
   private static final double BLIND_M =
       10.0; // straight on without a gate in sight, which is farther than the next gate
-  private static final double AT_END_M = 5.0; // from the buoy at the end
+  private static final double AT_END_M = 8.0; // from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
   private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
   private static final double MOVED_M = 0.8; // of the start of the run: the way is planned again
@@ -82,6 +82,9 @@ final class ChannelState extends TaskState {
       surroundings.begin();
     }
     BuoyChannel now = goal.copy().passed(gates.passed());
+    if (goal.gates().isPresent() && goal.gates().getAsLong() < 1) {
+      return givenUp("gates: " + goal.gates().getAsLong() + ", expected 1 or more", now);
+    }
     if (goal.gates().isPresent() && gates.passed() >= goal.gates().getAsLong()) {
       return done(pursuit, now);
     }

@@ -34,10 +34,14 @@ final class GateState extends SightState {
   }
 
   @Override
+  int typesNeeded() {
+    return 2;
+  }
+
+  @Override
   Optional<Point> aim(SubTask task, StateInformation state) {
-    if (task.objectTypes().size() < 2) {
-      throw new IllegalArgumentException(
-          "goal \"" + task.uid() + "\", objectTypes: expected the types of two poles");
+    if (task.objectTypes().size() < typesNeeded()) {
+      return Optional.empty();
     }
     Optional<Point> first = place(task.objectTypes().get(0), state);
     Optional<Point> second = place(task.objectTypes().get(1), state);

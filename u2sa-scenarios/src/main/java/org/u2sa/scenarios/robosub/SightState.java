@@ -48,6 +48,11 @@ abstract class SightState implements PlannerState {
     return task.objectTypes().stream().findFirst().flatMap(type -> place(type, state));
   }
 
+  /** How many types of objects the goal must name; 0 unless overridden. */
+  int typesNeeded() {
+    return 0;
+  }
+
   /** Next step towards the place. */
   abstract Plan approach(SubTask task, StateInformation state, Point way);
 
@@ -84,6 +89,9 @@ abstract class SightState implements PlannerState {
   public final Plan plan(Pursuit pursuit) {
     SubTask task = (SubTask) pursuit.goal();
     StateInformation state = pursuit.state();
+    if (task.objectTypes().size() < typesNeeded()) {
+      return abandoned("objectTypes: " + task.objectTypes() + ", expected " + typesNeeded() + " types");
+    }
     long now = micros(state);
     Optional<Point> seen = aim(task, state);
     if (seen.isPresent()) {
@@ -101,11 +109,8 @@ abstract class SightState implements PlannerState {
 
   private static Plan search(SubTask task, double unseenS, double sinceS) {
     if (unseenS > GIVE_UP_S) {
-      return new Plan(
-          List.of(),
-          Plan.Progress.ABANDONED,
-          String.format(
-              Locale.ROOT, "abandoned: %s unseen for %.0f s", task.objectTypes(), unseenS));
+      return abandoned(
+          String.format(Locale.ROOT, "%s unseen for %.0f s", task.objectTypes(), unseenS));
     }
     boolean looksAround = sinceS % (STRAIGHT_S + AROUND_S) > STRAIGHT_S;
     NavigationPoint point =
@@ -185,6 +190,10 @@ abstract class SightState implements PlannerState {
   static double turnTo(Point way, StateInformation state) {
     double bearing = Math.atan2(way.y(), way.x());
     return Math.IEEEremainder(bearing - state.psi().orElse(0.0), 2.0 * Math.PI);
+  }
+
+  private static Plan abandoned(String reason) {
+    return new Plan(List.of(), Plan.Progress.ABANDONED, "abandoned: " + reason);
   }
 
   static Plan completed(String remark) {
