@@ -97,14 +97,17 @@ final class RosParameters {
       throw new BadInputException(
           "parameter \"" + name + "\": expected a number, true, false or a text, not " + json);
     }
+    String service = found.service().serviceName();
+    String text =
+        RemoteConfiguration.inUnitOf(found.variable(), service, String.valueOf(value));
     new RemoteConfiguration(link)
         .change(
             new ConfigurationTransaction()
-                .serviceName(found.service().serviceName())
+                .serviceName(service)
                 .assignments(
                     List.of(
                         new ConfigurationAssignment()
                             .variableName(found.variable().name())
-                            .value(String.valueOf(value)))));
+                            .value(text))));
   }
 }
