@@ -12,7 +12,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.gcs.plan.FenceAreas;
 import org.u2sa.gcs.plan.GoalItems;
 import org.u2sa.gcs.plan.ItemGoals;
-import org.u2sa.gcs.plan.Plan;
+import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.gcs.plan.PlanXml;
 import org.u2sa.gcs.plan.QgcPlan;
 import org.u2sa.gcs.plan.WaypointList;
@@ -109,8 +109,8 @@ abstract class MissionFileCommand extends BaseCommand {
       Mission mission = Mission.load(file());
       Path target = target(PLAN);
       boolean isPlan = target.toString().endsWith(PLAN);
-      Plan plan =
-          new Plan(
+      StationPlan plan =
+          new StationPlan(
               mission.home().flatMap(this::place),
               GoalItems.of(mission.goals(), lost()),
               fence().isPresent() ? FenceAreas.read(fence().get(), lost()) : List.of());
@@ -128,7 +128,7 @@ abstract class MissionFileCommand extends BaseCommand {
       return ExitCode.DONE;
     }
 
-    private Optional<Plan.Place> place(Home home) {
+    private Optional<StationPlan.Place> place(Home home) {
       if (!home.referenceFrame().equals(ReferenceFrame.GLOBAL)) {
         lost().add("home: is in " + home.referenceFrame() + ", not in Global");
         return Optional.empty();
@@ -136,7 +136,7 @@ abstract class MissionFileCommand extends BaseCommand {
       if (home.headingRad().isPresent()) {
         lost().add("home: psi " + Math.toDegrees(home.headingRad().getAsDouble()) + " deg");
       }
-      return Optional.of(new Plan.Place(home.x(), home.y(), home.z()));
+      return Optional.of(new StationPlan.Place(home.x(), home.y(), home.z()));
     }
   }
 
@@ -156,7 +156,7 @@ abstract class MissionFileCommand extends BaseCommand {
     public Integer call() throws IOException {
       String text = content();
       String origin = file().toString();
-      Plan plan =
+      StationPlan plan =
           WaypointList.isOne(text)
               ? WaypointList.read(origin, text)
               : QgcPlan.read(origin, text, lost());

@@ -20,7 +20,7 @@ public final class FenceAreas {
    * @param lost receives what areas cannot say, a line each
    * @throws org.u2sa.interfaces.BadInputException naming file, line and element
    */
-  public static List<Plan.Area> read(Path file, List<String> lost) {
+  public static List<StationPlan.Area> read(Path file, List<String> lost) {
     XmlElement root = XmlReader.read(file, "fence");
     root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
     root.child("reference")
@@ -32,7 +32,7 @@ public final class FenceAreas {
     for (String limit : List.of("floor", "ceiling")) {
       root.child(limit).ifPresent(each -> lost.add("fence: its " + limit + " " + each.text()));
     }
-    List<Plan.Area> areas = new ArrayList<>();
+    List<StationPlan.Area> areas = new ArrayList<>();
     for (XmlElement child : root.children()) {
       if (child.name().startsWith("keep")) {
         areas.add(area(child));
@@ -41,19 +41,19 @@ public final class FenceAreas {
     return areas;
   }
 
-  private static Plan.Area area(XmlElement element) {
-    List<Plan.Place> corners = new ArrayList<>();
+  private static StationPlan.Area area(XmlElement element) {
+    List<StationPlan.Place> corners = new ArrayList<>();
     for (XmlElement corner : element.children()) {
       if (corner.name().equals("corner") || corner.name().equals(CENTRE)) {
         corners.add(
-            new Plan.Place(number(corner, "x"), number(corner, "y"), OptionalDouble.empty()));
+            new StationPlan.Place(number(corner, "x"), number(corner, "y"), OptionalDouble.empty()));
       }
     }
     OptionalDouble radius =
         element.child(CENTRE).isPresent()
             ? OptionalDouble.of(XmlNumbers.converted(child(element, "radius"), "m", "m"))
             : OptionalDouble.empty();
-    return new Plan.Area(element.name().equals("keepIn"), corners, radius);
+    return new StationPlan.Area(element.name().equals("keepIn"), corners, radius);
   }
 
   private static double number(XmlElement place, String name) {

@@ -27,9 +27,9 @@ public final class ItemGoals {
   private boolean isStated; // the speed, since the last goal
   private boolean isOver; // an item that ends the way came
 
-  private ItemGoals(Plan plan, List<String> lost) {
+  private ItemGoals(StationPlan plan, List<String> lost) {
     homeAltitudeM =
-        plan.home().map(Plan.Place::altitudeM).orElse(OptionalDouble.empty());
+        plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
     this.lost = lost;
   }
 
@@ -39,7 +39,7 @@ public final class ItemGoals {
    * @param lost receives what goals cannot say, a line each
    * @return goals with their numbers as names
    */
-  public static List<GoalInformation> of(Plan plan, List<String> lost) {
+  public static List<GoalInformation> of(StationPlan plan, List<String> lost) {
     ItemGoals made = new ItemGoals(plan, lost);
     plan.items().forEach(made::add);
     made.link();
@@ -63,11 +63,20 @@ public final class ItemGoals {
       case PlanItem.WAYPOINT -> position(item, item.parameter(1), item.parameter(2), 3);
       case PlanItem.LOITER_UNLIMITED -> position(item, Double.NaN, 0.0, 3);
       case PlanItem.LOITER_TIME -> position(item, item.parameter(1), 0.0, 3);
+      case PlanItem.TAKE_OFF -> takeOff(item);
       case PlanItem.CHANGE_SPEED -> speed(item);
       case PlanItem.JUMP -> jump(item);
       case PlanItem.RETURN -> returning(item);
       default -> lose(item, "no goal says that");
     }
+  }
+
+  /** Vehicles take off by themselves; what is left is the place behind. */
+  private void takeOff(PlanItem item) {
+    if (item.parameter(1) > 0.0) {
+      lose(item, "a pitch of " + item.parameter(1) + " deg");
+    }
+    position(item, 0.0, 0.0, 3);
   }
 
   /**
@@ -141,8 +150,9 @@ public final class ItemGoals {
   private void speed(PlanItem item) {
     double wanted = item.parameter(2);
     if (item.parameter(1) != 0.0) {
-      lose(item, "a speed over ground, climb or descent; goals have the speed through air or water");
-    } else if (wanted == VEHICLE_CHOOSES || wanted >= 0.0) {
+      lose(item, "a speed over ground, climb or descent; goals have that through air or water");
+    }
+    if (wanted == VEHICLE_CHOOSES || wanted >= 0.0) {
       speed = wanted;
       isStated = true;
     } else if (wanted != UNCHANGED) {

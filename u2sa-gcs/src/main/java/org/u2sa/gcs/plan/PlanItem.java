@@ -17,6 +17,7 @@ record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn,
   static final int LOITER_UNLIMITED = 17;
   static final int LOITER_TIME = 19;
   static final int RETURN = 20;
+  static final int TAKE_OFF = 22;
   static final int JUMP = 177;
   static final int CHANGE_SPEED = 178;
 
@@ -36,7 +37,7 @@ record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn,
           Map.entry(LOITER_TIME, "NAV_LOITER_TIME"),
           Map.entry(RETURN, "NAV_RETURN_TO_LAUNCH"),
           Map.entry(21, "NAV_LAND"),
-          Map.entry(22, "NAV_TAKEOFF"),
+          Map.entry(TAKE_OFF, "NAV_TAKEOFF"),
           Map.entry(31, "NAV_LOITER_TO_ALT"),
           Map.entry(82, "NAV_SPLINE_WAYPOINT"),
           Map.entry(84, "NAV_VTOL_TAKEOFF"),

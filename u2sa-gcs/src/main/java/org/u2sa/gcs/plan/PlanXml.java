@@ -15,7 +15,7 @@ public final class PlanXml {
   private PlanXml() {}
 
   /** A mission file (docs/missions.md). Each goal's name is its number. */
-  public static String mission(Optional<Plan.Place> home, List<GoalInformation> goals) {
+  public static String mission(Optional<StationPlan.Place> home, List<GoalInformation> goals) {
     StringBuilder text = new StringBuilder("<mission>\n");
     home.ifPresent(
         place -> {
@@ -68,10 +68,10 @@ public final class PlanXml {
    *
    * @param lost receives areas that such a file cannot have
    */
-  public static String fence(List<Plan.Area> areas, List<String> lost) {
+  public static String fence(List<StationPlan.Area> areas, List<String> lost) {
     StringBuilder text = new StringBuilder("<fence>\n");
     int kept = 0;
-    for (Plan.Area area : areas) {
+    for (StationPlan.Area area : areas) {
       boolean isCircle = area.radiusM().isPresent();
       if (area.isInclusion() && (isCircle || kept++ > 0)) {
         lost.add("fence: " + (isCircle ? "a circle" : "a second polygon") + " to stay within");
@@ -79,7 +79,7 @@ public final class PlanXml {
       }
       String tag = area.isInclusion() ? "keepIn" : "keepOut";
       text.append("  <").append(tag).append(">\n");
-      for (Plan.Place corner : area.corners()) {
+      for (StationPlan.Place corner : area.corners()) {
         text.append("    <")
             .append(isCircle ? "centre" : "corner")
             .append("><x>")

@@ -36,11 +36,11 @@ public final class QgcPlan {
    * @param lost receives what plans here cannot say, a line each
    * @throws BadInputException naming the field
    */
-  public static Plan read(String origin, String text, List<String> lost) {
+  public static StationPlan read(String origin, String text, List<String> lost) {
     return new QgcPlan(origin, lost).plan(JsonReader.object(origin, text));
   }
 
-  private Plan plan(Map<String, Object> json) {
+  private StationPlan plan(Map<String, Object> json) {
     if (!"Plan".equals(json.get("fileType"))) {
       throw wrong("fileType: expected \"Plan\"");
     }
@@ -49,7 +49,7 @@ public final class QgcPlan {
     for (Object each : list(mission.get(ITEMS), "mission.items")) {
       item(map(each, "mission.items"), items.size()).ifPresent(items::add);
     }
-    List<Plan.Area> areas = new ArrayList<>();
+    List<StationPlan.Area> areas = new ArrayList<>();
     if (json.get("geoFence") instanceof Map<?, ?> fence) {
       areas(fence, areas);
     }
@@ -59,7 +59,7 @@ public final class QgcPlan {
       lost.add(points.size() + " rally points");
     }
     Object home = mission.get("plannedHomePosition");
-    return new Plan(
+    return new StationPlan(
         home instanceof List<?> ? Optional.of(place(home, "plannedHomePosition")) : Optional.empty(),
         items,
         areas);
@@ -90,25 +90,25 @@ public final class QgcPlan {
             id == null ? before + 1 : (int) number(id, where + ".doJumpId")));
   }
 
-  private void areas(Map<?, ?> fence, List<Plan.Area> areas) {
+  private void areas(Map<?, ?> fence, List<StationPlan.Area> areas) {
     if (fence.get(POLYGONS) instanceof List<?> polygons) {
       for (Object each : polygons) {
         Map<?, ?> polygon = map(each, "geoFence.polygons");
-        List<Plan.Place> corners = new ArrayList<>();
+        List<StationPlan.Place> corners = new ArrayList<>();
         for (Object corner : list(polygon.get("polygon"), "geoFence.polygons.polygon")) {
           corners.add(place(corner, "geoFence.polygons.polygon"));
         }
-        areas.add(new Plan.Area(isInclusion(polygon), corners, OptionalDouble.empty()));
+        areas.add(new StationPlan.Area(isInclusion(polygon), corners, OptionalDouble.empty()));
       }
     }
     if (fence.get(CIRCLES) instanceof List<?> circles) {
       for (Object each : circles) {
         Map<?, ?> json = map(each, "geoFence.circles");
         Map<?, ?> circle = map(json.get("circle"), "geoFence.circles.circle");
-        Plan.Place centre = place(circle.get("center"), "geoFence.circles.circle.center");
+        StationPlan.Place centre = place(circle.get("center"), "geoFence.circles.circle.center");
         double radius = number(circle.get("radius"), "geoFence.circles.circle.radius");
         areas.add(
-            new Plan.Area(isInclusion(json), List.of(centre), OptionalDouble.of(radius)));
+            new StationPlan.Area(isInclusion(json), List.of(centre), OptionalDouble.of(radius)));
       }
     }
   }
@@ -117,7 +117,7 @@ public final class QgcPlan {
     return !Boolean.FALSE.equals(area.get("inclusion"));
   }
 
-  private Plan.Place place(Object json, String where) {
+  private StationPlan.Place place(Object json, String where) {
     List<?> numbers = list(json, where);
     if (numbers.size() < 2) {
       throw wrong(where + ": expected [latitude, longitude]");
@@ -128,7 +128,7 @@ public final class QgcPlan {
       throw wrong(where + ": " + latitude + ", " + longitude + " is no latitude and longitude");
     }
     boolean hasAltitude = numbers.size() > 2 && numbers.get(2) instanceof Number;
-    return new Plan.Place(
+    return new StationPlan.Place(
         longitude,
         latitude,
         hasAltitude ? OptionalDouble.of(number(numbers.get(2), where)) : OptionalDouble.empty());
@@ -160,10 +160,10 @@ public final class QgcPlan {
   }
 
   /** Writes a plan. */
-  public static String text(Plan plan) {
+  public static String text(StationPlan plan) {
     List<Object> polygons = new ArrayList<>();
     List<Object> circles = new ArrayList<>();
-    for (Plan.Area area : plan.areas()) {
+    for (StationPlan.Area area : plan.areas()) {
       JsonText json = new JsonText().put("inclusion", area.isInclusion()).put(VERSION, 1);
       if (area.radiusM().isPresent()) {
         JsonText circle =
@@ -182,7 +182,7 @@ public final class QgcPlan {
             .put("firmwareType", GENERIC)
             .put("vehicleType", GENERIC)
             .put(ITEMS, plan.items().stream().map(QgcPlan::json).toList());
-    Plan.Place home = plan.home().orElse(null);
+    StationPlan.Place home = plan.home().orElse(null);
     if (home == null) {
       mission.putNull("plannedHomePosition");
     } else {
@@ -202,7 +202,7 @@ public final class QgcPlan {
         .toString();
   }
 
-  private static List<Object> corner(Plan.Place place) {
+  private static List<Object> corner(StationPlan.Place place) {
     return List.of(place.latitudeDeg(), place.longitudeDeg());
   }
 

@@ -36,11 +36,11 @@ public final class WaypointList {
    * @param origin name of the file, for errors
    * @throws BadInputException naming line and column
    */
-  public static Plan read(String origin, String text) {
+  public static StationPlan read(String origin, String text) {
     return new WaypointList(origin).plan(text.split("\\R"));
   }
 
-  private Plan plan(String[] lines) {
+  private StationPlan plan(String[] lines) {
     number = 1;
     if (!lines[0].trim().equals(HEADER)) {
       throw wrong("\"" + lines[0] + "\": expected " + HEADER);
@@ -60,10 +60,10 @@ public final class WaypointList {
     }
     PlanItem first = items.get(0);
     boolean isPlace = first.parameter(5) != 0.0 || first.parameter(6) != 0.0;
-    Plan.Place home =
-        new Plan.Place(
+    StationPlan.Place home =
+        new StationPlan.Place(
             first.parameter(6), first.parameter(5), OptionalDouble.of(first.parameter(7)));
-    return new Plan(
+    return new StationPlan(
         isPlace ? Optional.of(home) : Optional.empty(),
         items.subList(1, items.size()),
         List.of());
@@ -109,10 +109,10 @@ public final class WaypointList {
   }
 
   /** Writes a plan without its fence, which the format does not have. */
-  public static String text(Plan plan) {
+  public static String text(StationPlan plan) {
     StringBuilder text = new StringBuilder(HEADER).append('\n');
-    Plan.Place home =
-        plan.home().orElse(new Plan.Place(0.0, 0.0, OptionalDouble.empty()));
+    StationPlan.Place home =
+        plan.home().orElse(new StationPlan.Place(0.0, 0.0, OptionalDouble.empty()));
     List<Double> place =
         List.of(home.latitudeDeg(), home.longitudeDeg(), home.altitudeM().orElse(0.0));
     line(text, PlanItem.at(0, PlanItem.WAYPOINT, PlanItem.GLOBAL, place), true);

@@ -21,13 +21,13 @@ import org.u2sa.messages.goal.Waypoint;
 
 /** Missions in the formats of other stations and back. */
 class PlanFormatsTest {
-  private static final Plan.Place HOME = new Plan.Place(8.0, 50.0, OptionalDouble.of(120.5));
+  private static final StationPlan.Place HOME = new StationPlan.Place(8.0, 50.0, OptionalDouble.of(120.5));
 
   private final List<String> lost = new ArrayList<>();
 
   private List<GoalInformation> thereAndBack(List<GoalInformation> goals, boolean isPlan) {
-    Plan plan = new Plan(Optional.of(HOME), GoalItems.of(goals, lost), List.of());
-    Plan read =
+    StationPlan plan = new StationPlan(Optional.of(HOME), GoalItems.of(goals, lost), List.of());
+    StationPlan read =
         isPlan
             ? QgcPlan.read("test", QgcPlan.text(plan), lost)
             : WaypointList.read("test", WaypointList.text(plan));
@@ -137,7 +137,8 @@ class PlanFormatsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "'22,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_TAKEOFF): no goal says that'",
+    "'21,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): no goal says that'",
+    "'22,0,15,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_TAKEOFF): a pitch of 15.0 deg'",
     "'206,2,25,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): no goal says that'",
     "'16,10,0,0,0,0,50,8,30,1', 'an altitude in frame 10'",
     "'16,3,0,0,0,0,0,0,30,1', 'latitude 0.0, longitude 0.0 is no place'",
@@ -191,22 +192,22 @@ class PlanFormatsTest {
 
   @Test
   void fence_ofAPlan_isAFileAndWhatThatCannotSayIsNamed() {
-    List<Plan.Place> corners =
-        List.of(HOME, new Plan.Place(8.1, 50.0, OptionalDouble.empty()), new Plan.Place(8.0, 50.1, OptionalDouble.empty()));
-    List<Plan.Area> areas =
+    List<StationPlan.Place> corners =
+        List.of(HOME, new StationPlan.Place(8.1, 50.0, OptionalDouble.empty()), new StationPlan.Place(8.0, 50.1, OptionalDouble.empty()));
+    List<StationPlan.Area> areas =
         List.of(
-            new Plan.Area(true, corners, OptionalDouble.empty()),
-            new Plan.Area(false, List.of(HOME), OptionalDouble.of(30.0)));
-    Plan plan = new Plan(Optional.of(HOME), List.of(), areas);
+            new StationPlan.Area(true, corners, OptionalDouble.empty()),
+            new StationPlan.Area(false, List.of(HOME), OptionalDouble.of(30.0)));
+    StationPlan plan = new StationPlan(Optional.of(HOME), List.of(), areas);
 
-    Plan read = QgcPlan.read("a", QgcPlan.text(plan), lost);
+    StationPlan read = QgcPlan.read("a", QgcPlan.text(plan), lost);
     String file = PlanXml.fence(read.areas(), lost);
 
     assertThat(lost).isEmpty();
     assertThat(file)
         .contains("<keepIn>\n    <corner><x>8.0</x><y>50.0</y></corner>")
         .contains("<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
-    PlanXml.fence(List.of(new Plan.Area(true, List.of(HOME), OptionalDouble.of(9.0))), lost);
+    PlanXml.fence(List.of(new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0))), lost);
     assertThat(lost).first().isEqualTo("fence: a circle to stay within");
   }
 }

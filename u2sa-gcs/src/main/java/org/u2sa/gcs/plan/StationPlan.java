@@ -11,7 +11,7 @@ import java.util.OptionalDouble;
  * @param items in order
  * @param areas the fence; empty if none
  */
-public record Plan(Optional<Place> home, List<PlanItem> items, List<Area> areas) {
+public record StationPlan(Optional<Place> home, List<PlanItem> items, List<Area> areas) {
   /**
    * A place on the earth.
    *
@@ -31,7 +31,7 @@ public record Plan(Optional<Place> home, List<PlanItem> items, List<Area> areas)
     }
   }
 
-  public Plan {
+  public StationPlan {
     items = List.copyOf(items);
     areas = List.copyOf(areas);
   }
