@@ -8,6 +8,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.core.communication.bridge.ClientBridge;
+import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.gcs.socket.ClientSocket;
 import org.u2sa.gcs.socket.WebSocketServer;
 import org.u2sa.interfaces.BadInputException;
@@ -34,6 +35,9 @@ public final class RosbridgeServer implements ClientBridge {
   private static final int MAX_CLIENTS = 16;
   private static final int MAX_WAITING = 256; // operations of a client
   private static final int MAX_CALLS = 32; // waiting calls of a client
+  private static final double PER_S = 2_000.0; // operations of a client, or KiB of them
+  private static final double BURST = 4_000.0; // likewise
+  private static final double KIB = 1_024.0;
 
   private final Setting setting;
   private final RosFrames frames = new RosFrames();
@@ -109,6 +113,7 @@ public final class RosbridgeServer implements ClientBridge {
     private final RosbridgeSession session;
     private final ThreadPoolExecutor operations;
     private final ThreadPoolExecutor calls;
+    private final Allowance rate = new Allowance(PER_S, BURST, clock.micros());
 
     Client(ClientSocket socket) {
       this.socket = socket;
@@ -146,6 +151,12 @@ public final class RosbridgeServer implements ClientBridge {
 
     @Override
     public void text(String text) {
+      if (!rate.isOpen(clock.micros())) {
+        session.status("error", "more than " + PER_S + " operations, or KiB of them, a second", "");
+        socket.close();
+        return;
+      }
+      rate.take(1.0 + text.length() / KIB);
       RosOperation operation;
       String id;
       try {

@@ -277,6 +277,18 @@ class RosbridgeServerTest {
   }
 
   @Test
+  void take_aFlood_endsThatClient() throws Exception {
+    try (RosClient flood = new RosClient(port)) {
+      String padding = " ".repeat(900_000);
+      for (int i = 0; i < 8; i++) {
+        flood.send("{'op':'set_level'" + padding + "}");
+      }
+      assertThat(flood.nextStatus()).contains("operations, or KiB of them, a second");
+      assertThat(flood.isClosed()).isTrue();
+    }
+  }
+
+  @Test
   void connect_moreThanSixteen_isRefusedUntilOneLeaves() throws Exception {
     List<RosClient> clients = new CopyOnWriteArrayList<>();
     try {
