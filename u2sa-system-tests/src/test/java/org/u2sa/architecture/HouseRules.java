@@ -239,7 +239,7 @@ final class HouseRules {
   private static ArchRule nettyAtTheEdges() {
     return noClasses()
         .that()
-        .resideOutsideOfPackages(ROOT + "core.communication..", ROOT + "gcs.view..")
+        .resideOutsideOfPackages(ROOT + "core.communication..", ROOT + "gcs.socket..")
         .should()
         .dependOnClassesThat(resideInAnyPackage("io.netty.."));
   }

@@ -1,8 +1,7 @@
 package org.u2sa.cli.configuration;
 
-import java.util.Optional;
+import org.u2sa.gcs.configuration.RemoteConfiguration;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
@@ -30,19 +29,6 @@ record VariableText(String variable, String value) {
    * @throws BadInputException if the unit cannot be converted
    */
   String valueFor(ConfigurationVariable declared, String service) {
-    Optional<NumberWithUnit> quantity = NumberWithUnit.of(value);
-    boolean number = declared.variableType().equals("double") && !declared.unit().isEmpty();
-    if (!number || quantity.isEmpty()) {
-      return value;
-    }
-    if (quantity.get().unit().equals(declared.unit())) {
-      return quantity.get().number();
-    }
-    try {
-      return Double.toString(quantity.get().in(declared.unit()));
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException(
-          service + ", variable \"" + variable + "\": " + e.getMessage(), e);
-    }
+    return RemoteConfiguration.inUnitOf(declared, service, value);
   }
 }

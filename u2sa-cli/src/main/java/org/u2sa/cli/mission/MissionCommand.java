@@ -7,11 +7,12 @@ import picocli.CommandLine.Command;
 @Command(
     name = "mission",
     description = {
-      "Show the mission of a running system, or change it while it runs.",
+      "Show the mission of a running system, change it while it runs, or convert mission files.",
       "",
       "  ./u2sa mission show",
       "  ./u2sa mission goto dock",
       "  ./u2sa mission insert detour.xml --after gate",
+      "  ./u2sa mission import survey.plan",
       "",
       "The Mission Manager answers each order. Exit code 1: the order was refused, or no answer "
           + "came."
@@ -23,6 +24,8 @@ import picocli.CommandLine.Command;
       OrderCommand.Insert.class,
       OrderCommand.Update.class,
       OrderCommand.Pause.class,
-      OrderCommand.Resume.class
+      OrderCommand.Resume.class,
+      MissionFileCommand.Import.class,
+      MissionFileCommand.Export.class
     })
 public final class MissionCommand extends BaseCommand.Group {}

@@ -20,6 +20,7 @@ import org.u2sa.report.export.GeoJsonText;
 import org.u2sa.report.export.GeoRun;
 import org.u2sa.report.export.GpxText;
 import org.u2sa.report.export.KmlText;
+import org.u2sa.report.export.UlogRecording;
 import org.u2sa.report.export.ViewerRecording;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -30,7 +31,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "export",
     description = {
-      "Export a recording as CSV, KML, GPX or GeoJSON, or for viewers without CBOR.",
+      "Export a recording as CSV, KML, GPX, GeoJSON or ULog, or for viewers without CBOR.",
       "",
       "  ./u2sa export recording.mcap --format csv --channel state,actuation --out tables",
       "  ./u2sa export recording.mcap --format kml",
@@ -39,7 +40,8 @@ import picocli.CommandLine.Parameters;
       "csv: a folder with a table for each topic: time of recording [s], then each field that any message of the topic has, with "
           + "its unit. Lists and messages within a message are JSON.",
       "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state.",
-      "mcap: a recording whose messages are JSON, for Foxglove, Lichtblick and PlotJuggler; with its views, unless --channel names channels."
+      "mcap: a recording whose messages are JSON, for Foxglove, Lichtblick and PlotJuggler; with its views, unless --channel names channels.",
+      "ulog: the numbers of all messages in PX4's log format, for pyulog and PlotJuggler."
     })
 public final class ExportCommand extends BaseCommand {
   @Mixin private SpanOptions part;
@@ -52,7 +54,8 @@ public final class ExportCommand extends BaseCommand {
     kml,
     gpx,
     geojson,
-    mcap
+    mcap,
+    ulog
   }
 
   @Option(
@@ -99,6 +102,8 @@ public final class ExportCommand extends BaseCommand {
         tables(recording, span);
       } else if (format == Format.mcap) {
         viewers(recording, span);
+      } else if (format == Format.ulog) {
+        ulog(recording, span);
       } else {
         map(recording, span);
       }
@@ -136,6 +141,13 @@ public final class ExportCommand extends BaseCommand {
         new ViewerRecording(
                 recording, span, recording.channels(channels), channels.isEmpty(), everyS)
             .write(target, "u2sa " + ProgramVersion.text());
+    say(target, Map.of("messages", messages));
+  }
+
+  private void ulog(RecordedMessages recording, RecordedSpan span) throws IOException {
+    Path target = target(".ulg");
+    long messages =
+        new UlogRecording(recording, span, recording.channels(channels), everyS).write(target);
     say(target, Map.of("messages", messages));
   }
 

@@ -110,6 +110,12 @@ public final class RunCommand extends BaseCommand {
   private Integer web; // null if not given
 
   @Option(
+      names = "--rosbridge",
+      paramLabel = "PORT",
+      description = "Serve the rosbridge protocol to ROS tools on this TCP port (docs/ros.md).")
+  private Integer rosbridge; // null if not given
+
+  @Option(
       names = "--through-broker",
       description =
           "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
@@ -142,9 +148,8 @@ public final class RunCommand extends BaseCommand {
     LaunchOptions options =
         new LaunchOptions().logDirectory(logs).seed(seed).console(out()::println);
     settings = new ArrayList<>(settings);
-    if (web != null) {
-      serveWeb();
-    }
+    serve("--web", ManagerVariables.WEB_PORT, web);
+    serve("--rosbridge", ManagerVariables.ROSBRIDGE_PORT, rosbridge);
     if (broker != null) {
       settings.addAll(settingsOfBroker());
     } else if (host == null && only.isEmpty()) {
@@ -177,11 +182,14 @@ public final class RunCommand extends BaseCommand {
     return separate ? runSeparately(system.apart(), options) : run(system, options);
   }
 
-  private void serveWeb() {
-    if (broker != null || !only.isEmpty()) {
-      throw wrong("--web: the page is served by the process that runs the broker");
+  private void serve(String option, String variable, Integer port) {
+    if (port == null) {
+      return;
     }
-    settings.add(MANAGER + ":" + ManagerVariables.WEB_PORT + "=" + web);
+    if (broker != null || !only.isEmpty()) {
+      throw wrong(option + ": the port is served by the process that runs the broker");
+    }
+    settings.add(MANAGER + ":" + variable + "=" + port);
   }
 
   /**

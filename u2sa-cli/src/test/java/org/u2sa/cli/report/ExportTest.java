@@ -6,9 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -295,5 +299,39 @@ class ExportTest extends CommandFixture {
   void export_beginsBehindTheEnd_isRefusedWithTheLength() {
     assertThat(export("--format", "csv", "--from", "60")).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("--from 60.0").contains("10.0 s");
+  }
+
+  /** Reads the messages of the kind {@code state}; what a reader of the format needs, no more. */
+  @Test
+  void ulog_states_haveTheirNumbersAndNaNWhereAbsent() throws IOException {
+    ByteBuffer log =
+        ByteBuffer.wrap(Files.readAllBytes(exported("--format", "ulog")))
+            .order(ByteOrder.LITTLE_ENDIAN);
+    assertThat(log.getLong()).isEqualTo(0x01_35_12_01_67_6f_4c_55L); // "ULog", 01 12 35, version 1
+    log.getLong();
+    List<String> fields = List.of();
+    int states = -1;
+    List<Double> latitudes = new ArrayList<>();
+    List<Long> times = new ArrayList<>();
+    while (log.hasRemaining()) {
+      byte[] body = new byte[Short.toUnsignedInt(log.getShort())];
+      char type = (char) log.get();
+      log.get(body);
+      String text = new String(body, StandardCharsets.UTF_8);
+      ByteBuffer content = ByteBuffer.wrap(body).order(ByteOrder.LITTLE_ENDIAN);
+      if (type == 'F' && text.startsWith("state:uint64_t timestamp;")) {
+        fields = List.of(text.substring(text.indexOf(';') + 1).split(";"));
+      } else if (type == 'A' && text.endsWith("state") && body.length == 8) {
+        states = content.getShort(1);
+      } else if (type == 'D' && content.getShort() == states) {
+        times.add(content.getLong());
+        int y = fields.indexOf("double y");
+        latitudes.add(content.getDouble(content.position() + y * Double.BYTES));
+      }
+    }
+    assertThat(latitudes).hasSize(11);
+    assertThat(latitudes.get(0)).isNaN();
+    assertThat(latitudes.get(10)).isEqualTo(50.001);
+    assertThat(times.get(10)).isEqualTo(10_000_000L);
   }
 }

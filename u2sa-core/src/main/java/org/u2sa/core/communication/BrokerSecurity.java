@@ -7,6 +7,7 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Paths;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLException;
@@ -134,6 +135,16 @@ final class BrokerSecurity {
 
   boolean isOn() {
     return directory != null;
+  }
+
+  /** Whether everybody who connects has full access. */
+  boolean isOpen() {
+    return own == null;
+  }
+
+  /** The users' folder; empty if there are no users with passwords. */
+  Optional<SecurityDirectory> directory() {
+    return Optional.ofNullable(directory);
   }
 
   /** Encryption for a broker's connections; null for plain text. */

@@ -5,6 +5,7 @@ import java.nio.file.Paths;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.u2sa.core.communication.bridge.ClientBridge;
 import org.u2sa.core.communication.discovery.BrokerAnnouncement;
 import org.u2sa.core.communication.discovery.BrokerSearch;
 import org.u2sa.core.communication.discovery.FoundBroker;
@@ -45,6 +46,7 @@ public final class CommunicationManager implements AutoCloseable {
   private final BrokerSupervisor broker; // null unless embedded
   private final BrokerAnnouncement announcement; // null if none
   private final BrokerSecurity security; // null unless embedded
+  private volatile ClientBridge rosbridge; // null if none
 
   private CommunicationManager(
       Transport transport,
@@ -129,7 +131,37 @@ public final class CommunicationManager implements AutoCloseable {
         announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
       }
     }
-    return new CommunicationManager(bus, remote, own, broker, announcement, secured);
+    CommunicationManager started =
+        new CommunicationManager(bus, remote, own, broker, announcement, secured);
+    started.startRosbridge(systemId, manager, codec, log);
+    return started;
+  }
+
+  /**
+   * @throws RuntimeException if it cannot be started; then this manager is closed
+   */
+  private void startRosbridge(
+      String systemId, ManagerVariables manager, MessageCodec codec, Consumer<String> log) {
+    if (broker == null || manager.rosbridgePort() == 0) {
+      return;
+    }
+    try {
+      InetSocketAddress bound = broker.address();
+      String reached =
+          bound.getAddress().isAnyLocalAddress() ? LOOPBACK : bound.getAddress().getHostAddress();
+      rosbridge =
+          ClientBridge.start(
+              "rosbridge",
+              new ClientBridge.Setting(
+                  new InetSocketAddress(manager.bindAddress(), manager.rosbridgePort()),
+                  new MqttTransport(reached, bound.getPort(), systemId, codec),
+                  security.directory(),
+                  security.isOpen(),
+                  log));
+    } catch (RuntimeException | Error e) {
+      close();
+      throw e;
+    }
   }
 
   /**
@@ -224,6 +256,9 @@ public final class CommunicationManager implements AutoCloseable {
   /** Stops the embedded broker once everything queued is sent. Services should end first. */
   @Override
   public void close() {
+    if (rosbridge != null) {
+      rosbridge.close();
+    }
     if (announcement != null) {
       announcement.close();
     }

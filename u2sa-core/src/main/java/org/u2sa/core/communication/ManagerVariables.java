@@ -27,6 +27,10 @@ public record ManagerVariables(
         @Description(
             "TCP port on which the embedded broker serves the operator's page, at BIND ADDRESS; 0: none.")
         int webPort,
+    @Variable(max = 65_535, ifAbsent = 0)
+        @Description(
+            "TCP port on which clients of the rosbridge protocol connect, at BIND ADDRESS; 0: none.")
+        int rosbridgePort,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
         @Description(
             "Time to wait for an external broker at startup, so that hosts may start in any order.")
@@ -51,6 +55,9 @@ public record ManagerVariables(
 
   /** Name of the variable {@link #webPort}. */
   public static final String WEB_PORT = "WEB PORT";
+
+  /** Name of the variable {@link #rosbridgePort}. */
+  public static final String ROSBRIDGE_PORT = "ROSBRIDGE PORT";
 
   static final String READABLE = "readable";
 

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.CommunicationManager;
 import org.u2sa.core.communication.ManagerVariables;
@@ -77,9 +78,8 @@ public final class RunningSystem implements AutoCloseable {
         .filter(entry -> options.makerOf(entry.className()).isEmpty())
         .forEach(ServiceFactory::constructor);
     XmlConfiguration communication = options.configuration(MANAGER, file.communication());
-    if (file.webPort().isPresent() && !options.isOverridden(MANAGER, ManagerVariables.WEB_PORT)) {
-      communication.override(ManagerVariables.WEB_PORT, file.webPort().getAsInt());
-    }
+    setPort(communication, ManagerVariables.WEB_PORT, file.webPort());
+    setPort(communication, ManagerVariables.ROSBRIDGE_PORT, file.rosbridgePort());
     manager = startManager(communication);
     communication.refuseUndeclared();
     maker = new ServiceMaker(file.systemId(), options, types, transport());
@@ -88,6 +88,13 @@ public final class RunningSystem implements AutoCloseable {
     hosted.makeAll(file.services());
     if (!file.services().isEmpty()) {
       launcher = makeLauncher();
+    }
+  }
+
+  /** Sets a port as in the system file, unless the run's options set it. */
+  private void setPort(XmlConfiguration communication, String variable, OptionalInt port) {
+    if (port.isPresent() && !options.isOverridden(MANAGER, variable)) {
+      communication.override(variable, port.getAsInt());
     }
   }
 

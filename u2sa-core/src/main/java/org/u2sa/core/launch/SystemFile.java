@@ -24,6 +24,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * <system id="cessna">
  *   <communication configuration="CommunicationManager.xml"/>
  *   <web port="8080"/>
+ *   <rosbridge port="9090"/>
  *   <autonomy perception="discrete" decision="static response" independence="problem detection"/>
  *   <service class="org.u2sa.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
  * </system>
@@ -38,6 +39,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param delivery message delivery between the services of one process
  * @param communicationHost the host that runs the Communication Manager; empty: any
  * @param webPort TCP port of the operator's page; empty: as the Communication Manager is configured
+ * @param rosbridgePort TCP port for clients of the rosbridge protocol; empty: likewise
  * @param autonomy the vehicle's stated autonomy (thesis 2.3); empty if not stated
  * @param services services in start order
  */
@@ -48,9 +50,11 @@ public record SystemFile(
     Delivery delivery,
     String communicationHost,
     OptionalInt webPort,
+    OptionalInt rosbridgePort,
     Optional<AutonomyLevels> autonomy,
     List<Entry> services) {
   private static final String USUAL_WEB_PORT = "8080";
+  private static final String USUAL_ROSBRIDGE_PORT = "9090";
   private static final int HIGHEST_PORT = 65_535;
 
   /**
@@ -83,7 +87,7 @@ public record SystemFile(
   public static SystemFile read(Path file) {
     XmlElement root = XmlReader.read(file, "system");
     root.refuseUnknownAttributes("id");
-    root.refuseUnknownChildren("communication", "web", "autonomy", "service");
+    root.refuseUnknownChildren("communication", "web", "rosbridge", "autonomy", "service");
     String id = root.attribute("id");
     try {
       Topic.checkSystemId(id);
@@ -115,7 +119,10 @@ public record SystemFile(
         communication.isEmpty() ? Delivery.DIRECT : Delivery.of(communication.get(0));
     String host = communication.isEmpty() ? "" : host(communication.get(0));
     Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
-    return new SystemFile(file, id, manager, delivery, host, webPort(root), autonomy, services);
+    OptionalInt web = port(root, "web", USUAL_WEB_PORT);
+    OptionalInt rosbridge = port(root, "rosbridge", USUAL_ROSBRIDGE_PORT);
+    return new SystemFile(
+        file, id, manager, delivery, host, web, rosbridge, autonomy, services);
   }
 
   /** The configuration files of the Communication Manager and of the services. */
@@ -126,13 +133,13 @@ public record SystemFile(
     return all;
   }
 
-  private static OptionalInt webPort(XmlElement root) {
-    Optional<XmlElement> web = root.child("web");
+  private static OptionalInt port(XmlElement root, String server, String usual) {
+    Optional<XmlElement> web = root.child(server);
     if (web.isEmpty()) {
       return OptionalInt.empty();
     }
     web.get().refuseUnknownAttributes("port");
-    String port = web.get().optionalAttribute("port").orElse(USUAL_WEB_PORT);
+    String port = web.get().optionalAttribute("port").orElse(usual);
     if (!port.matches("[1-9][0-9]{0,4}") || Integer.parseInt(port) > HIGHEST_PORT) {
       throw web.get().error("port \"" + port + "\": expected 1…" + HIGHEST_PORT);
     }
@@ -219,7 +226,15 @@ public record SystemFile(
   private SystemFile with(Predicate<Entry> wanted) {
     List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
     return new SystemFile(
-        file, systemId, communication, delivery, communicationHost, webPort, autonomy, some);
+        file,
+        systemId,
+        communication,
+        delivery,
+        communicationHost,
+        webPort,
+        rosbridgePort,
+        autonomy,
+        some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

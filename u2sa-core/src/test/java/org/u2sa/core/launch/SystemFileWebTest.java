@@ -13,7 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 
-/** Where system files have the operator's page served. */
+/** Where system files have the operator's page and rosbridge served. */
 class SystemFileWebTest {
   @TempDir private Path directory;
 
@@ -30,6 +30,14 @@ class SystemFileWebTest {
     assertThat(read("<web port='8443'/>").webPort()).isEqualTo(OptionalInt.of(8443));
     assertThat(read("<web/>").withoutServices().webPort()).isEqualTo(OptionalInt.of(8080));
     assertThat(read("").webPort()).isEmpty();
+  }
+
+  @Test
+  void read_rosbridgeElement_hasItsPortOr9090AndKeepsItInCopies() throws IOException {
+    assertThat(read("<rosbridge port='9091'/>").rosbridgePort()).isEqualTo(OptionalInt.of(9091));
+    assertThat(read("<rosbridge/>").withoutServices().rosbridgePort())
+        .isEqualTo(OptionalInt.of(9090));
+    assertThat(read("<web/>").rosbridgePort()).isEmpty();
   }
 
   @ParameterizedTest

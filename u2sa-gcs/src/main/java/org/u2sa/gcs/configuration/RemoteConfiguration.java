@@ -3,6 +3,7 @@ package org.u2sa.gcs.configuration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
@@ -14,6 +15,7 @@ import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.units.NumberWithUnit;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationRequest;
@@ -103,6 +105,29 @@ public final class RemoteConfiguration {
               of.serviceName(), name, NearestNames.didYouMean(name, names)));
     }
     return of.variables().get(index);
+  }
+
+  /**
+   * A value as the service expects it: a number with a unit is converted to the declared one. Other
+   * text is left for the service to validate.
+   *
+   * @throws BadInputException if the unit cannot be converted
+   */
+  public static String inUnitOf(ConfigurationVariable declared, String service, String value) {
+    Optional<NumberWithUnit> quantity = NumberWithUnit.of(value);
+    boolean number = declared.variableType().equals("double") && !declared.unit().isEmpty();
+    if (!number || quantity.isEmpty()) {
+      return value;
+    }
+    if (quantity.get().unit().equals(declared.unit())) {
+      return quantity.get().number();
+    }
+    try {
+      return Double.toString(quantity.get().in(declared.unit()));
+    } catch (IllegalArgumentException e) {
+      throw new BadInputException(
+          service + ", variable \"" + declared.name() + "\": " + e.getMessage(), e);
+    }
   }
 
   /**

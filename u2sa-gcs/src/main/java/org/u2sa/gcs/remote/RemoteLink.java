@@ -86,6 +86,12 @@ public final class RemoteLink implements AutoCloseable {
     listeners.getOrDefault(channel.name(), new ArrayList<>()).remove(listener);
   }
 
+  /** Ends all listening to a channel, at the broker, too. */
+  public void unsubscribe(Channel<?> channel) {
+    listeners.remove(channel.name());
+    connection.unsubscribe(channel);
+  }
+
   /**
    * Publishes a message; system ID and time are filled in if absent.
    *

@@ -1,37 +1,18 @@
 package org.u2sa.gcs.view;
 
-import io.netty.bootstrap.ServerBootstrap;
-import io.netty.channel.Channel;
-import io.netty.channel.ChannelHandlerContext;
-import io.netty.channel.ChannelInitializer;
-import io.netty.channel.ChannelOption;
-import io.netty.channel.ChannelOutboundHandlerAdapter;
-import io.netty.channel.SimpleChannelInboundHandler;
-import io.netty.channel.WriteBufferWaterMark;
-import io.netty.channel.nio.NioEventLoopGroup;
-import io.netty.channel.socket.SocketChannel;
-import io.netty.channel.socket.nio.NioServerSocketChannel;
-import io.netty.handler.codec.http.HttpObjectAggregator;
-import io.netty.handler.codec.http.HttpServerCodec;
-import io.netty.handler.codec.http.websocketx.CloseWebSocketFrame;
-import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
-import io.netty.handler.codec.http.websocketx.WebSocketCloseStatus;
-import io.netty.handler.codec.http.websocketx.WebSocketFrame;
-import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolConfig;
-import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.u2sa.gcs.socket.ClientSocket;
+import org.u2sa.gcs.socket.WebSocketServer;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.JsonText;
-import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.report.message.JsonReader;
 
 /**
@@ -40,26 +21,17 @@ import org.u2sa.report.message.JsonReader;
  */
 public final class ViewServer implements AutoCloseable {
   private static final String SUBPROTOCOLS = "foxglove.sdk.v1,foxglove.websocket.v1";
-  private static final int LONGEST_REQUEST = 1 << 16;
-  private static final int LONGEST_FRAME = 1 << 20;
-  private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
   private static final int MAX_VIEWERS = 32;
   private static final int MAX_CHANNELS = 2048; // of a running system
-  private static final int MAX_SOCKETS = 2 * MAX_VIEWERS; // before and after the handshake
-  private static final int HANDSHAKE_WITHIN_S = 10;
-  private static final int END_MS = 500;
 
   private final String name;
   private final boolean tellsTime;
-  private final Set<String> origins;
   private final String sessionId;
   private final Consumer<String> remarks;
   private final ViewChannels channels = new ViewChannels();
   private final Set<ViewerSession> viewers = ConcurrentHashMap.newKeySet();
-  private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
-  private final AtomicInteger sockets = new AtomicInteger();
   private volatile boolean saidFull;
-  private final Channel listening;
+  private final WebSocketServer server;
 
   /**
    * Starts listening.
@@ -67,9 +39,9 @@ public final class ViewServer implements AutoCloseable {
    * @param name name of the source
    * @param sessionId a new ID makes viewers discard their data
    * @param tellsTime whether viewers use {@link #time} as their clock, as for a recording
-   * @param origins additional web pages that may connect, see {@link OriginCheck}
+   * @param origins additional web pages that may connect, such as https://viewer.example
    * @param remarks receives connects and disconnects
-   * @throws RunFailedException if the port is taken
+   * @throws org.u2sa.interfaces.RunFailedException if the port is taken
    */
   public ViewServer(
       InetSocketAddress address,
@@ -79,33 +51,20 @@ public final class ViewServer implements AutoCloseable {
       Set<String> origins,
       Consumer<String> remarks) {
     this.name = name;
-    this.origins = Set.copyOf(origins);
     this.sessionId = sessionId;
     this.tellsTime = tellsTime;
     this.remarks = remarks;
-    try {
-      listening =
-          new ServerBootstrap()
-              .group(threads)
-              .channel(NioServerSocketChannel.class)
-              .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, BUFFER)
-              .childOption(ChannelOption.TCP_NODELAY, true)
-              .childHandler(new Initializer())
-              .bind(address)
-              .syncUninterruptibly()
-              .channel();
-    } catch (RuntimeException | Error e) {
-      threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS);
-      throw e;
-    } catch (Exception e) { // Netty throws checked exceptions without declaring them
-      threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS);
-      throw new RunFailedException("cannot listen on " + address + ": " + e.getMessage(), e);
-    }
+    server =
+        new WebSocketServer(
+            new WebSocketServer.Offer(
+                address, SUBPROTOCOLS, Set.copyOf(origins), MAX_VIEWERS, Optional.empty()),
+            this::begin,
+            what -> remarks.accept("viewer " + what));
   }
 
   /** Address on which it listens. */
   public InetSocketAddress address() {
-    return (InetSocketAddress) listening.localAddress();
+    return server.address();
   }
 
   int viewers() {
@@ -171,8 +130,7 @@ public final class ViewServer implements AutoCloseable {
 
   @Override
   public void close() {
-    listening.close().syncUninterruptibly();
-    threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS).syncUninterruptibly();
+    server.close();
   }
 
   private static JsonText advertise(List<ViewChannel> channels) {
@@ -191,133 +149,47 @@ public final class ViewServer implements AutoCloseable {
         .put("sessionId", sessionId);
   }
 
-  private final class Initializer extends ChannelInitializer<SocketChannel> {
-    @Override
-    protected void initChannel(SocketChannel socket) {
-      if (sockets.incrementAndGet() > MAX_SOCKETS) {
-        sockets.decrementAndGet();
-        socket.close();
-        return;
-      }
-      socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
-      socket
-          .pipeline()
-          .addLast(new ReadsWhileWritable())
-          .addLast(new HttpServerCodec())
-          .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
-          .addLast(new OriginCheck(origins))
-          .addLast(
-              new WebSocketServerProtocolHandler(
-                  WebSocketServerProtocolConfig.newBuilder()
-                      .websocketPath("/")
-                      .checkStartsWith(true)
-                      .subprotocols(SUBPROTOCOLS)
-                      .maxFramePayloadLength(LONGEST_FRAME)
-                      .build()))
-          .addLast(new Conversation());
+  private WebSocketServer.Conversation begin(ClientSocket socket) {
+    ViewerSession viewer = new ViewerSession(socket);
+    viewer.send(serverInfo());
+    viewers.add(viewer); // before reading the channels, lest one be missed
+    List<ViewChannel> known = channels.all();
+    if (!known.isEmpty()) {
+      viewer.send(advertise(known));
     }
+    remarks.accept("viewer " + viewer.address() + " came (" + socket.subprotocol() + ")");
+    return new Conversation(viewer);
   }
 
-  /**
-   * Netty's own handler keeps reading after each ping and pong, regardless of the channel's
-   * auto-read.
-   */
-  private static final class ReadsWhileWritable extends ChannelOutboundHandlerAdapter {
-    @Override
-    public void read(ChannelHandlerContext context) {
-      if (context.channel().isWritable()) {
-        context.read();
-      }
-    }
-  }
+  private final class Conversation implements WebSocketServer.Conversation {
+    private final ViewerSession viewer;
 
-  private final class Conversation extends SimpleChannelInboundHandler<WebSocketFrame> {
-    private ViewerSession viewer; // null until the handshake is complete
-
-    @Override
-    public void userEventTriggered(ChannelHandlerContext context, Object event) throws Exception {
-      if (event instanceof WebSocketServerProtocolHandler.HandshakeComplete complete) {
-        begin(context, complete.selectedSubprotocol());
-      }
-      super.userEventTriggered(context, event);
-    }
-
-    private void begin(ChannelHandlerContext context, String subprotocol) {
-      if (subprotocol == null) {
-        close(context, "expected one of the subprotocols " + SUBPROTOCOLS);
-        return;
-      }
-      if (viewers.size() >= MAX_VIEWERS) {
-        close(context, "there are " + MAX_VIEWERS + " viewers already");
-        return;
-      }
-      viewer = new ViewerSession(context.channel());
-      viewer.send(serverInfo());
-      viewers.add(viewer); // before reading the channels, lest one be missed
-      List<ViewChannel> known = channels.all();
-      if (!known.isEmpty()) {
-        viewer.send(advertise(known));
-      }
-      remarks.accept("viewer " + viewer.address() + " came (" + subprotocol + ")");
-    }
-
-    private void close(ChannelHandlerContext context, String why) {
-      context.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.PROTOCOL_ERROR, why));
-      context.close();
+    Conversation(ViewerSession viewer) {
+      this.viewer = viewer;
     }
 
     @Override
-    public void handlerAdded(ChannelHandlerContext context) {
-      context
-          .executor()
-          .schedule(() -> requireViewer(context), HANDSHAKE_WITHIN_S, TimeUnit.SECONDS);
-    }
-
-    private void requireViewer(ChannelHandlerContext context) {
-      if (viewer == null) {
-        context.close();
-      }
-    }
-
-    /** Stops reading requests and pings from a viewer that does not read its answers. */
-    @Override
-    public void channelWritabilityChanged(ChannelHandlerContext context) throws Exception {
-      context.channel().config().setAutoRead(context.channel().isWritable());
-      super.channelWritabilityChanged(context);
+    public void ended() {
+      viewers.remove(viewer);
+      remarks.accept(
+          "viewer "
+              + viewer.address()
+              + " left; "
+              + viewer.sent()
+              + " messages sent, "
+              + viewer.dropped()
+              + " dropped because it read too slowly");
     }
 
     @Override
-    public void channelInactive(ChannelHandlerContext context) throws Exception {
-      if (viewer != null && viewers.remove(viewer)) {
-        remarks.accept(
-            "viewer "
-                + viewer.address()
-                + " left; "
-                + viewer.sent()
-                + " messages sent, "
-                + viewer.dropped()
-                + " dropped because it read too slowly");
-      }
-      super.channelInactive(context);
+    public void binary() {
+      viewer.status(ViewerSession.Level.ERROR, "read-only: messages of viewers are not taken");
     }
 
     @Override
-    public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-      remarks.accept("viewer " + context.channel().remoteAddress() + ": " + cause.getMessage());
-      context.close();
-    }
-
-    @Override
-    protected void channelRead0(ChannelHandlerContext context, WebSocketFrame frame) {
-      if (viewer == null) {
-        return; // rejected and about to be closed
-      }
-      if (!(frame instanceof TextWebSocketFrame text)) {
-        viewer.status(ViewerSession.Level.ERROR, "read-only: messages of viewers are not taken");
-        return;
-      }
+    public void text(String text) {
       try {
-        take(JsonReader.object("request", text.text()));
+        take(JsonReader.object("request", text));
       } catch (BadInputException e) {
         viewer.status(ViewerSession.Level.ERROR, e.getMessage());
       }

@@ -1,14 +1,13 @@
 package org.u2sa.gcs.view;
 
-import io.netty.buffer.ByteBuf;
-import io.netty.channel.Channel;
-import io.netty.handler.codec.http.websocketx.BinaryWebSocketFrame;
-import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
+import org.u2sa.gcs.socket.ClientSocket;
 import org.u2sa.interfaces.JsonText;
 
 /**
@@ -29,17 +28,17 @@ final class ViewerSession {
   private static final int HEAD = 1 + Integer.BYTES + Long.BYTES;
   private static final int MAX_SUBSCRIPTIONS = 4096;
 
-  private final Channel socket;
+  private final ClientSocket socket;
   private final Map<Long, Integer> channelBySubscription = new ConcurrentHashMap<>();
   private final AtomicLong sent = new AtomicLong();
   private final AtomicLong dropped = new AtomicLong();
 
-  ViewerSession(Channel socket) {
+  ViewerSession(ClientSocket socket) {
     this.socket = socket;
   }
 
   String address() {
-    return String.valueOf(socket.remoteAddress());
+    return socket.address();
   }
 
   long sent() {
@@ -77,11 +76,11 @@ final class ViewerSession {
    * these accumulate is disconnected.
    */
   void send(JsonText message) {
-    if (socket.bytesBeforeWritable() > MAX_UNREAD_BYTES) {
+    if (socket.backlog() > MAX_UNREAD_BYTES) {
       socket.close();
       return;
     }
-    socket.writeAndFlush(new TextWebSocketFrame(message.line()));
+    socket.text(message.line());
   }
 
   void status(Level level, String text) {
@@ -119,18 +118,19 @@ final class ViewerSession {
       }
       return;
     }
-    ByteBuf frame = socket.alloc().buffer(HEAD + data.length);
-    frame.writeByte(MESSAGE_DATA).writeIntLE((int) subscription).writeLongLE(nanos);
-    frame.writeBytes(data);
-    socket.writeAndFlush(new BinaryWebSocketFrame(frame));
+    byte[] head = head(HEAD).put(MESSAGE_DATA).putInt((int) subscription).putLong(nanos).array();
+    socket.binary(head, data);
     sent.incrementAndGet();
   }
 
   /** Sends the recording's current time. */
   void time(long nanos) {
     if (socket.isWritable()) {
-      ByteBuf frame = socket.alloc().buffer(1 + Long.BYTES);
-      socket.writeAndFlush(new BinaryWebSocketFrame(frame.writeByte(TIME).writeLongLE(nanos)));
+      socket.binary(head(1 + Long.BYTES).put(TIME).putLong(nanos).array(), new byte[0]);
     }
+  }
+
+  private static ByteBuffer head(int bytes) {
+    return ByteBuffer.allocate(bytes).order(ByteOrder.LITTLE_ENDIAN);
   }
 }

@@ -40,20 +40,31 @@ public final class BrokerAccess {
               "Trusted CA certificates (PEM); setting them enables TLS. Empty: Java's defaults.")
           String authority) {}
 
-  private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null);
+  private static final BrokerAccess OPEN = new BrokerAccess("", new char[0], null, true);
   private static final int LONGEST_CA_FILE = 1 << 20; // bytes: some hundred certificates
 
   private final String user;
   private final char[] password;
   private final SSLContext tls; // null if unencrypted
+  private final boolean usesToken;
 
-  private BrokerAccess(String user, char[] password, SSLContext tls) {
+  private BrokerAccess(String user, char[] password, SSLContext tls, boolean usesToken) {
     this.user = user;
     this.password = password;
     this.tls = tls;
+    this.usesToken = usesToken;
   }
 
-  /** Anonymous and unencrypted. */
+  /**
+   * Without a name, on behalf of somebody who has shown none: not even the account's token is used.
+   *
+   * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
+   */
+  public static BrokerAccess anonymous(String caFile) {
+    return new BrokerAccess("", new char[0], caFile.isEmpty() ? null : context(caFile), false);
+  }
+
+  /** Anonymous and unencrypted; with the account's token at a broker of this host. */
   public static BrokerAccess open() {
     return OPEN;
   }
@@ -92,7 +103,7 @@ public final class BrokerAccess {
       return OPEN;
     }
     char[] password = passwordFile.isEmpty() ? new char[0] : firstLine(passwordFile);
-    return new BrokerAccess(user, password, tls ? context(caFile) : null);
+    return new BrokerAccess(user, password, tls ? context(caFile) : null, false);
   }
 
   /**
@@ -102,7 +113,8 @@ public final class BrokerAccess {
    * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
    */
   public static BrokerAccess of(String user, char[] password, String caFile) {
-    return new BrokerAccess(user, password.clone(), caFile.isEmpty() ? null : context(caFile));
+    return new BrokerAccess(
+        user, password.clone(), caFile.isEmpty() ? null : context(caFile), false);
   }
 
   private static char[] firstLine(String file) {
@@ -182,6 +194,11 @@ public final class BrokerAccess {
 
   public boolean isEncrypted() {
     return tls != null;
+  }
+
+  /** Whether the account's token names the user at a broker of this host. */
+  boolean usesToken() {
+    return usesToken;
   }
 
   char[] password() {

@@ -73,6 +73,11 @@ public record MqttTransport(
     return new MqttTransport(host, port, systemId, codec, access, patienceS, other);
   }
 
+  /** Copy that logs in otherwise. */
+  public MqttTransport as(BrokerAccess other) {
+    return new MqttTransport(host, port, systemId, codec, other, patienceS, client);
+  }
+
   /** Copy for another system on the same broker, or {@link Topic#ANY_SYSTEM}. */
   public MqttTransport ofSystem(String otherSystemId) {
     return new MqttTransport(host, port, otherSystemId, codec, access, patienceS, client);
@@ -103,7 +108,7 @@ public record MqttTransport(
     if (access.user().isPresent()) {
       options.setUserName(access.user().get());
       options.setPassword(access.password());
-    } else if (!access.isEncrypted()) {
+    } else if (access.usesToken()) {
       LocalToken.read(host, port)
           .ifPresent(
               token -> {

@@ -11,18 +11,18 @@ import org.u2sa.messages.frame.Rotation;
  * first position, {@code body} is the vehicle's forward-left-up, {@code local} is east-north-up in
  * local frames.
  */
-final class SceneFrame {
-  static final String MAP = "map";
-  static final String BODY = "body";
-  private static final String LOCAL = "local";
+public final class SceneFrame {
+  public static final String MAP = "map";
+  public static final String BODY = "body";
+  public static final String LOCAL = "local";
 
   private Geodetic origin; // of the map; null until known
 
   /** A point in one of the frames. */
-  record Placed(String frame, Point point) {}
+  public record Placed(String frame, Point point) {}
 
   /** Map coordinates of a global position; the first one becomes the origin. */
-  Point onMap(Geodetic place) {
+  public Point onMap(Geodetic place) {
     if (origin == null) {
       origin = place;
     }
@@ -32,7 +32,7 @@ final class SceneFrame {
   /**
    * Converts a point of a message's frame; empty for global positions before the map has an origin.
    */
-  Optional<Placed> place(ReferenceFrame frame, Point point) {
+  public Optional<Placed> place(ReferenceFrame frame, Point point) {
     if (frame.equals(ReferenceFrame.GLOBAL)) {
       return origin == null
           ? Optional.empty()
@@ -75,8 +75,13 @@ final class SceneFrame {
     return Point.of(ned.y(), ned.x(), -ned.z());
   }
 
-  /** Quaternion of the rotation matrix with these columns (Shepperd 1978). */
-  static ProtobufMessage quaternion(Point a, Point b, Point c) {
+  private static ProtobufMessage quaternion(Point a, Point b, Point c) {
+    double[] q = xyzw(a, b, c);
+    return new ProtobufMessage().number(1, q[0]).number(2, q[1]).number(3, q[2]).number(4, q[3]);
+  }
+
+  /** Quaternion x, y, z, w of the rotation matrix with these columns (Shepperd 1978). */
+  public static double[] xyzw(Point a, Point b, Point c) {
     double trace = a.x() + b.y() + c.z();
     double[] squares = {
       1 + a.x() - b.y() - c.z(), 1 - a.x() + b.y() - c.z(), 1 - a.x() - b.y() + c.z(), 1 + trace
@@ -87,8 +92,7 @@ final class SceneFrame {
     }
     double r = Math.sqrt(squares[largest]);
     double s = 0.5 / r;
-    double[] q =
-        switch (largest) {
+    return switch (largest) {
           case 0 ->
               new double[] {r / 2, (a.y() + b.x()) * s, (a.z() + c.x()) * s, (b.z() - c.y()) * s};
           case 1 ->
@@ -98,7 +102,6 @@ final class SceneFrame {
           default ->
               new double[] {(b.z() - c.y()) * s, (c.x() - a.z()) * s, (a.y() - b.x()) * s, r / 2};
         };
-    return new ProtobufMessage().number(1, q[0]).number(2, q[1]).number(3, q[2]).number(4, q[3]);
   }
 
   /** A {@code foxglove.Quaternion} about the up axis [rad], counterclockwise seen from above. */

@@ -24,6 +24,7 @@ final class BrokerPort {
 
   private Integer asked; // null if not given
   private Integer web; // null if not given
+  private Integer rosbridge; // null if not given
 
   @Option(
       names = "--through-broker",
@@ -50,11 +51,23 @@ final class BrokerPort {
       paramLabel = "PORT",
       description = "TCP port on which a browser finds the operator's page.")
   private void web(int value) {
+    web = port("--web", value);
+  }
+
+  @Option(
+      names = "--rosbridge",
+      paramLabel = "PORT",
+      description = "TCP port on which ROS tools connect by the rosbridge protocol (docs/ros.md).")
+  private void rosbridge(int value) {
+    rosbridge = port("--rosbridge", value);
+  }
+
+  private int port(String option, int value) {
     if (value < 1 || value > HIGHEST_PORT) {
       throw new ParameterException(
-          command.commandLine(), "--web " + value + ": expected 1…" + HIGHEST_PORT);
+          command.commandLine(), option + " " + value + ": expected 1…" + HIGHEST_PORT);
     }
-    web = value;
+    return value;
   }
 
   /**
@@ -65,13 +78,8 @@ final class BrokerPort {
     if (throughBroker) {
       launch.throughBroker();
     }
-    if (web != null && asked != null && asked == 0) {
-      throw new ParameterException(
-          command.commandLine(), "--web needs a broker, and --port 0 asks for none");
-    }
-    if (web != null) {
-      launch.override(MANAGER, ManagerVariables.WEB_PORT, web);
-    }
+    serve(launch, "--web", ManagerVariables.WEB_PORT, web);
+    serve(launch, "--rosbridge", ManagerVariables.ROSBRIDGE_PORT, rosbridge);
     if (asked == null) {
       evadeTakenPort(system, launch, terminal);
     } else if (asked == 0) {
@@ -79,6 +87,17 @@ final class BrokerPort {
     } else {
       launch.override(MANAGER, ManagerVariables.PORT, asked);
     }
+  }
+
+  private void serve(LaunchOptions launch, String option, String variable, Integer port) {
+    if (port == null) {
+      return;
+    }
+    if (asked != null && asked == 0) {
+      throw new ParameterException(
+          command.commandLine(), option + " needs a broker, and --port 0 asks for none");
+    }
+    launch.override(MANAGER, variable, port);
   }
 
   private static void evadeTakenPort(SystemFile system, LaunchOptions launch, Terminal terminal) {

@@ -1,4 +1,4 @@
-package org.u2sa.gcs.view;
+package org.u2sa.gcs.socket;
 
 import io.netty.channel.ChannelFutureListener;
 import io.netty.channel.ChannelHandlerContext;

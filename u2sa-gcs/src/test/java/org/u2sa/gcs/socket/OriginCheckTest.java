@@ -1,4 +1,4 @@
-package org.u2sa.gcs.view;
+package org.u2sa.gcs.socket;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

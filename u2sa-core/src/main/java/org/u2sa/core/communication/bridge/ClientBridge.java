@@ -1,0 +1,73 @@
+package org.u2sa.core.communication.bridge;
+
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
+import java.util.function.Consumer;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.mqtt.BrokerAccess;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+
+/** A server of another protocol beside the embedded broker. */
+public interface ClientBridge extends AutoCloseable {
+  /** Makes bridges of one protocol; found through {@link ServiceLoader}. */
+  interface Provider {
+    /** Name of the protocol, such as "rosbridge". */
+    String protocol();
+
+    /**
+     * Starts listening.
+     *
+     * @throws org.u2sa.interfaces.RunFailedException if the port is taken
+     */
+    ClientBridge start(Setting setting);
+  }
+
+  /**
+   * Where a bridge listens, and how its clients reach the broker.
+   *
+   * @param address where it listens
+   * @param broker the broker, without anybody's rights
+   * @param security users and certificate of a secured broker; empty: none
+   * @param everybodyCommands whether clients without a name have all rights
+   * @param log receives lines for the operator
+   */
+  record Setting(
+      InetSocketAddress address,
+      MqttTransport broker,
+      Optional<SecurityDirectory> security,
+      boolean everybodyCommands,
+      Consumer<String> log) {
+    /** The broker as its user sees it; an empty name is anonymous. */
+    public MqttTransport as(String user, char[] password) {
+      String authority = security.map(each -> each.authority().toString()).orElse("");
+      return broker.as(
+          user.isEmpty()
+              ? BrokerAccess.anonymous(authority)
+              : BrokerAccess.of(user, password, authority));
+    }
+  }
+
+  @Override
+  void close();
+
+  /**
+   * Starts the bridge of a protocol.
+   *
+   * @throws BadInputException if none is on the class path
+   */
+  static ClientBridge start(String protocol, Setting setting) {
+    try {
+      for (Provider provider : ServiceLoader.load(Provider.class)) {
+        if (provider.protocol().equals(protocol)) {
+          return provider.start(setting);
+        }
+      }
+    } catch (ServiceConfigurationError e) {
+      throw new BadInputException(protocol + " cannot be loaded: " + e, e);
+    }
+    throw new BadInputException("no server of " + protocol + " found; it is in u2sa-gcs");
+  }
+}

@@ -1,0 +1,66 @@
+package org.u2sa.gcs.plan;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.units.XmlNumbers;
+import org.u2sa.interfaces.xml.XmlReader;
+
+/** Reads a fence file (docs/health-and-failsafes.md) as areas of a plan. */
+public final class FenceAreas {
+  private static final String CENTRE = "centre";
+
+  private FenceAreas() {}
+
+  /**
+   * Areas in the order of the file.
+   *
+   * @param lost receives what areas cannot say, a line each
+   * @throws org.u2sa.interfaces.BadInputException naming file, line and element
+   */
+  public static List<StationPlan.Area> read(Path file, List<String> lost) {
+    XmlElement root = XmlReader.read(file, "fence");
+    root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
+    root.child("reference")
+        .filter(reference -> !reference.text().equalsIgnoreCase("Global"))
+        .ifPresent(
+            reference -> {
+              throw reference.error("\"" + reference.text() + "\": a plan is in Global only");
+            });
+    for (String limit : List.of("floor", "ceiling")) {
+      root.child(limit).ifPresent(each -> lost.add("fence: its " + limit + " " + each.text()));
+    }
+    List<StationPlan.Area> areas = new ArrayList<>();
+    for (XmlElement child : root.children()) {
+      if (child.name().startsWith("keep")) {
+        areas.add(area(child));
+      }
+    }
+    return areas;
+  }
+
+  private static StationPlan.Area area(XmlElement element) {
+    List<StationPlan.Place> corners = new ArrayList<>();
+    for (XmlElement corner : element.children()) {
+      if (corner.name().equals("corner") || corner.name().equals(CENTRE)) {
+        corners.add(
+            new StationPlan.Place(number(corner, "x"), number(corner, "y"), OptionalDouble.empty()));
+      }
+    }
+    OptionalDouble radius =
+        element.child(CENTRE).isPresent()
+            ? OptionalDouble.of(XmlNumbers.converted(child(element, "radius"), "m", "m"))
+            : OptionalDouble.empty();
+    return new StationPlan.Area(element.name().equals("keepIn"), corners, radius);
+  }
+
+  private static double number(XmlElement place, String name) {
+    return XmlNumbers.converted(child(place, name), "deg", "deg");
+  }
+
+  private static XmlElement child(XmlElement of, String name) {
+    return of.child(name).orElseThrow(() -> of.error("lacks <" + name + ">"));
+  }
+}

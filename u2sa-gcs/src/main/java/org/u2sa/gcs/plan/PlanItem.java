@@ -1,0 +1,99 @@
+package org.u2sa.gcs.plan;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One item of a mission as MAVLink has it (MISSION_ITEM, mavlink.io/en/messages/common.html).
+ *
+ * @param command number of its MAV_CMD
+ * @param frame number of its MAV_FRAME
+ * @param parameters seven numbers, as the command defines them; NaN where empty
+ * @param goesOn whether the next item follows by itself
+ * @param id number by which jumps name it
+ */
+record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn, int id) {
+  static final int WAYPOINT = 16;
+  static final int LOITER_UNLIMITED = 17;
+  static final int LOITER_TIME = 19;
+  static final int RETURN = 20;
+  static final int TAKE_OFF = 22;
+  static final int JUMP = 177;
+  static final int CHANGE_SPEED = 178;
+
+  static final int GLOBAL = 0;
+  static final int MISSION = 2; // no coordinates
+  static final int RELATIVE = 3;
+  static final int GLOBAL_INT = 5;
+  static final int RELATIVE_INT = 6;
+
+  static final int PARAMETERS = 7;
+
+  private static final Map<Integer, String> NAMES =
+      Map.ofEntries(
+          Map.entry(WAYPOINT, "NAV_WAYPOINT"),
+          Map.entry(LOITER_UNLIMITED, "NAV_LOITER_UNLIM"),
+          Map.entry(18, "NAV_LOITER_TURNS"),
+          Map.entry(LOITER_TIME, "NAV_LOITER_TIME"),
+          Map.entry(RETURN, "NAV_RETURN_TO_LAUNCH"),
+          Map.entry(21, "NAV_LAND"),
+          Map.entry(TAKE_OFF, "NAV_TAKEOFF"),
+          Map.entry(31, "NAV_LOITER_TO_ALT"),
+          Map.entry(82, "NAV_SPLINE_WAYPOINT"),
+          Map.entry(84, "NAV_VTOL_TAKEOFF"),
+          Map.entry(85, "NAV_VTOL_LAND"),
+          Map.entry(93, "NAV_DELAY"),
+          Map.entry(112, "CONDITION_DELAY"),
+          Map.entry(115, "CONDITION_YAW"),
+          Map.entry(JUMP, "DO_JUMP"),
+          Map.entry(CHANGE_SPEED, "DO_CHANGE_SPEED"),
+          Map.entry(179, "DO_SET_HOME"),
+          Map.entry(181, "DO_SET_RELAY"),
+          Map.entry(183, "DO_SET_SERVO"),
+          Map.entry(189, "DO_LAND_START"),
+          Map.entry(195, "DO_SET_ROI_LOCATION"),
+          Map.entry(201, "DO_SET_ROI"),
+          Map.entry(203, "DO_DIGICAM_CONTROL"),
+          Map.entry(205, "DO_MOUNT_CONTROL"),
+          Map.entry(206, "DO_SET_CAM_TRIGG_DIST"),
+          Map.entry(530, "SET_CAMERA_MODE"),
+          Map.entry(2000, "IMAGE_START_CAPTURE"),
+          Map.entry(2001, "IMAGE_STOP_CAPTURE"));
+
+  PlanItem {
+    parameters = List.copyOf(parameters);
+  }
+
+  /** An item without coordinates. */
+  static PlanItem order(int id, int command, double... first) {
+    return of(id, command, MISSION, List.of(), first);
+  }
+
+  /** An item at a place: latitude, longitude [deg], altitude [m]. */
+  static PlanItem at(int id, int command, int frame, List<Double> place, double... first) {
+    return of(id, command, frame, place, first);
+  }
+
+  private static PlanItem of(
+      int id, int command, int frame, List<Double> place, double... first) {
+    Double[] all = new Double[PARAMETERS];
+    for (int i = 0; i < PARAMETERS; i++) {
+      int ofPlace = i - (PARAMETERS - place.size());
+      all[i] = i < first.length ? Double.valueOf(first[i]) : ofPlace < 0 ? 0.0 : place.get(ofPlace);
+    }
+    return new PlanItem(command, frame, List.of(all), true, id);
+  }
+
+  /**
+   * @param number from 1, as in the documentation of commands
+   */
+  double parameter(int number) {
+    return parameters.get(number - 1);
+  }
+
+  /** For messages: its number and command. */
+  String title() {
+    String name = NAMES.get(command);
+    return "item " + id + " (" + (name == null ? "command " + command : "MAV_CMD_" + name) + ")";
+  }
+}

@@ -1,0 +1,222 @@
+package org.u2sa.gcs.ros;
+
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.u2sa.core.communication.bridge.ClientBridge;
+import org.u2sa.core.communication.limit.Allowance;
+import org.u2sa.gcs.socket.ClientSocket;
+import org.u2sa.gcs.socket.WebSocketServer;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.interfaces.time.SystemClock;
+import org.u2sa.messages.schema.MessageTypes;
+
+/** Serves clients of the rosbridge protocol beside the embedded broker. */
+public final class RosbridgeServer implements ClientBridge {
+  /** Finds the server for the Communication Manager. */
+  public static final class Provider implements ClientBridge.Provider {
+    @Override
+    public String protocol() {
+      return "rosbridge";
+    }
+
+    @Override
+    public ClientBridge start(Setting setting) {
+      return new RosbridgeServer(setting);
+    }
+  }
+
+  private static final int MAX_CLIENTS = 16;
+  private static final int MAX_WAITING = 256; // operations of a client
+  private static final int MAX_CALLS = 32; // waiting calls of a client
+  private static final double PER_S = 2_000.0; // operations of a client, or KiB of them
+  private static final double BURST = 4_000.0; // likewise
+  private static final double KIB = 1_024.0;
+
+  private final Setting setting;
+  private final RosFrames frames = new RosFrames();
+  private final List<RosTopic> topics = RosTopic.all(frames);
+  private final RosServices services = new RosServices(topics);
+  private final MessageTypes messageTypes = MessageTypes.discovered();
+  private final Clock clock = new SystemClock();
+  private final AtomicLong clients = new AtomicLong();
+  private final WebSocketServer server;
+
+  private RosbridgeServer(Setting setting) {
+    this.setting = setting;
+    server =
+        new WebSocketServer(
+            new WebSocketServer.Offer(
+                setting.address(), "", Set.of(), MAX_CLIENTS, setting.security()),
+            Client::new,
+            what -> setting.log().accept("rosbridge: " + what));
+    setting
+        .log()
+        .accept(
+            "rosbridge: "
+                + (setting.security().isPresent() ? "wss" : "ws")
+                + "://"
+                + setting.address().getHostString()
+                + ":"
+                + server.address().getPort()
+                + "/");
+  }
+
+  RosFrames frames() {
+    return frames;
+  }
+
+  RosServices services() {
+    return services;
+  }
+
+  MessageTypes messageTypes() {
+    return messageTypes;
+  }
+
+  Clock clock() {
+    return clock;
+  }
+
+  void later(Runnable task, long delayMs) {
+    server.schedule(task, delayMs);
+  }
+
+  /**
+   * @throws BadInputException if there is no such topic
+   */
+  RosTopic topic(String name) {
+    String rooted = name.startsWith("/") ? name : "/" + name;
+    return topics.stream()
+        .filter(topic -> topic.name().equals(rooted))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new BadInputException(
+                    "topic \"" + name + "\" does not exist; /rosapi/topics lists all"));
+  }
+
+  @Override
+  public void close() {
+    server.close();
+  }
+
+  /** One client: its operations and calls are done on two threads of its own, in order. */
+  private final class Client implements WebSocketServer.Conversation {
+    private final ClientSocket socket;
+    private final RosbridgeSession session;
+    private final ThreadPoolExecutor operations;
+    private final ThreadPoolExecutor calls;
+    private final Allowance rate = new Allowance(PER_S, BURST, clock.micros());
+
+    Client(ClientSocket socket) {
+      this.socket = socket;
+      String name = "rosbridge-" + clients.incrementAndGet();
+      operations = thread(name, MAX_WAITING);
+      calls = thread(name + "-calls", MAX_CALLS);
+      RosAccount account =
+          new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
+      session = new RosbridgeSession(RosbridgeServer.this, socket, account);
+      socket
+          .header("Authorization")
+          .ifPresent(header -> operations.execute(() -> run("", () -> account.authorization(header))));
+    }
+
+    private static ThreadPoolExecutor thread(String name, int waiting) {
+      ThreadPoolExecutor one =
+          new ThreadPoolExecutor(
+              1,
+              1,
+              1,
+              TimeUnit.SECONDS,
+              new ArrayBlockingQueue<>(waiting),
+              task -> {
+                Thread thread = new Thread(task, name);
+                thread.setDaemon(true);
+                return thread;
+              });
+      one.allowCoreThreadTimeOut(true);
+      return one;
+    }
+
+    private void warn(String text) {
+      session.status("warning", text, "");
+    }
+
+    @Override
+    public void text(String text) {
+      if (!rate.isOpen(clock.micros())) {
+        session.status("error", "more than " + PER_S + " operations, or KiB of them, a second", "");
+        socket.close();
+        return;
+      }
+      rate.take(1.0 + text.length() / KIB);
+      RosOperation operation;
+      String id;
+      try {
+        operation = RosOperation.parse(text);
+        id = operation.idOr("");
+      } catch (BadInputException e) {
+        session.status("error", e.getMessage(), "");
+        return;
+      }
+      try {
+        if (operation.name().equals("call_service")) {
+          operations.execute(() -> call(operation, id));
+        } else {
+          operations.execute(() -> run(id, () -> session.take(operation)));
+        }
+      } catch (RejectedExecutionException e) {
+        session.status("error", "too many operations at once: this one is dropped", id);
+      }
+    }
+
+    private void call(RosOperation operation, String id) {
+      try {
+        calls.execute(() -> answer(operation, id));
+      } catch (RejectedExecutionException e) {
+        session.status("error", "too many calls at once: this one is dropped", id);
+      }
+    }
+
+    private void answer(RosOperation operation, String id) {
+      try {
+        session.call(operation);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt(); // the client has left
+      } catch (RuntimeException e) {
+        session.status("error", String.valueOf(e.getMessage()), id);
+      }
+    }
+
+    private void run(String id, Runnable operation) {
+      try {
+        operation.run();
+      } catch (CommunicationException e) {
+        session.status("error", e.getMessage(), id);
+        socket.close(); // wrong password, or no broker
+      } catch (RuntimeException e) {
+        session.status("error", String.valueOf(e.getMessage()), id);
+      }
+    }
+
+    @Override
+    public void binary() {
+      session.status("error", "binary messages are not taken; expected JSON as text", "");
+    }
+
+    @Override
+    public void ended() {
+      calls.shutdownNow();
+      operations.getQueue().clear();
+      operations.execute(session::end);
+      operations.shutdown();
+    }
+  }
+}

@@ -1,0 +1,256 @@
+package org.u2sa.gcs.socket;
+
+import io.netty.bootstrap.ServerBootstrap;
+import io.netty.channel.Channel;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInitializer;
+import io.netty.channel.ChannelOption;
+import io.netty.channel.ChannelOutboundHandlerAdapter;
+import io.netty.channel.SimpleChannelInboundHandler;
+import io.netty.channel.WriteBufferWaterMark;
+import io.netty.channel.nio.NioEventLoopGroup;
+import io.netty.channel.socket.SocketChannel;
+import io.netty.channel.socket.nio.NioServerSocketChannel;
+import io.netty.handler.codec.http.HttpObjectAggregator;
+import io.netty.handler.codec.http.HttpServerCodec;
+import io.netty.handler.codec.http.websocketx.TextWebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketFrame;
+import io.netty.handler.codec.http.websocketx.WebSocketFrameAggregator;
+import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolConfig;
+import io.netty.handler.codec.http.websocketx.WebSocketServerProtocolHandler;
+import io.netty.handler.ssl.SslContext;
+import io.netty.handler.ssl.SslContextBuilder;
+import io.netty.handler.ssl.SslProvider;
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import javax.net.ssl.SSLException;
+import org.u2sa.core.security.SecurityDirectory;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.RunFailedException;
+
+/** Accepts WebSocket clients on a TCP port, with bounds on all that they may send or keep open. */
+public final class WebSocketServer implements AutoCloseable {
+  private static final int LONGEST_REQUEST = 1 << 16;
+  private static final int LONGEST_FRAME = 1 << 20;
+  private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
+  private static final int HANDSHAKE_WITHIN_S = 10;
+  private static final int END_MS = 500;
+
+  /**
+   * What a server offers.
+   *
+   * @param address where it listens
+   * @param subprotocols names, separated by commas; empty: none is agreed
+   * @param origins web pages that may connect besides those of {@link OriginCheck}
+   * @param maxClients clients at a time; as many connections again may be in their handshake
+   * @param security certificate and key; empty: no encryption
+   */
+  public record Offer(
+      InetSocketAddress address,
+      String subprotocols,
+      Set<String> origins,
+      int maxClients,
+      Optional<SecurityDirectory> security) {}
+
+  /** What a client's messages and its end lead to. Called on the server's thread. */
+  public interface Conversation {
+    void text(String text);
+
+    /** A binary message, whose content is dropped. */
+    void binary();
+
+    void ended();
+  }
+
+  private final Offer offer;
+  private final Function<ClientSocket, Conversation> welcome;
+  private final Consumer<String> remarks;
+  private final Optional<SslContext> tls;
+  private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
+  private final AtomicInteger sockets = new AtomicInteger();
+  private final AtomicInteger clients = new AtomicInteger();
+  private final Channel listening;
+
+  /**
+   * Starts listening.
+   *
+   * @param welcome begins the conversation with a client that has connected
+   * @param remarks receives failures of connections
+   * @throws RunFailedException if the port is taken
+   */
+  public WebSocketServer(
+      Offer offer, Function<ClientSocket, Conversation> welcome, Consumer<String> remarks) {
+    this.offer = offer;
+    this.welcome = welcome;
+    this.remarks = remarks;
+    tls = offer.security().map(WebSocketServer::encryption);
+    try {
+      listening =
+          new ServerBootstrap()
+              .group(threads)
+              .channel(NioServerSocketChannel.class)
+              .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, BUFFER)
+              .childOption(ChannelOption.TCP_NODELAY, true)
+              .childHandler(new Initializer())
+              .bind(offer.address())
+              .syncUninterruptibly()
+              .channel();
+    } catch (RuntimeException | Error e) {
+      threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS);
+      throw e;
+    } catch (Exception e) { // Netty throws checked exceptions without declaring them
+      threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS);
+      throw new RunFailedException("cannot listen on " + offer.address() + ": " + e.getMessage(), e);
+    }
+  }
+
+  private static SslContext encryption(SecurityDirectory directory) {
+    try {
+      return SslContextBuilder.forServer(
+              directory.certificate().toFile(), directory.key().toFile())
+          .sslProvider(SslProvider.JDK)
+          .protocols("TLSv1.3", "TLSv1.2")
+          .build();
+    } catch (SSLException | IllegalArgumentException e) {
+      throw new BadInputException(
+          directory.path() + ": server.pem and server-key.pem cannot be used: " + e.getMessage(),
+          e);
+    }
+  }
+
+  /** Address on which it listens. */
+  public InetSocketAddress address() {
+    return (InetSocketAddress) listening.localAddress();
+  }
+
+  /** Runs a task on the server's thread after a delay [ms]. */
+  public void schedule(Runnable task, long delayMs) {
+    threads.schedule(task, delayMs, TimeUnit.MILLISECONDS);
+  }
+
+  @Override
+  public void close() {
+    listening.close().syncUninterruptibly();
+    threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS).syncUninterruptibly();
+  }
+
+  private final class Initializer extends ChannelInitializer<SocketChannel> {
+    @Override
+    protected void initChannel(SocketChannel socket) {
+      if (sockets.incrementAndGet() > 2 * offer.maxClients()) {
+        sockets.decrementAndGet();
+        socket.close();
+        return;
+      }
+      socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
+      tls.ifPresent(context -> socket.pipeline().addLast(context.newHandler(socket.alloc())));
+      WebSocketServerProtocolConfig.Builder protocol =
+          WebSocketServerProtocolConfig.newBuilder()
+              .websocketPath("/")
+              .checkStartsWith(true)
+              .maxFramePayloadLength(LONGEST_FRAME);
+      if (!offer.subprotocols().isEmpty()) {
+        protocol.subprotocols(offer.subprotocols());
+      }
+      socket
+          .pipeline()
+          .addLast(new ReadsWhileWritable())
+          .addLast(new HttpServerCodec())
+          .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
+          .addLast(new OriginCheck(offer.origins()))
+          .addLast(new WebSocketServerProtocolHandler(protocol.build()))
+          .addLast(new WebSocketFrameAggregator(LONGEST_FRAME))
+          .addLast(new Connection());
+    }
+  }
+
+  /**
+   * Netty's own handler keeps reading after each ping and pong, regardless of the channel's
+   * auto-read.
+   */
+  private static final class ReadsWhileWritable extends ChannelOutboundHandlerAdapter {
+    @Override
+    public void read(ChannelHandlerContext context) {
+      if (context.channel().isWritable()) {
+        context.read();
+      }
+    }
+  }
+
+  private final class Connection extends SimpleChannelInboundHandler<WebSocketFrame> {
+    private Conversation conversation; // null until the handshake is complete
+
+    @Override
+    public void userEventTriggered(ChannelHandlerContext context, Object event) throws Exception {
+      if (event instanceof WebSocketServerProtocolHandler.HandshakeComplete complete) {
+        begin(
+            new ClientSocket(
+                context.channel(), complete.requestHeaders(), complete.selectedSubprotocol()));
+      }
+      super.userEventTriggered(context, event);
+    }
+
+    private void begin(ClientSocket socket) {
+      if (!offer.subprotocols().isEmpty() && socket.subprotocol().isEmpty()) {
+        socket.close("expected one of the subprotocols " + offer.subprotocols());
+      } else if (clients.get() >= offer.maxClients()) {
+        socket.close("there are " + offer.maxClients() + " clients already");
+      } else {
+        clients.incrementAndGet();
+        conversation = welcome.apply(socket);
+      }
+    }
+
+    @Override
+    public void handlerAdded(ChannelHandlerContext context) {
+      context
+          .executor()
+          .schedule(() -> requireConversation(context), HANDSHAKE_WITHIN_S, TimeUnit.SECONDS);
+    }
+
+    private void requireConversation(ChannelHandlerContext context) {
+      if (conversation == null) {
+        context.close();
+      }
+    }
+
+    /** Stops reading messages and pings from a client that does not read its answers. */
+    @Override
+    public void channelWritabilityChanged(ChannelHandlerContext context) throws Exception {
+      context.channel().config().setAutoRead(context.channel().isWritable());
+      super.channelWritabilityChanged(context);
+    }
+
+    @Override
+    public void channelInactive(ChannelHandlerContext context) throws Exception {
+      if (conversation != null) {
+        clients.decrementAndGet();
+        conversation.ended();
+      }
+      super.channelInactive(context);
+    }
+
+    @Override
+    public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
+      remarks.accept(context.channel().remoteAddress() + ": " + cause.getMessage());
+      context.close();
+    }
+
+    @Override
+    protected void channelRead0(ChannelHandlerContext context, WebSocketFrame frame) {
+      if (conversation == null) {
+        return; // rejected and about to be closed
+      }
+      if (frame instanceof TextWebSocketFrame text) {
+        conversation.text(text.text());
+      } else {
+        conversation.binary();
+      }
+    }
+  }
+}

@@ -1,0 +1,213 @@
+package org.u2sa.gcs.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.Waypoint;
+
+/** Missions in the formats of other stations and back. */
+class PlanFormatsTest {
+  private static final StationPlan.Place HOME = new StationPlan.Place(8.0, 50.0, OptionalDouble.of(120.5));
+
+  private final List<String> lost = new ArrayList<>();
+
+  private List<GoalInformation> thereAndBack(List<GoalInformation> goals, boolean isPlan) {
+    StationPlan plan = new StationPlan(Optional.of(HOME), GoalItems.of(goals, lost), List.of());
+    StationPlan read =
+        isPlan
+            ? QgcPlan.read("test", QgcPlan.text(plan), lost)
+            : WaypointList.read("test", WaypointList.text(plan));
+    assertThat(read.home()).contains(HOME);
+    assertThat(lost).isEmpty();
+    List<GoalInformation> back = ItemGoals.of(read, lost);
+    assertThat(lost).isEmpty();
+    return back;
+  }
+
+  private static Waypoint waypoint(int number) {
+    return new Waypoint()
+        .uid(Integer.toString(number))
+        .x(8.0 + number / 1024.0)
+        .y(50.0)
+        .z(100.0 + number)
+        .horizontalThreshold(2.5);
+  }
+
+  /** All that both formats can say, at random. */
+  private static List<GoalInformation> mission(Random random) {
+    List<GoalInformation> goals = new ArrayList<>();
+    int count = 1 + random.nextInt(12);
+    boolean isLinked = random.nextBoolean();
+    for (int i = 1; i <= count; i++) {
+      Waypoint goal =
+          random.nextInt(4) == 0 ? new Station().duration(1 + random.nextInt(60)) : new Waypoint();
+      goal.uid(Integer.toString(i)).x(8.0 + random.nextDouble()).y(-50.0 - random.nextDouble());
+      goal.horizontalThreshold(1 + random.nextInt(100));
+      if (random.nextBoolean()) {
+        goal.z(random.nextDouble() * 1000.0);
+      }
+      if (random.nextInt(3) == 0) {
+        goal.psi(Math.toRadians(random.nextInt(360)));
+      }
+      if (random.nextInt(3) == 0) {
+        goal.speed(1 + random.nextInt(40));
+      }
+      if (random.nextInt(5) == 0) {
+        goal.repeatFrom(Integer.toString(1 + random.nextInt(i))).repeatTimes(1 + random.nextInt(5));
+      }
+      if (isLinked && i < count) {
+        goal.next(List.of(Integer.toString(i + 1)));
+      } else if (isLinked) {
+        int to = random.nextInt(count + 1);
+        goal.next(List.of(to == 0 ? "home" : Integer.toString(to)));
+      }
+      goals.add(goal);
+    }
+    return goals;
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void thereAndBack_whatTheFormatsCanSay_isEqual(boolean isPlan) {
+    for (int seed = 0; seed < 500; seed++) {
+      List<GoalInformation> goals = mission(new Random(seed));
+      assertThat(PlanXml.mission(Optional.empty(), thereAndBack(goals, isPlan)))
+          .as("seed %s", seed)
+          .isEqualTo(PlanXml.mission(Optional.empty(), goals));
+    }
+  }
+
+  @Test
+  void export_speedOfSomeGoals_isSetBeforeThemAndGivenBackAfterwards() {
+    List<PlanItem> items =
+        GoalItems.of(List.of(waypoint(1), waypoint(2).speed(7.0), waypoint(3)), lost);
+
+    assertThat(items).extracting(PlanItem::command).containsExactly(16, 178, 16, 178, 16);
+    assertThat(items.get(1).parameter(2)).isEqualTo(7.0);
+    assertThat(items.get(3).parameter(2)).isEqualTo(-2.0);
+  }
+
+  @Test
+  void export_whatItemsCannotSay_isNamed() {
+    Waypoint local = new Waypoint().uid("1").referenceFrame(ReferenceFrame.LOCAL_ENU).x(1).y(2);
+    Waypoint named = waypoint(2).verticalThreshold(3.0);
+    named.uid("gate").next(List.of("1", "2"));
+    named.nextIf(GoalResult.FAILED, List.of("1")).timeLimit(60.0);
+
+    GoalItems.of(List.of(local.next(List.of("gate")), named), lost);
+
+    assertThat(lost)
+        .containsExactlyInAnyOrder(
+            "goal \"gate\": its name",
+            "goal \"gate\": has several next goals",
+            "goal \"1\": has no longitude and latitude in the frame Global",
+            "goal \"gate\": has verticalThreshold 3.0",
+            "goal \"gate\": has timeLimit 60.0",
+            "goal \"gate\": has nextIfFailed [1]");
+  }
+
+  @Test
+  void import_altitudesRelativeToHome_addItsAltitude() {
+    String list =
+        "QGC WPL 110\n"
+            + "0\t1\t0\t16\t0\t0\t0\t0\t50\t8\t120\t1\n"
+            + "1\t0\t3\t16\t0\t5\t0\t0\t50.1\t8.1\t30\t1\n";
+
+    Waypoint goal = (Waypoint) ItemGoals.of(WaypointList.read("a", list), lost).get(0);
+
+    assertThat(goal.z()).hasValue(150.0);
+    assertThat(goal.horizontalThreshold()).isEqualTo(5.0);
+    assertThat(goal.psi()).isEmpty(); // 0 of writers that know no empty heading
+    assertThat(lost).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'21,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): no goal says that'",
+    "'22,0,15,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_TAKEOFF): a pitch of 15.0 deg'",
+    "'206,2,25,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): no goal says that'",
+    "'16,10,0,0,0,0,50,8,30,1', 'an altitude in frame 10'",
+    "'16,3,0,0,0,0,0,0,30,1', 'latitude 0.0, longitude 0.0 is no place'",
+    "'16,3,0,0,50,0,50,8,30,1', 'a radius of 50.0 m'",
+    "'16,3,0,0,0,0,50,8,30,0', 'waits for an operator'",
+    "'177,2,5,1,0,0,0,0,0,1', 'jumps to item 5.0, which no goal before it is'",
+    "'178,2,1,5,-1,0,0,0,0,1', 'a speed over ground'",
+    "'178,2,0,5,50,0,0,0,0,1', 'a throttle of 50.0 %'",
+  })
+  void import_whatGoalsCannotSay_isNamed(String item, String what) {
+    String list =
+        "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t50\t8\t120\t1\n1\t0\t"
+            + item.replaceFirst("(\\d+),(\\d+)", "$2,$1").replace(',', '\t');
+
+    ItemGoals.of(WaypointList.read("a", list), lost);
+
+    assertThat(lost).anyMatch(each -> each.contains(what));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "QGC WPL 120 | a, line 1: \"QGC WPL 120\": expected QGC WPL 110",
+        "QGC WPL 110 | a, line 1: no items; expected the home as item 0",
+        "QGC WPL 110;1 0 0 16 0 0 0 0 0 0 0 1 | a, line 2: index: expected 0",
+        "QGC WPL 110;0 0 0 16 0 0 0 0 0 0 | a, line 2: 10 columns; expected 12",
+        "QGC WPL 110;0 0 0 16 0 x 0 0 0 0 0 1 | a, line 2: column 6 \"x\": expected a number",
+        "QGC WPL 110;0 0 0 -1 0 0 0 0 0 0 0 1 | a, line 2: column 4 \"-1\": expected a whole number",
+      })
+  void read_brokenList_isRefusedWithLineAndColumn(String text, String message) {
+    assertThatThrownBy(() -> WaypointList.read("a", text.replace(';', '\n')))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(message);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "{} | a: fileType: expected \"Plan\"",
+        "{'fileType':'Plan'} | a: mission: expected an object",
+        "{'fileType':'Plan','mission':{'items':[{'type':'SimpleItem','params':[1]}]}} | a: mission.items[0].params: 1 numbers; expected 7",
+        "{'fileType':'Plan','mission':{'items':[],'plannedHomePosition':[95,8,0]}} | a: plannedHomePosition: 95.0, 8.0 is no latitude and longitude",
+      })
+  void read_brokenPlan_isRefusedWithTheField(String text, String message) {
+    assertThatThrownBy(() -> QgcPlan.read("a", text.replace('\'', '"'), lost))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage(message);
+  }
+
+  @Test
+  void fence_ofAPlan_isAFileAndWhatThatCannotSayIsNamed() {
+    List<StationPlan.Place> corners =
+        List.of(HOME, new StationPlan.Place(8.1, 50.0, OptionalDouble.empty()), new StationPlan.Place(8.0, 50.1, OptionalDouble.empty()));
+    List<StationPlan.Area> areas =
+        List.of(
+            new StationPlan.Area(true, corners, OptionalDouble.empty()),
+            new StationPlan.Area(false, List.of(HOME), OptionalDouble.of(30.0)));
+    StationPlan plan = new StationPlan(Optional.of(HOME), List.of(), areas);
+
+    StationPlan read = QgcPlan.read("a", QgcPlan.text(plan), lost);
+    String file = PlanXml.fence(read.areas(), lost);
+
+    assertThat(lost).isEmpty();
+    assertThat(file)
+        .contains("<keepIn>\n    <corner><x>8.0</x><y>50.0</y></corner>")
+        .contains("<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
+    PlanXml.fence(List.of(new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0))), lost);
+    assertThat(lost).first().isEqualTo("fence: a circle to stay within");
+  }
+}
