@@ -391,4 +391,38 @@ class MissionOrdersTest extends ThreeWaypoints {
     assertThat(report.resumable()).isEmpty();
     assertThat(report.failsafe()).isEmpty();
   }
+
+  @Test
+  void replace_now_pursuesOnlyTheNewGoals() {
+    kit.start(MissionManager::new);
+    complete("1");
+    String goals = "<waypoint><name>1</name><x>5</x></waypoint><waypoint><name>b</name><x>6</x></waypoint>";
+    accepted(goals(MissionAction.REPLACE, goals).now(true), "pursuing 1");
+    assertThat(report().sequence()).containsExactly("1", "b");
+    assertThat(report().finished()).allMatch(times -> times == 0.0);
+    run("1", "b");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void replace_notNow_beginsPaused() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(MissionAction.REPLACE, "<waypoint><name>a</name><x>5</x></waypoint>"), "paused at a");
+    assertThat(report().paused()).isTrue();
+    accepted(order(MissionAction.RESUME), "resumed at [a]");
+  }
+
+  @Test
+  void replace_wrongOrTooLong_keepsTheMission() {
+    kit.start(MissionManager::new);
+    refused(
+        goals(MissionAction.REPLACE, "<waypoint><x>500</x></waypoint>"),
+        "more.xml, line 2, <x>: 500.0 is outside -180.0…180.0 deg of longitude");
+    refused(order(MissionAction.REPLACE), "no goals; expected a mission in XML");
+    String text = "<description>" + "long ".repeat(70_000) + "</description>";
+    refused(
+        goals(MissionAction.REPLACE, "<waypoint><x>5</x>" + text + "</waypoint>"),
+        "the mission's goals would be too long to publish");
+  }
 }
