@@ -24,6 +24,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * <system id="cessna">
  *   <communication configuration="CommunicationManager.xml"/>
  *   <web port="8080"/>
+ *   <mavlink link="tcp:5760"/>
  *   <autonomy perception="discrete" decision="static response" independence="problem detection"/>
  *   <service class="org.u2sa.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
  * </system>
@@ -38,6 +39,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param delivery message delivery between the services of one process
  * @param communicationHost the host that runs the Communication Manager; empty: any
  * @param webPort TCP port of the operator's page; empty: as the Communication Manager is configured
+ * @param mavlink links to MAVLink ground stations
  * @param autonomy the vehicle's stated autonomy (thesis 2.3); empty if not stated
  * @param services services in start order
  */
@@ -48,6 +50,7 @@ public record SystemFile(
     Delivery delivery,
     String communicationHost,
     OptionalInt webPort,
+    List<MavlinkEntry> mavlink,
     Optional<AutonomyLevels> autonomy,
     List<Entry> services) {
   private static final String USUAL_WEB_PORT = "8080";
@@ -71,6 +74,7 @@ public record SystemFile(
   }
 
   public SystemFile {
+    mavlink = List.copyOf(mavlink);
     services = List.copyOf(services);
   }
 
@@ -83,7 +87,7 @@ public record SystemFile(
   public static SystemFile read(Path file) {
     XmlElement root = XmlReader.read(file, "system");
     root.refuseUnknownAttributes("id");
-    root.refuseUnknownChildren("communication", "web", "autonomy", "service");
+    root.refuseUnknownChildren("communication", "web", "mavlink", "autonomy", "service");
     String id = root.attribute("id");
     try {
       Topic.checkSystemId(id);
@@ -115,7 +119,12 @@ public record SystemFile(
         communication.isEmpty() ? Delivery.DIRECT : Delivery.of(communication.get(0));
     String host = communication.isEmpty() ? "" : host(communication.get(0));
     Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
-    return new SystemFile(file, id, manager, delivery, host, webPort(root), autonomy, services);
+    List<MavlinkEntry> mavlink =
+        root.children("mavlink").stream()
+            .map(each -> MavlinkEntry.read(file, each))
+            .collect(Collectors.toList());
+    return new SystemFile(
+        file, id, manager, delivery, host, webPort(root), mavlink, autonomy, services);
   }
 
   /** The configuration files of the Communication Manager and of the services. */
@@ -219,7 +228,15 @@ public record SystemFile(
   private SystemFile with(Predicate<Entry> wanted) {
     List<Entry> some = services.stream().filter(wanted).collect(Collectors.toList());
     return new SystemFile(
-        file, systemId, communication, delivery, communicationHost, webPort, autonomy, some);
+        file,
+        systemId,
+        communication,
+        delivery,
+        communicationHost,
+        webPort,
+        mavlink,
+        autonomy,
+        some);
   }
 
   private static Optional<Path> configuration(Path file, XmlElement element) {

@@ -13,6 +13,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * The parameter protocol towards one station (mavlink.io/en/services/parameter). Count and indices
@@ -159,10 +160,8 @@ public final class ParameterService {
     Optional<Integer> index = table.index(name);
     if (index.isPresent()) {
       Parameter before = table.at(index.get());
-      Parameter after =
-          new Parameter(
-              name, before.service(), before.variable().copy().value(text));
-      send(after, index.get());
+      ConfigurationVariable changed = (ConfigurationVariable) before.variable().copy();
+      send(new Parameter(name, before.service(), changed.value(text)), index.get());
     }
   }
 

@@ -153,6 +153,11 @@ public final class VehicleModel {
     }
   }
 
+  /** Asks for the mission's state at the next {@link #refresh}. */
+  public void wantReport() {
+    isReportWanted = true;
+  }
+
   /** Asks all services who they are, how they are configured, and how the mission stands. */
   public void ask() {
     orders.tell(Channels.DISCOVERY, new DiscoveryRequest());
