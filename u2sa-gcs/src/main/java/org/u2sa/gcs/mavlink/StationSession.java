@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink;
 
+import io.dronefleet.mavlink.common.FileTransferProtocol;
 import io.dronefleet.mavlink.common.MavSeverity;
 import io.dronefleet.mavlink.common.Ping;
 import io.dronefleet.mavlink.common.RequestDataStream;
@@ -12,6 +13,7 @@ import org.u2sa.gcs.mavlink.command.MessageCommands;
 import org.u2sa.gcs.mavlink.command.VehicleCommands;
 import org.u2sa.gcs.mavlink.parameter.ParameterService;
 import org.u2sa.gcs.mavlink.plan.MissionService;
+import org.u2sa.gcs.mavlink.station.FileRefusals;
 import org.u2sa.gcs.mavlink.station.Station;
 import org.u2sa.gcs.mavlink.station.StatusTexts;
 import org.u2sa.gcs.mavlink.telemetry.MessageRates;
@@ -39,7 +41,6 @@ final class StationSession implements Station {
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
   private int queuedBytes;
-  private long nowMicros;
 
   StationSession(BridgedVehicle vehicle, Optional<MavlinkSigning> signing) {
     this.vehicle = vehicle;
@@ -65,7 +66,7 @@ final class StationSession implements Station {
 
   /** Handles received bytes. */
   void receive(byte[] bytes, int length, long micros) {
-    nowMicros = micros;
+    mission.step(micros);
     allowance.use(length);
     stream.accept(bytes, length, this::take);
   }
@@ -107,6 +108,8 @@ final class StationSession implements Station {
               .targetSystem(from.system())
               .targetComponent(from.component())
               .build());
+    } else if (message instanceof FileTransferProtocol request) {
+      send(FileRefusals.answer(request, from));
     } else if (message instanceof RequestDataStream request) {
       rates.stream(
           request.reqStreamId(), request.reqMessageRate(), request.startStop() == 1);
@@ -115,7 +118,6 @@ final class StationSession implements Station {
 
   /** Sends what is due. */
   void step(long micros) {
-    nowMicros = micros;
     rates.step(micros, this);
     parameters.step();
     mission.step(micros);

@@ -24,7 +24,7 @@ record Command(
     double latitude,
     double longitude,
     double altitude) {
-  private static final double DEGREES = 1.0e-7;
+  private static final double PER_DEGREE = 1.0e7;
   private static final int RELATIVE = 3;
   private static final int RELATIVE_INT = 6;
   private static final double MAX_LATITUDE = 90.0;
@@ -57,7 +57,7 @@ record Command(
   }
 
   private static double degrees(int wire) {
-    return wire == Integer.MAX_VALUE ? Double.NaN : wire * DEGREES; // stands for NaN
+    return wire == Integer.MAX_VALUE ? Double.NaN : wire / PER_DEGREE; // stands for NaN
   }
 
   /** Altitude above mean sea level [m]; empty if none is given. */

@@ -41,7 +41,7 @@ record MissionItem(
   static final int GLOBAL_RELATIVE_INT = 6;
   static final int MISSION_FRAME = 2;
 
-  private static final double DEGREES = 1.0e-7;
+  private static final double PER_DEGREE = 1.0e7;
 
   static MissionItem of(MissionItemInt item) {
     return new MissionItem(
@@ -67,8 +67,8 @@ record MissionItem(
         0.0f,
         0.0f,
         Float.NaN,
-        (int) Math.round(latitudeDeg / DEGREES),
-        (int) Math.round(longitudeDeg / DEGREES),
+        (int) Math.round(latitudeDeg * PER_DEGREE),
+        (int) Math.round(longitudeDeg * PER_DEGREE),
         (float) z);
   }
 
@@ -102,11 +102,11 @@ record MissionItem(
   }
 
   double latitudeDeg() {
-    return x * DEGREES;
+    return x / PER_DEGREE;
   }
 
   double longitudeDeg() {
-    return y * DEGREES;
+    return y / PER_DEGREE;
   }
 
   /** Whether it has a horizontal position; 0/0 means none. */

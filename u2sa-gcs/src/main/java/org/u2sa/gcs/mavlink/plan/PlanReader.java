@@ -5,7 +5,6 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
@@ -13,7 +12,7 @@ import org.u2sa.messages.frame.Geodetic;
 
 /**
  * Turns uploaded items into the XML of a mission (docs/missions.md). Goals are named by the index
- * of their item.
+ * of their item, from 1.
  */
 final class PlanReader {
   /** A goal to be written. */
@@ -56,7 +55,7 @@ final class PlanReader {
     for (int i = 0; i < goals.length; i++) {
       Goal goal = goals[i];
       if (goal != null) {
-        xml.append('<').append(goal.element).append("><name>").append(i).append("</name>");
+        xml.append('<').append(goal.element).append("><name>").append(name(i)).append("</name>");
         xml.append(goal.text).append("</").append(goal.element).append(">\n");
       }
     }
@@ -73,10 +72,14 @@ final class PlanReader {
     String following = "";
     for (int i = items.size() - 1; i >= 0; i--) {
       boolean returns = items.get(i).command() == MissionItem.RETURN;
-      following = returns ? VehicleModel.HOME : goals[i] == null ? following : Integer.toString(i);
+      following = returns ? VehicleModel.HOME : goals[i] == null ? following : name(i);
       names.add(0, following);
     }
     return names;
+  }
+
+  private static String name(int index) {
+    return Integer.toString(index + 1);
   }
 
   private void read(int index) {
@@ -215,7 +218,7 @@ final class PlanReader {
     }
     last(index)
         .text
-        .append(String.format(Locale.ROOT, "<repeat from=\"%d\" times=\"%d\"/>", target, times));
+        .append(String.format("<repeat from=\"%s\" times=\"%d\"/>", name(target), times));
   }
 
   private Goal last(int index) {

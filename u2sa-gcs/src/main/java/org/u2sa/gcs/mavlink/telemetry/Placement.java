@@ -29,20 +29,26 @@ public final class Placement {
 
   /** Home, or the first known place without one; empty if neither is on the earth. */
   public Optional<Geodetic> home() {
-    return vehicle
-        .home()
-        .flatMap(Placement::place)
-        .or(
-            () ->
-                vehicle
-                    .first()
-                    .flatMap(Placement::global)
-                    .map(
-                        state ->
-                            new Geodetic(
-                                state.x().getAsDouble(),
-                                state.y().getAsDouble(),
-                                state.z().orElse(0.0))));
+    Optional<Geodetic> first =
+        vehicle
+            .first()
+            .flatMap(Placement::global)
+            .map(
+                state ->
+                    new Geodetic(
+                        state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0)));
+    return vehicle.home().flatMap(home -> place(home, first)).or(() -> first);
+  }
+
+  /** A home in a mission has no altitude; that of the first known place stands for it. */
+  private static Optional<Geodetic> place(Waypoint home, Optional<Geodetic> first) {
+    return place(home)
+        .map(
+            place ->
+                home.z().isPresent() || first.isEmpty()
+                    ? place
+                    : new Geodetic(
+                        place.longitudeDeg(), place.latitudeDeg(), first.get().altitudeM()));
   }
 
   /** Place of a waypoint; empty if it is not on the earth, or has no horizontal position. */
