@@ -414,15 +414,31 @@ class MissionOrdersTest extends ThreeWaypoints {
   }
 
   @Test
-  void replace_wrongOrTooLong_keepsTheMission() {
+  void replace_wrong_keepsTheMission() {
     kit.start(MissionManager::new);
     refused(
         goals(MissionAction.REPLACE, "<waypoint><x>500</x></waypoint>"),
         "more.xml, line 2, <x>: 500.0 is outside -180.0…180.0 deg of longitude");
     refused(order(MissionAction.REPLACE), "no goals; expected a mission in XML");
-    String text = "<description>" + "long ".repeat(70_000) + "</description>";
-    refused(
-        goals(MissionAction.REPLACE, "<waypoint><x>5</x>" + text + "</waypoint>"),
-        "the mission's goals would be too long to publish");
+  }
+
+  @Test
+  void land_withALandMission_endsThereAndResumeGoesBack() throws IOException {
+    Files.writeString(
+        directory.resolve("land.xml"),
+        "<mission><waypoint><name>final</name><next>runway</next><x>5</x></waypoint><waypoint><name>runway</name><x>6</x></waypoint></mission>");
+    kit.with("LAND MISSION", directory.resolve("land.xml").toString());
+    kit.start(MissionManager::new);
+    complete("1");
+    accepted(order(MissionAction.LAND), "pursuing goal \"LAND final\"");
+    run("LAND final", "LAND runway");
+    assertThat(current()).isEmpty();
+    accepted(order(MissionAction.LAND), "pursuing goal \"LAND final\"");
+  }
+
+  @Test
+  void land_withoutALandMission_isRefused() {
+    kit.start(MissionManager::new);
+    refused(order(MissionAction.LAND), "the Mission Manager has no LAND MISSION");
   }
 }

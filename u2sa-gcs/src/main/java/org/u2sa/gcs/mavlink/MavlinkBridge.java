@@ -95,7 +95,7 @@ public final class MavlinkBridge implements AutoCloseable {
         selector.selectedKeys().clear();
         turn(link.clock().micros());
       }
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException e) { // the vehicle goes on without it
       console.accept("the MAVLink bridge ended: " + e);
     }
   }

@@ -105,7 +105,7 @@ class StationMissionTest {
     assertThat(back).hasSize(items.size());
     for (int i = 0; i < items.size(); i++) {
       MissionItemInt sent = items.get(i);
-      assertThat(back.get(i).toString())
+      assertThat(back.get(i).toString().replace("current=1", "current=0"))
           .isEqualTo(sent.toString().replace("targetSystem=1, targetComponent=1", "targetSystem=255, targetComponent=190"));
     }
   }
@@ -165,7 +165,7 @@ class StationMissionTest {
 
   @Test
   void download_otherGoalClass_isRefusedByName() {
-    kit.mission("file.xml", List.of(BridgeKit.waypoint("1", 0.0, 0.0), new ObjectGoal().uid("buoy").objectType("Buoy")), false);
+    kit.mission("file.xml", List.of(BridgeKit.waypoint("1", 0.0, 0.0), new ObjectGoal().uid("buoy").objectType("Buoy").within(2.0)), false);
     assertThat(downloaded(kit)).isEmpty();
     assertThat(kit.texts()).contains("goal \"buoy\": a ObjectGoal has no equivalent");
   }

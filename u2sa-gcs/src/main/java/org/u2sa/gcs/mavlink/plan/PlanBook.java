@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.plan;
 
+import io.dronefleet.mavlink.common.MavMissionResult;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +23,7 @@ public final class PlanBook {
   static final String CLEARED = "cleared by a ground station";
 
   private static final double DEGREES = 1.0e-9;
+  private static final int MAX_CHARACTERS = 65_536; // of MissionOrder.goals; it is ASCII
 
   private final VehicleModel vehicle;
   private final Placement placement;
@@ -44,6 +46,11 @@ public final class PlanBook {
     List<MissionItem> own = skipsHome ? items.subList(1, items.size()) : items;
     PlanReader reader = new PlanReader(vehicle.kind(), placement.home(), own);
     String xml = reader.xml();
+    if (xml.length() > MAX_CHARACTERS) {
+      throw new PlanRefusal(
+          MavMissionResult.MAV_MISSION_NO_SPACE,
+          "mission of " + own.size() + " items: too long for one order; expected about 500");
+    }
     String origin = "uploaded by a ground station, no. " + ++uploads;
     return new Upload(new Plan(origin, own, reader.names()), xml);
   }
