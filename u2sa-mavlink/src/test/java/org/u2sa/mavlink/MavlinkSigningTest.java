@@ -18,8 +18,7 @@ class MavlinkSigningTest {
   private final MavlinkStream vehicle = stream(1, "secret", clock);
 
   private static MavlinkStream stream(int system, String passphrase, AtomicLong clock) {
-    return new MavlinkStream(
-        system, 1, Optional.of(new MavlinkSigning(passphrase, clock::get)));
+    return new MavlinkStream(system, 1, Optional.of(new MavlinkSigning(passphrase, clock::get)));
   }
 
   private static byte[] ping(MavlinkStream from) {

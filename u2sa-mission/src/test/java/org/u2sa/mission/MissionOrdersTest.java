@@ -396,7 +396,8 @@ class MissionOrdersTest extends ThreeWaypoints {
   void replace_now_pursuesOnlyTheNewGoals() {
     kit.start(MissionManager::new);
     complete("1");
-    String goals = "<waypoint><name>1</name><x>5</x></waypoint><waypoint><name>b</name><x>6</x></waypoint>";
+    String goals =
+        "<waypoint><name>1</name><x>5</x></waypoint><waypoint><name>b</name><x>6</x></waypoint>";
     accepted(goals(MissionAction.REPLACE, goals).now(true), "pursuing 1");
     assertThat(report().sequence()).containsExactly("1", "b");
     assertThat(report().finished()).allMatch(times -> times == 0.0);

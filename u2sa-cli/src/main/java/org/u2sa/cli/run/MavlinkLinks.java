@@ -97,8 +97,7 @@ public final class MavlinkLinks {
                         "MAVLink link "
                             + options
                             + ": this process runs no broker; expected ./u2sa mavlink beside it"));
-    String host =
-        broker.getAddress().isAnyLocalAddress() ? "localhost" : broker.getHostString();
+    String host = broker.getAddress().isAnyLocalAddress() ? "localhost" : broker.getHostString();
     MqttTransport transport =
         new MqttTransport(
                 host,

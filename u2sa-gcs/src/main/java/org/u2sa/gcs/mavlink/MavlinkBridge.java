@@ -62,8 +62,7 @@ public final class MavlinkBridge implements AutoCloseable {
       selector = Selector.open();
       stations =
           options.tcp()
-              ? new TcpLink(
-                  options.address(), () -> new StationSession(vehicle, signing), selector)
+              ? new TcpLink(options.address(), () -> new StationSession(vehicle, signing), selector)
               : new UdpLink(options.address(), new StationSession(vehicle, signing), selector);
     } catch (IOException e) {
       throw new BadInputException("MAVLink link " + options + ": " + e.getMessage(), e);

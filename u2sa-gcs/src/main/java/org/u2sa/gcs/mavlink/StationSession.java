@@ -53,8 +53,7 @@ final class StationSession implements Station {
     commands =
         new CommandService(
             this,
-            new MessageCommands(
-                vehicle.telemetry, rates, vehicle.identity, vehicle.systemId, this),
+            new MessageCommands(vehicle.telemetry, rates, vehicle.identity, vehicle.systemId, this),
             new VehicleCommands(
                 vehicle.model, vehicle.orders, vehicle.identity, vehicle.placement, vehicle.book));
   }
@@ -111,8 +110,7 @@ final class StationSession implements Station {
     } else if (message instanceof FileTransferProtocol request) {
       send(FileRefusals.answer(request, from));
     } else if (message instanceof RequestDataStream request) {
-      rates.stream(
-          request.reqStreamId(), request.reqMessageRate(), request.startStop() == 1);
+      rates.stream(request.reqStreamId(), request.reqMessageRate(), request.startStop() == 1);
     }
   }
 

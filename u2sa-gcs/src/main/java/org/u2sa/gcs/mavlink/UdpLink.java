@@ -18,8 +18,7 @@ final class UdpLink implements StationLink {
   private final StationSession session;
   private final ByteBuffer buffer = ByteBuffer.allocate(LARGEST);
 
-  UdpLink(InetSocketAddress station, StationSession session, Selector selector)
-      throws IOException {
+  UdpLink(InetSocketAddress station, StationSession session, Selector selector) throws IOException {
     this.session = session;
     channel = DatagramChannel.open();
     channel.configureBlocking(false);

@@ -45,8 +45,7 @@ final class BridgeKit {
   BridgeKit(Identity identity, VehicleKind kind, Optional<String> key) {
     VehicleOrders orders =
         new VehicleOrders((channel, message) -> published.add(message), "tester");
-    vehicle =
-        new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, clock::get);
+    vehicle = new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, clock::get);
     session = new StationSession(vehicle, key.map(each -> new MavlinkSigning(each, clock::get)));
     station =
         new MavlinkStream(STATION, 190, key.map(each -> new MavlinkSigning(each, clock::get)));
@@ -58,11 +57,7 @@ final class BridgeKit {
   }
 
   static Waypoint waypoint(String uid, double east, double north) {
-    return new Waypoint()
-        .uid(uid)
-        .x(LONGITUDE + east)
-        .y(LATITUDE + north)
-        .horizontalThreshold(2.0);
+    return new Waypoint().uid(uid).x(LONGITUDE + east).y(LATITUDE + north).horizontalThreshold(2.0);
   }
 
   /** The vehicle stands at its home and has two waypoints. */
@@ -187,8 +182,7 @@ final class BridgeKit {
 
   void answerArming(boolean armed, String... reasons) {
     ArmCommand order = orders(ArmCommand.class).get(0);
-    says(
-        new ArmingState().armed(armed).reasons(List.of(reasons)).requestId(order.requestId()));
+    says(new ArmingState().armed(armed).reasons(List.of(reasons)).requestId(order.requestId()));
     step();
   }
 }

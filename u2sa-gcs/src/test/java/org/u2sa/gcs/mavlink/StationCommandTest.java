@@ -44,7 +44,8 @@ class StationCommandTest {
 
   @Test
   void arm_refused_tellsEveryReasonWhole() {
-    String reason = "the StateEstimator has not reported a position with a standard deviation below 6 m";
+    String reason =
+        "the StateEstimator has not reported a position with a standard deviation below 6 m";
     kit.command(ARM, 1);
     kit.answerArming(false, reason, "no mission");
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);

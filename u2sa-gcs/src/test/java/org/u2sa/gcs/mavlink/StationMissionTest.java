@@ -48,7 +48,8 @@ class StationMissionTest {
   private static void upload(BridgeKit kit, List<MissionItemInt> items) {
     kit.send(MissionCount.builder().targetSystem(1).targetComponent(1).count(items.size()).build());
     for (int i = 0; i < items.size(); i++) {
-      assertThat(kit.received(MissionRequestInt.class)).extracting(MissionRequestInt::seq)
+      assertThat(kit.received(MissionRequestInt.class))
+          .extracting(MissionRequestInt::seq)
           .containsExactly(i);
       kit.send(items.get(i));
     }
@@ -88,7 +89,8 @@ class StationMissionTest {
     assertThat(order.now()).isFalse(); // not armed: nothing moves by an upload
     assertThat(order.goals().orElseThrow())
         .contains("<home><x>10.0</x><y>54.0</y><z>3.0</z></home>")
-        .contains("<waypoint><name>2</name><x>10.0</x><y>54.001</y><horizontalThreshold>3.0</horizontalThreshold><speed>1.5</speed></waypoint>")
+        .contains(
+            "<waypoint><name>2</name><x>10.0</x><y>54.001</y><horizontalThreshold>3.0</horizontalThreshold><speed>1.5</speed></waypoint>")
         .contains("<repeat from=\"2\" times=\"2\"/>")
         .contains("<next if=\"done\">home</next>");
     kit.answerMission(true, "paused at 2");
@@ -106,7 +108,11 @@ class StationMissionTest {
     for (int i = 0; i < items.size(); i++) {
       MissionItemInt sent = items.get(i);
       assertThat(back.get(i).toString().replace("current=1", "current=0"))
-          .isEqualTo(sent.toString().replace("targetSystem=1, targetComponent=1", "targetSystem=255, targetComponent=190"));
+          .isEqualTo(
+              sent.toString()
+                  .replace(
+                      "targetSystem=1, targetComponent=1",
+                      "targetSystem=255, targetComponent=190"));
     }
   }
 
@@ -131,7 +137,8 @@ class StationMissionTest {
     kit.send(MissionCount.builder().targetSystem(1).targetComponent(1).count(2).build());
     kit.received(MissionRequestInt.class);
     kit.advance(1.0);
-    assertThat(kit.received(MissionRequestInt.class)).extracting(MissionRequestInt::seq)
+    assertThat(kit.received(MissionRequestInt.class))
+        .extracting(MissionRequestInt::seq)
         .containsExactly(0);
     kit.send(item(0, 16, 0.001));
     kit.send(item(0, 16, 0.001));
@@ -165,7 +172,12 @@ class StationMissionTest {
 
   @Test
   void download_otherGoalClass_isRefusedByName() {
-    kit.mission("file.xml", List.of(BridgeKit.waypoint("1", 0.0, 0.0), new ObjectGoal().uid("buoy").objectType("Buoy").within(2.0)), false);
+    kit.mission(
+        "file.xml",
+        List.of(
+            BridgeKit.waypoint("1", 0.0, 0.0),
+            new ObjectGoal().uid("buoy").objectType("Buoy").within(2.0)),
+        false);
     assertThat(downloaded(kit)).isEmpty();
     assertThat(kit.texts()).contains("goal \"buoy\": a ObjectGoal has no equivalent");
   }
@@ -175,7 +187,11 @@ class StationMissionTest {
     for (MavMissionType type :
         List.of(MavMissionType.MAV_MISSION_TYPE_FENCE, MavMissionType.MAV_MISSION_TYPE_RALLY)) {
       kit.send(
-          MissionRequestList.builder().targetSystem(1).targetComponent(1).missionType(type).build());
+          MissionRequestList.builder()
+              .targetSystem(1)
+              .targetComponent(1)
+              .missionType(type)
+              .build());
       MissionAck answer = kit.received(MissionAck.class).get(0);
       assertThat(answer.type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
       assertThat(answer.missionType().entry()).isEqualTo(type);

@@ -79,7 +79,8 @@ class StationParameterTest {
     assertThat(values).extracting(ParamValue::paramCount).containsOnly(4);
     assertThat(values.stream().map(ParamValue::paramIndex).collect(Collectors.toList()))
         .isEqualTo(IntStream.range(0, 4).boxed().collect(Collectors.toList()));
-    assertThat(values).extracting(ParamValue::paramId)
+    assertThat(values)
+        .extracting(ParamValue::paramId)
         .containsExactly("SAFM_ARM_AT_STRT", "SAFM_BRAKING", "SAFM_ON_FENCE", "SAFM_RATE_LIMIT");
   }
 
@@ -132,7 +133,8 @@ class StationParameterTest {
   void read_byNameIndexAndHash() {
     kit.send(read("SAFM_BRAKING", -1));
     kit.send(read("", 1));
-    assertThat(kit.received(ParamValue.class)).extracting(ParamValue::paramId)
+    assertThat(kit.received(ParamValue.class))
+        .extracting(ParamValue::paramId)
         .containsExactly("SAFM_BRAKING", "SAFM_BRAKING");
     kit.send(read("_HASH_CHECK", -1));
     float before = kit.received(ParamValue.class).get(0).paramValue();

@@ -132,8 +132,7 @@ record DemoRun(
         RunningSystem running = RunningSystem.start(system, options);
         TroubleLines troubles = plannersTroubles(running);
         LocalSystems.Announcement announced = announced(running);
-        MavlinkLinks.Bridges bridges =
-            mavlink.start(system, running, terminal.out()::println)) {
+        MavlinkLinks.Bridges bridges = mavlink.start(system, running, terminal.out()::println)) {
       RunObserver observer =
           maker.make(
               running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);

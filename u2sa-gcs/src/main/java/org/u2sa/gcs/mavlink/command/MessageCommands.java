@@ -37,7 +37,11 @@ public final class MessageCommands {
    * @param systemId the vehicle's ID, of which its unique number is made
    */
   public MessageCommands(
-      Telemetry telemetry, MessageRates rates, Identity identity, String systemId, Station station) {
+      Telemetry telemetry,
+      MessageRates rates,
+      Identity identity,
+      String systemId,
+      Station station) {
     this.telemetry = telemetry;
     this.rates = rates;
     this.identity = identity;
@@ -51,8 +55,7 @@ public final class MessageCommands {
       case GET_HOME -> Optional.of(request(Telemetry.HOME_POSITION, 0));
       case REQUEST_PROTOCOL -> Optional.of(request(Telemetry.PROTOCOL_VERSION, 0));
       case REQUEST_CAPABILITIES -> Optional.of(request(Telemetry.AUTOPILOT_VERSION, 0));
-      case REQUEST_MESSAGE ->
-          Optional.of(request((int) command.param1(), (int) command.param2()));
+      case REQUEST_MESSAGE -> Optional.of(request((int) command.param1(), (int) command.param2()));
       case SET_INTERVAL ->
           Optional.of(
               rates.set((int) command.param1(), command.param2())
@@ -60,8 +63,7 @@ public final class MessageCommands {
                   : MavResult.MAV_RESULT_DENIED);
       case GET_INTERVAL -> {
         int id = (int) command.param1();
-        station.send(
-            MessageInterval.builder().messageId(id).intervalUs(rates.get(id)).build());
+        station.send(MessageInterval.builder().messageId(id).intervalUs(rates.get(id)).build());
         yield Optional.of(MavResult.MAV_RESULT_ACCEPTED);
       }
       default -> Optional.empty();
@@ -77,8 +79,7 @@ public final class MessageCommands {
       }
       default -> {
         Telemetry.Source source = telemetry.sources().get(id);
-        Optional<Object> message =
-            source == null ? Optional.empty() : source.make().get();
+        Optional<Object> message = source == null ? Optional.empty() : source.make().get();
         message.ifPresent(station::send);
         return message.isPresent()
             ? MavResult.MAV_RESULT_ACCEPTED

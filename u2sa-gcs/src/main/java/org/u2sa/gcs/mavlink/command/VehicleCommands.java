@@ -80,8 +80,7 @@ public final class VehicleCommands {
       case TERMINATE -> terminate(command, answer);
       case REPOSITION -> reposition(command, answer);
       case PAUSE_CONTINUE ->
-          modes.change(
-              command.param1() >= 0.5f ? VehicleMode.MISSION : VehicleMode.HOLD, answer);
+          modes.change(command.param1() >= 0.5f ? VehicleMode.MISSION : VehicleMode.HOLD, answer);
       case SET_CURRENT -> modes.goTo(book.goal((int) command.param1()), answer);
       case START -> start(command, answer);
       default -> {
@@ -139,8 +138,7 @@ public final class VehicleCommands {
   }
 
   private static Geodetic place(StateInformation global) {
-    return new Geodetic(
-        global.x().getAsDouble(), global.y().getAsDouble(), global.z().orElse(0.0));
+    return new Geodetic(global.x().getAsDouble(), global.y().getAsDouble(), global.z().orElse(0.0));
   }
 
   /** Without a place this is the pause button of QGroundControl. */

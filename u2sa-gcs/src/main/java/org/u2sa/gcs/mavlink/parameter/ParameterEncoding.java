@@ -11,9 +11,7 @@ final class ParameterEncoding {
 
   static float encode(Parameter.Value value, boolean casts) {
     boolean isFloat = value.type() == MavParamType.MAV_PARAM_TYPE_REAL32;
-    return isFloat || casts
-        ? (float) value.number()
-        : Float.intBitsToFloat((int) value.number());
+    return isFloat || casts ? (float) value.number() : Float.intBitsToFloat((int) value.number());
   }
 
   /**

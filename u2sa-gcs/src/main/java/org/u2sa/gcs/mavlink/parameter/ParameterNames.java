@@ -36,7 +36,8 @@ final class ParameterNames {
 
   /** Three letters of the service's first word and the initials of the others. */
   private static String prefix(String service) {
-    String[] parts = service.replaceAll("[^A-Za-z0-9]+", " ").trim().split("(?<=[a-z0-9])(?=[A-Z])| ");
+    String[] parts =
+        service.replaceAll("[^A-Za-z0-9]+", " ").trim().split("(?<=[a-z0-9])(?=[A-Z])| ");
     StringBuilder prefix = new StringBuilder();
     for (String part : parts) {
       if (!part.isEmpty() && prefix.length() < FIRST_WORD + 2) {

@@ -61,7 +61,8 @@ final class PlanReader {
     }
     if (Arrays.stream(goals).allMatch(goal -> goal == null)) {
       throw new PlanRefusal(
-          MavMissionResult.MAV_MISSION_INVALID, "the mission has no waypoint; expected at least one");
+          MavMissionResult.MAV_MISSION_INVALID,
+          "the mission has no waypoint; expected at least one");
     }
     return xml.append("</mission>\n").toString();
   }
@@ -124,9 +125,7 @@ final class PlanReader {
     MissionItem item = items.get(index);
     if (!item.hasPlace()) {
       throw refusal(
-          index,
-          MavMissionResult.MAV_MISSION_INVALID_PARAM5_X,
-          "it has no latitude and longitude");
+          index, MavMissionResult.MAV_MISSION_INVALID_PARAM5_X, "it has no latitude and longitude");
     }
     Goal goal = new Goal();
     goals[index] = goal;
@@ -148,7 +147,9 @@ final class PlanReader {
     if (holdS > 0.0f) {
       if (kind == VehicleKind.PLANE) {
         throw refusal(
-            index, MavMissionResult.MAV_MISSION_INVALID_PARAM1, "a plane cannot wait at a waypoint");
+            index,
+            MavMissionResult.MAV_MISSION_INVALID_PARAM1,
+            "a plane cannot wait at a waypoint");
       }
       goal.element = "station";
       goal.text.append(element("duration", holdS));
@@ -198,7 +199,11 @@ final class PlanReader {
       throw refusal(
           index,
           MavMissionResult.MAV_MISSION_INVALID_PARAM2,
-          "speed " + item.param2() + " m/s of type " + item.param1() + "; expected more than 0 of type 0 or 1");
+          "speed "
+              + item.param2()
+              + " m/s of type "
+              + item.param1()
+              + "; expected more than 0 of type 0 or 1");
     }
     speed = item.param2();
   }
@@ -213,8 +218,7 @@ final class PlanReader {
           index, MavMissionResult.MAV_MISSION_INVALID_PARAM1, expected + "a waypoint before it");
     }
     if (times < 1) {
-      throw refusal(
-          index, MavMissionResult.MAV_MISSION_INVALID_PARAM2, expected + "at least once");
+      throw refusal(index, MavMissionResult.MAV_MISSION_INVALID_PARAM2, expected + "at least once");
     }
     last(index)
         .text
@@ -227,14 +231,12 @@ final class PlanReader {
         return goals[i];
       }
     }
-    throw refusal(
-        index, MavMissionResult.MAV_MISSION_INVALID, "expected a waypoint before it");
+    throw refusal(index, MavMissionResult.MAV_MISSION_INVALID, "expected a waypoint before it");
   }
 
   private PlanRefusal refusal(int index, MavMissionResult result, String why) {
     return new PlanRefusal(
-        result,
-        "mission item " + index + " (MAV_CMD " + items.get(index).command() + "): " + why);
+        result, "mission item " + index + " (MAV_CMD " + items.get(index).command() + "): " + why);
   }
 
   private static String element(String name, double value) {

@@ -96,13 +96,13 @@ final class PlanWriter {
         throw refusal(goal, "it repeats from a later goal");
       }
       add(
-          MissionItem.action(
-              MissionItem.JUMP, target, goal.repeatTimes().orElse(1)),
+          MissionItem.action(MissionItem.JUMP, target, goal.repeatTimes().orElse(1)),
           following.orElse(""));
     }
     List<String> done = goal.nextIf(GoalResult.DONE).orElse(goal.next());
     boolean returns = following.isEmpty() && done.equals(List.of(VehicleModel.HOME));
-    boolean isUsual = done.isEmpty() || following.isPresent() && done.equals(List.of(following.get()));
+    boolean isUsual =
+        done.isEmpty() || following.isPresent() && done.equals(List.of(following.get()));
     boolean branches =
         goal.nextIf(GoalResult.FAILED).isPresent() || goal.nextIf(GoalResult.TIMED_OUT).isPresent();
     if (branches || goal.choose().isPresent() || !isUsual && !returns) {

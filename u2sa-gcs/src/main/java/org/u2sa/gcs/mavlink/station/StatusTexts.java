@@ -20,7 +20,9 @@ public final class StatusTexts {
     List<Statustext> messages = new ArrayList<>();
     boolean isWhole = ascii.length() <= CHUNK;
     id = isWhole ? id : id % IDS + 1;
-    for (int chunk = 0; chunk < MAX_CHUNKS && chunk * CHUNK < Math.max(1, ascii.length()); chunk++) {
+    for (int chunk = 0;
+        chunk < MAX_CHUNKS && chunk * CHUNK < Math.max(1, ascii.length());
+        chunk++) {
       int from = chunk * CHUNK;
       messages.add(
           Statustext.builder()
@@ -36,8 +38,13 @@ public final class StatusTexts {
   /** Stations differ in how they decode other characters. */
   private static String ascii(String text) {
     String plain =
-        text.replace('…', '-').replace('–', '-').replace('“', '"').replace('”', '"')
-            .replace("°", " deg").replace("²", "2").replace("µ", "u");
+        text.replace('…', '-')
+            .replace('–', '-')
+            .replace('“', '"')
+            .replace('”', '"')
+            .replace("°", " deg")
+            .replace("²", "2")
+            .replace("µ", "u");
     return new String(plain.getBytes(StandardCharsets.US_ASCII), StandardCharsets.US_ASCII);
   }
 }

@@ -159,7 +159,13 @@ final class MotionMessages {
                   .groundspeed((float) ground)
                   .heading(headingCentiDeg(state) / (int) CENTI)
                   .throttle((int) Math.round(throttlePercent.orElse(0.0)))
-                  .alt((float) placement.global().flatMap(MotionMessages::altitude).orElse(0.0).doubleValue())
+                  .alt(
+                      (float)
+                          placement
+                              .global()
+                              .flatMap(MotionMessages::altitude)
+                              .orElse(0.0)
+                              .doubleValue())
                   .climb((float) -velocity.map(Point::z).orElse(0.0).doubleValue())
                   .build();
             });
@@ -230,7 +236,6 @@ final class MotionMessages {
   /** A speed in the 16 bits of [cm/s]. */
   private static int small(double metresPerSecond) {
     return (int)
-        Math.max(
-            Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.round(metresPerSecond * CENTI)));
+        Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.round(metresPerSecond * CENTI)));
   }
 }

@@ -53,9 +53,7 @@ public final class Placement {
 
   /** Place of a waypoint; empty if it is not on the earth, or has no horizontal position. */
   public static Optional<Geodetic> place(Waypoint waypoint) {
-    if (!waypoint.referenceFrame().isEarth()
-        || waypoint.x().isEmpty()
-        || waypoint.y().isEmpty()) {
+    if (!waypoint.referenceFrame().isEarth() || waypoint.x().isEmpty() || waypoint.y().isEmpty()) {
       return Optional.empty();
     }
     StateInformation place =
@@ -65,8 +63,7 @@ public final class Placement {
             .y(waypoint.y().getAsDouble())
             .in(ReferenceFrame.GLOBAL);
     return Optional.of(
-        new Geodetic(
-            place.x().getAsDouble(), place.y().getAsDouble(), waypoint.z().orElse(0.0)));
+        new Geodetic(place.x().getAsDouble(), place.y().getAsDouble(), waypoint.z().orElse(0.0)));
   }
 
   /** State in LOCAL_NED, relative to home if it is on the earth; empty without a position. */

@@ -169,8 +169,7 @@ final class StatusMessages {
             amperes ->
                 (int)
                     Math.max(
-                        0,
-                        Math.min(Short.MAX_VALUE, Math.round(amperes.getAsDouble() * CENTI))))
+                        0, Math.min(Short.MAX_VALUE, Math.round(amperes.getAsDouble() * CENTI))))
         .orElse(-1);
   }
 
@@ -186,8 +185,7 @@ final class StatusMessages {
     Optional<BatteryState> battery = vehicle.battery();
     return battery.map(
         state -> {
-          List<Integer> cells =
-              new java.util.ArrayList<>(Collections.nCopies(CELLS, UNKNOWN_16));
+          List<Integer> cells = new java.util.ArrayList<>(Collections.nCopies(CELLS, UNKNOWN_16));
           cells.set(0, millivolts(battery));
           return BatteryStatus.builder()
               .id(0)
@@ -206,10 +204,7 @@ final class StatusMessages {
 
   Optional<Object> extendedState() {
     Optional<AircraftState> aircraft =
-        vehicle
-            .state()
-            .filter(AircraftState.class::isInstance)
-            .map(AircraftState.class::cast);
+        vehicle.state().filter(AircraftState.class::isInstance).map(AircraftState.class::cast);
     MavLandedState landed =
         aircraft
             .map(
@@ -262,9 +257,7 @@ final class StatusMessages {
     }
     Geodetic from =
         new Geodetic(
-            here.get().x().getAsDouble(),
-            here.get().y().getAsDouble(),
-            here.get().z().orElse(0.0));
+            here.get().x().getAsDouble(), here.get().y().getAsDouble(), here.get().z().orElse(0.0));
     return Placement.place(waypoint)
         .map(
             there -> {

@@ -82,8 +82,7 @@ public final class VehicleModel {
    * @param micros real time [µs]
    * @param statedKind kind of the vehicle; empty: by its control service
    */
-  public VehicleModel(
-      LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
+  public VehicleModel(LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
     this.micros = micros;
     this.statedKind = statedKind;
     this.orders = orders;
