@@ -7,12 +7,13 @@ import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import io.dronefleet.mavlink.serialization.payload.reflection.ReflectionPayloadDeserializer;
 import io.dronefleet.mavlink.serialization.payload.reflection.ReflectionPayloadSerializer;
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
  * Decodes MAVLink 1 and 2 and encodes MAVLink 2 (mavlink.io/en/guide/serialization). Framing is
  * done here, because the library's reader blocks; checksums and payloads are left to the library.
- * Signatures are ignored.
+ * Without {@link MavlinkSigning} signatures are ignored.
  */
 public final class MavlinkStream {
   private static final int MAGIC_1 = 0xFE;
@@ -28,6 +29,7 @@ public final class MavlinkStream {
   private final ReflectionPayloadSerializer serializer = new ReflectionPayloadSerializer();
   private final int systemId;
   private final int componentId;
+  private final Optional<MavlinkSigning> signing;
   private byte[] pending = new byte[0];
   private int sequence;
   private long malformed;
@@ -42,8 +44,18 @@ public final class MavlinkStream {
 
   /** Creates a stream that sends as this component and system. */
   public MavlinkStream(int systemId, int componentId) {
+    this(systemId, componentId, Optional.empty());
+  }
+
+  /**
+   * Creates a stream that sends as this component and system.
+   *
+   * @param signing if present, all packets are signed, and others are refused
+   */
+  public MavlinkStream(int systemId, int componentId, Optional<MavlinkSigning> signing) {
     this.systemId = systemId;
     this.componentId = componentId;
+    this.signing = signing;
   }
 
   /** Discards a partial frame after an interruption. */
@@ -111,6 +123,11 @@ public final class MavlinkStream {
       refuse(type.getSimpleName() + ": wrong checksum");
       return false;
     }
+    String refusal = signing.map(each -> each.refusal(packet)).orElse("");
+    if (!refusal.isEmpty()) {
+      refuse(type.getSimpleName() + ": " + refusal);
+      return true;
+    }
     try {
       Object payload = deserializer.deserialize(packet.getPayload(), type);
       to.accept(new Received(packet.getSystemId(), packet.getComponentId(), payload));
@@ -133,13 +150,13 @@ public final class MavlinkStream {
     while (length > 1 && payload[length - 1] == 0) {
       length--; // MAVLink 2 truncates trailing zeros
     }
+    byte[] kept = Arrays.copyOf(payload, length);
+    int number = sequence++ & 0xFF;
+    if (signing.isPresent()) {
+      return signing.get().sign(number, systemId, componentId, info.id(), info.crc(), kept);
+    }
     return MavlinkPacket.createUnsignedMavlink2Packet(
-            sequence++ & 0xFF,
-            systemId,
-            componentId,
-            info.id(),
-            info.crc(),
-            Arrays.copyOf(payload, length))
+            number, systemId, componentId, info.id(), info.crc(), kept)
         .getRawBytes();
   }
 

@@ -46,8 +46,9 @@ final class FailsafeMissions {
         || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
-  int landGoals() {
-    return loaded.get(FailsafeAction.LAND).goals().size();
+  /** Goals of the LAND MISSION; none without one. */
+  List<GoalInformation> landGoals() {
+    return loaded.get(FailsafeAction.LAND).goals();
   }
 
   /** Reloads the files; if one is invalid, throws and keeps the previous ones. */

@@ -49,6 +49,12 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
     mission.putBefore(first());
   }
 
+  /** Adds the goals with an end of the mission after them, and returns the first one's name. */
+  String toTheEnd() {
+    add(last -> last.nextIf(GoalResult.DONE, List.of()));
+    return first();
+  }
+
   private String first() {
     return goals.get(0).uid();
   }

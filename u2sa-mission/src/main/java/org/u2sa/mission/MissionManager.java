@@ -86,7 +86,9 @@ public final class MissionManager extends PeriodicService {
         new Resumable(
             run, new SavedMission(context, NAME, MissionManager.class.getName()), settings, this);
     firstFailsafe = new FirstFailsafe(this, context);
-    orders = new MissionOrders(run, resumable, context.messageTypes(), this, this::publishGoals);
+    orders =
+        new MissionOrders(
+            run, resumable, context.messageTypes(), this, failsafes::landGoals, this::replace);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
@@ -105,12 +107,18 @@ public final class MissionManager extends PeriodicService {
 
   private GoalSequence load() {
     Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
+    home = Optional.empty();
+    return sequence(mission);
+  }
+
+  /** Prepares a mission; without a home of its own it keeps the present one. */
+  private GoalSequence sequence(Mission mission) {
     run.mission(mission);
     log("mission " + mission.origin() + " with goals " + MissionRun.names(mission.goals()));
     mission.warnings().forEach(warning -> log(LogLevelEnum.WARN, warning));
     GoalSequence loaded =
         new GoalSequence(mission.goals(), settings.get().loop(), settings.get().options());
-    home = mission.home().map(place -> place.waypoint(Home.NAME, thresholdM()));
+    home = mission.home().map(place -> place.waypoint(Home.NAME, thresholdM())).or(() -> home);
     if (home.isPresent() && !loaded.knows(Home.NAME)) {
       loaded.update(home.get());
     }
@@ -144,10 +152,20 @@ public final class MissionManager extends PeriodicService {
     }
   }
 
+  private void replace(Mission mission) {
+    passTime();
+    begin(sequence(mission));
+    resumable.leaveFile();
+  }
+
+  private void begin(GoalSequence mission) {
+    run.progress().begin(mission);
+    reportedMicros.clear();
+  }
+
   private void startMission() {
     try {
-      run.progress().begin(load());
-      reportedMicros.clear();
+      begin(load());
       resumable.forgetOther();
     } catch (BadInputException e) {
       log(LogLevelEnum.ERROR, e.getMessage() + ": mission unchanged");
@@ -214,7 +232,7 @@ public final class MissionManager extends PeriodicService {
       Optional<String> resumableAt = resumable.where().or(() -> run.progress().backTo());
       publish(Channels.MISSION, run.report(request.requestId(), getServiceName(), resumableAt));
     } else if (message instanceof MissionOrder order) {
-      publish(Channels.MISSION, orders.obey(order, getServiceName()));
+      publish(Channels.MISSION, orders.obey(order, getServiceName(), this::publishGoals));
     }
   }
 
@@ -332,7 +350,7 @@ public final class MissionManager extends PeriodicService {
         new GoalList()
             .goals(sequence.current())
             .upcoming(sequence.upcoming())
-            .landGoals(failsafes.landGoals())
+            .landGoals(failsafes.landGoals().size())
             .elapsed(run.progress().elapsedS());
     if (run.progress().isHeld()) {
       list.paused(true);

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -32,7 +34,8 @@ final class MissionOrders {
   private final Resumable resumable;
   private final MessageTypes types;
   private final Logger logger;
-  private final Runnable changed;
+  private final Supplier<List<GoalInformation>> landing;
+  private final Consumer<Mission> replacement;
   private final Map<String, MissionOrderResult> answered =
       new LinkedHashMap<>() {
         private static final long serialVersionUID = 1L;
@@ -44,19 +47,30 @@ final class MissionOrders {
       };
 
   /**
-   * @param changed called after each order that was carried out
+   * @param landing goals of the LAND MISSION
+   * @param replacement begins another mission
    */
   MissionOrders(
-      MissionRun run, Resumable resumable, MessageTypes types, Logger logger, Runnable changed) {
+      MissionRun run,
+      Resumable resumable,
+      MessageTypes types,
+      Logger logger,
+      Supplier<List<GoalInformation>> landing,
+      Consumer<Mission> replacement) {
     this.run = run;
     this.resumable = resumable;
     this.types = types;
     this.logger = logger;
-    this.changed = changed;
+    this.replacement = replacement;
+    this.landing = landing;
   }
 
-  /** Carries out an order unless already done. Returns the answer of the manager of that name. */
-  MissionOrderResult obey(MissionOrder order, String manager) {
+  /**
+   * Carries out an order unless already done. Returns the answer of the manager of that name.
+   *
+   * @param changed called if the order was carried out
+   */
+  MissionOrderResult obey(MissionOrder order, String manager, Runnable changed) {
     MissionOrderResult before = answered.get(order.requestId());
     if (before != null) {
       return (MissionOrderResult) before.copy();
@@ -86,6 +100,8 @@ final class MissionOrders {
       case UPDATE -> update(order);
       case RESUME -> resumable.resume();
       case PAUSE -> pause();
+      case REPLACE -> replace(order);
+      case LAND -> land();
     };
   }
 
@@ -179,6 +195,31 @@ final class MissionOrders {
     changes.forEach(mission::update);
     return "updated "
         + changes.stream().map(each -> "\"" + each.uid() + "\"").collect(Collectors.joining(", "));
+  }
+
+  private String replace(MissionOrder order) {
+    Mission mission = reader().read(root(order));
+    if (!new GoalBook(List.of()).hasRoomForUpdates(mission.goals())) {
+      throw new BadInputException("the mission's goals would be too long to publish");
+    }
+    replacement.accept(mission);
+    run.progress().pause(!order.now());
+    return (order.now() ? "pursuing " : "paused at ")
+        + currentOf(run.progress().mission())
+        + afterFailsafe();
+  }
+
+  private String land() {
+    GoalSequence mission = run.progress().mission();
+    List<GoalInformation> goals = landing.get();
+    if (goals.isEmpty()) {
+      throw new BadInputException("the Mission Manager has no LAND MISSION");
+    }
+    if (run.progress().isLeft()) {
+      throw new BadInputException("the failsafe " + run.progress().pursuedFor() + " is pursued");
+    }
+    checkRoom(mission, goals);
+    return goTo(new GoalInsertion(mission, goals).toTheEnd());
   }
 
   private static void checkRoom(GoalSequence mission, List<GoalInformation> goals) {

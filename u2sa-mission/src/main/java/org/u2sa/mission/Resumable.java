@@ -25,6 +25,7 @@ final class Resumable {
   private String foundDigest = ""; // of the mission whose progress was loaded
   private Mission digested; // the mission of the digest; null at first
   private String digest = "";
+  private boolean hasFile = true; // whether the mission is that of the file
   private final AtomicLong notSaved = new AtomicLong();
 
   Resumable(
@@ -102,8 +103,18 @@ final class Resumable {
         + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
   }
 
+  /** Stops saving: the mission is of no file, so another process could not resume it. */
+  void leaveFile() {
+    hasFile = false;
+    found = Optional.empty();
+    if (settings.get().resume() != Resumption.NEVER) {
+      saved.delete(this::notSaved);
+    }
+  }
+
   /** Discards the loaded progress if it belongs to another mission than the starting one. */
   void forgetOther() {
+    hasFile = true;
     found = found.filter(before -> isOf(file()));
   }
 
@@ -125,7 +136,7 @@ final class Resumable {
   /** Saves the progress; a completed mission is not resumed. */
   void save(MissionProgress progress) {
     boolean keepsFound = found.isPresent() && progress.isFresh();
-    if (settings.get().resume() == Resumption.NEVER || keepsFound) {
+    if (settings.get().resume() == Resumption.NEVER || keepsFound || !hasFile) {
       return;
     }
     if (progress.mission().isOver()) {

@@ -391,4 +391,55 @@ class MissionOrdersTest extends ThreeWaypoints {
     assertThat(report.resumable()).isEmpty();
     assertThat(report.failsafe()).isEmpty();
   }
+
+  @Test
+  void replace_now_pursuesOnlyTheNewGoals() {
+    kit.start(MissionManager::new);
+    complete("1");
+    String goals =
+        "<waypoint><name>1</name><x>5</x></waypoint><waypoint><name>b</name><x>6</x></waypoint>";
+    accepted(goals(MissionAction.REPLACE, goals).now(true), "pursuing 1");
+    assertThat(report().sequence()).containsExactly("1", "b");
+    assertThat(report().finished()).allMatch(times -> times == 0.0);
+    run("1", "b");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void replace_notNow_beginsPaused() {
+    kit.start(MissionManager::new);
+    accepted(
+        goals(MissionAction.REPLACE, "<waypoint><name>a</name><x>5</x></waypoint>"), "paused at a");
+    assertThat(report().paused()).isTrue();
+    accepted(order(MissionAction.RESUME), "resumed at [a]");
+  }
+
+  @Test
+  void replace_wrong_keepsTheMission() {
+    kit.start(MissionManager::new);
+    refused(
+        goals(MissionAction.REPLACE, "<waypoint><x>500</x></waypoint>"),
+        "more.xml, line 2, <x>: 500.0 is outside -180.0…180.0 deg of longitude");
+    refused(order(MissionAction.REPLACE), "no goals; expected a mission in XML");
+  }
+
+  @Test
+  void land_withALandMission_endsThereAndResumeGoesBack() throws IOException {
+    Files.writeString(
+        directory.resolve("land.xml"),
+        "<mission><waypoint><name>final</name><next>runway</next><x>5</x></waypoint><waypoint><name>runway</name><x>6</x></waypoint></mission>");
+    kit.with("LAND MISSION", directory.resolve("land.xml").toString());
+    kit.start(MissionManager::new);
+    complete("1");
+    accepted(order(MissionAction.LAND), "pursuing goal \"LAND final\"");
+    run("LAND final", "LAND runway");
+    assertThat(current()).isEmpty();
+    accepted(order(MissionAction.LAND), "pursuing goal \"LAND final\"");
+  }
+
+  @Test
+  void land_withoutALandMission_isRefused() {
+    kit.start(MissionManager::new);
+    refused(order(MissionAction.LAND), "the Mission Manager has no LAND MISSION");
+  }
 }

@@ -67,7 +67,9 @@ final class HouseRules {
           Map.entry("recorder", List.of("messages", "interfaces", "service")),
           Map.entry("report", List.of("messages", "interfaces", "recorder")),
           Map.entry(
-              "gcs", List.of("messages", "interfaces", "service", "core", "recorder", "report")),
+              "gcs",
+              List.of(
+                  "messages", "interfaces", "service", "core", "recorder", "report", "mavlink")),
           Map.entry(
               "cli",
               List.of(

@@ -121,6 +121,7 @@ public final class RunCommand extends BaseCommand {
           "Send all messages between the services of this process through the broker; like delivery=\"broker\" in the file.")
   private boolean throughBroker;
 
+  @Mixin private MavlinkLinks mavlink;
   @Mixin private RunRecording recording;
 
   @Option(
@@ -304,6 +305,7 @@ public final class RunCommand extends BaseCommand {
         RunningSystem system = RunningSystem.start(file, options);
         TroubleLines troubles = troublesOf(system, ownServices(system));
         LocalSystems.Announcement announced = announced(file, system);
+        MavlinkLinks.Bridges bridges = bridges(file, system);
         EndOnInterrupt hook = new EndOnInterrupt(system::close)) {
       parent.ifPresent(watch -> watch.endingBy(system::close));
       print(
@@ -334,6 +336,7 @@ public final class RunCommand extends BaseCommand {
         RunningSystem manager = RunningSystem.start(file.withoutServices(), options);
         TroubleLines troubles = troublesOf(manager, any -> true);
         LocalSystems.Announcement announced = announced(file, manager);
+        MavlinkLinks.Bridges bridges = bridges(file, manager);
         ServiceProcesses processes =
             new ServiceProcesses(startBeside(file, manager), entries, out()::println);
         Supervisor supervisor =
@@ -378,6 +381,11 @@ public final class RunCommand extends BaseCommand {
   private LocalSystems.Announcement announced(SystemFile file, RunningSystem system) {
     return LocalSystems.ofAccount()
         .announce(file.systemId(), system.communicationManager().address(), out()::println);
+  }
+
+  /** A process that runs only some of the services leaves the links to the one with the broker. */
+  private MavlinkLinks.Bridges bridges(SystemFile file, RunningSystem system) {
+    return only.isEmpty() ? mavlink.start(file, system, out()::println) : () -> {};
   }
 
   private static String names(List<U2SAService> services) {

@@ -41,6 +41,7 @@ public final class SystemCommands implements CommandProvider {
             new ReplayCommand(),
             new ExportCommand(),
             new ViewCommand(),
+            new MavlinkCommand(),
             new ReportCommand(),
             new CompareCommand(),
             new ConfigCommand(),

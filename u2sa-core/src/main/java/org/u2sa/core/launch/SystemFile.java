@@ -25,6 +25,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  *   <communication configuration="CommunicationManager.xml"/>
  *   <web port="8080"/>
  *   <rosbridge port="9090"/>
+ *   <mavlink link="tcp:5760"/>
  *   <autonomy perception="discrete" decision="static response" independence="problem detection"/>
  *   <service class="org.u2sa.estimation.PassThroughStateEstimator" configuration="StateEstimator.xml"/>
  * </system>
@@ -40,6 +41,7 @@ import org.u2sa.interfaces.xml.XmlReader;
  * @param communicationHost the host that runs the Communication Manager; empty: any
  * @param webPort TCP port of the operator's page; empty: as the Communication Manager is configured
  * @param rosbridgePort TCP port for clients of the rosbridge protocol; empty: likewise
+ * @param mavlink links to MAVLink ground stations
  * @param autonomy the vehicle's stated autonomy (thesis 2.3); empty if not stated
  * @param services services in start order
  */
@@ -51,6 +53,7 @@ public record SystemFile(
     String communicationHost,
     OptionalInt webPort,
     OptionalInt rosbridgePort,
+    List<MavlinkEntry> mavlink,
     Optional<AutonomyLevels> autonomy,
     List<Entry> services) {
   private static final String USUAL_WEB_PORT = "8080";
@@ -75,6 +78,7 @@ public record SystemFile(
   }
 
   public SystemFile {
+    mavlink = List.copyOf(mavlink);
     services = List.copyOf(services);
   }
 
@@ -87,7 +91,8 @@ public record SystemFile(
   public static SystemFile read(Path file) {
     XmlElement root = XmlReader.read(file, "system");
     root.refuseUnknownAttributes("id");
-    root.refuseUnknownChildren("communication", "web", "rosbridge", "autonomy", "service");
+    root.refuseUnknownChildren(
+        "communication", "web", "rosbridge", "mavlink", "autonomy", "service");
     String id = root.attribute("id");
     try {
       Topic.checkSystemId(id);
@@ -121,8 +126,12 @@ public record SystemFile(
     Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
     OptionalInt web = port(root, "web", USUAL_WEB_PORT);
     OptionalInt rosbridge = port(root, "rosbridge", USUAL_ROSBRIDGE_PORT);
+    List<MavlinkEntry> mavlink =
+        root.children("mavlink").stream()
+            .map(each -> MavlinkEntry.read(file, each))
+            .collect(Collectors.toList());
     return new SystemFile(
-        file, id, manager, delivery, host, web, rosbridge, autonomy, services);
+        file, id, manager, delivery, host, web, rosbridge, mavlink, autonomy, services);
   }
 
   /** The configuration files of the Communication Manager and of the services. */
@@ -233,6 +242,7 @@ public record SystemFile(
         communicationHost,
         webPort,
         rosbridgePort,
+        mavlink,
         autonomy,
         some);
   }

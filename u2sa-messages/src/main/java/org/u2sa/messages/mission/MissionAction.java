@@ -13,5 +13,9 @@ public enum MissionAction {
   /** Continue a paused mission; otherwise return to the interrupted goal. */
   RESUME,
   /** Hold position, or circle if the vehicle cannot stop, until RESUME or GOTO. */
-  PAUSE
+  PAUSE,
+  /** Replace all goals; without {@code now} the new mission begins paused. */
+  REPLACE,
+  /** Pursue the goals of the landing instead of the current ones; RESUME returns to those. */
+  LAND
 }

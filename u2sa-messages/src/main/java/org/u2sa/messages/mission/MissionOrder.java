@@ -56,7 +56,7 @@ public final class MissionOrder extends U2SAData {
     return put(UID, value);
   }
 
-  /** Mission XML with the goals to INSERT, or the fields to UPDATE. */
+  /** Mission XML with the goals to INSERT, the fields to UPDATE, or the mission to REPLACE. */
   public Optional<String> goals() {
     return Optional.ofNullable(get(GOALS));
   }
@@ -74,7 +74,7 @@ public final class MissionOrder extends U2SAData {
     return put(FILE, value);
   }
 
-  /** INSERT: whether to pursue the goals immediately, before the current goals. */
+  /** INSERT, REPLACE: whether to pursue the goals immediately. */
   public boolean now() {
     return require(NOW);
   }

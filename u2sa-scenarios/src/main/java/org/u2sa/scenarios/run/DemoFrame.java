@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import org.u2sa.cli.record.RecordOptions;
 import org.u2sa.cli.record.RunFacts;
 import org.u2sa.cli.record.RunRecording;
+import org.u2sa.cli.run.MavlinkLinks;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.SystemFile;
@@ -26,6 +27,7 @@ import picocli.CommandLine.Spec;
 public final class DemoFrame {
   @Mixin private DemoOptions options;
   @Mixin private BrokerPort broker;
+  @Mixin private MavlinkLinks mavlink;
   @Mixin private RunChanges changes;
   @Mixin private RunRecording recording;
 
@@ -95,7 +97,8 @@ public final class DemoFrame {
                       directory,
                       terminal(),
                       interruption,
-                      changes.swaps());
+                      changes.swaps(),
+                      mavlink);
               LaunchOptions launch = launch(demo, system, trial).changesTo(changesOf(directory));
               record(launch, system, trial.mission(), demo.world(), run);
               return run(run, launch, trial, seed, realTime, patience);

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
+import org.u2sa.cli.run.MavlinkLinks;
 import org.u2sa.cli.run.TroubleLines;
 import org.u2sa.cli.terminal.Console;
 import org.u2sa.cli.terminal.PlainLines;
@@ -41,6 +42,7 @@ import org.u2sa.service.U2SAService;
  * @param directory output directory of logs and report
  * @param interruption ends the run early
  * @param swaps hot swaps of services during the run
+ * @param mavlink links to MAVLink ground stations
  */
 record DemoRun(
     String demo,
@@ -52,7 +54,8 @@ record DemoRun(
     Path directory,
     Terminal terminal,
     Interruption interruption,
-    List<SwapOperator.PlannedSwap> swaps) {
+    List<SwapOperator.PlannedSwap> swaps,
+    MavlinkLinks mavlink) {
   private static final long LOOK_EVERY_MICROS = 50_000;
   private static final Clock STOPWATCH = new SystemClock();
 
@@ -128,7 +131,8 @@ record DemoRun(
         Simulation simulated = simulation; // closed last, so neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options);
         TroubleLines troubles = plannersTroubles(running);
-        LocalSystems.Announcement announced = announced(running)) {
+        LocalSystems.Announcement announced = announced(running);
+        MavlinkLinks.Bridges bridges = mavlink.start(system, running, terminal.out()::println)) {
       RunObserver observer =
           maker.make(
               running.contextFor(XmlConfiguration.inMemory("RunObserver", Map.of())), plan, screen);

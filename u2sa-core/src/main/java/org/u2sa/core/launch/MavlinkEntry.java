@@ -1,0 +1,30 @@
+package org.u2sa.core.launch;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.u2sa.interfaces.xml.XmlElement;
+
+/**
+ * A link to MAVLink ground stations in a system file: {@code <mavlink link="tcp:5760" as="px4"/>}.
+ *
+ * @param link the link with its options, as --mavlink has them
+ * @param element its XML element, for error messages
+ */
+public record MavlinkEntry(String link, XmlElement element) {
+  private static final String USUAL_LINK = "udp:127.0.0.1:14550";
+  private static final List<String> OPTIONS = List.of("as", "type", "id");
+
+  static MavlinkEntry read(Path file, XmlElement element) {
+    element.refuseUnknownAttributes("link", "as", "type", "id", "key");
+    StringBuilder link = new StringBuilder(element.optionalAttribute("link").orElse(USUAL_LINK));
+    for (String option : OPTIONS) {
+      element
+          .optionalAttribute(option)
+          .ifPresent(value -> link.append(',').append(option).append('=').append(value));
+    }
+    element
+        .optionalAttribute("key")
+        .ifPresent(key -> link.append(",key=").append(file.resolveSibling(key)));
+    return new MavlinkEntry(link.toString(), element);
+  }
+}

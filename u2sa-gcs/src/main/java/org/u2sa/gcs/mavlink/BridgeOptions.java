@@ -1,0 +1,106 @@
+package org.u2sa.gcs.mavlink;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+
+/**
+ * Where a bridge meets its stations and as what.
+ *
+ * @param tcp whether stations connect by TCP; otherwise packets go to a station by UDP
+ * @param address TCP: address to listen on; UDP: address of the station
+ * @param systemId MAVLink system ID of the vehicle, 1…250
+ * @param kind kind of the vehicle; empty: by its control service
+ * @param key file with the passphrase of message signing; empty: unsigned
+ */
+public record BridgeOptions(
+    boolean tcp,
+    InetSocketAddress address,
+    Identity identity,
+    Optional<VehicleKind> kind,
+    int systemId,
+    Optional<Path> key) {
+  private static final int MAX_SYSTEM_ID = 250;
+  private static final int HIGHEST_PORT = 65_535;
+  private static final String FORM =
+      "expected tcp:PORT, tcp:HOST:PORT or udp:HOST:PORT, then as=px4|ardupilot|generic, type=rover|boat|plane|copter|submarine|generic, id=1…250 or key=FILE, separated by commas";
+
+  /**
+   * Parses {@code tcp:5760} or {@code udp:127.0.0.1:14550,as=ardupilot,id=2}.
+   *
+   * @throws IllegalArgumentException naming text and expectation
+   */
+  public static BridgeOptions parse(String text) {
+    String[] parts = text.split(",", -1);
+    Identity identity = Identity.PX4;
+    Optional<VehicleKind> kind = Optional.empty();
+    int systemId = 1;
+    Optional<Path> key = Optional.empty();
+    for (int i = 1; i < parts.length; i++) {
+      String[] pair = parts[i].split("=", 2);
+      String value = pair.length == 2 ? pair[1] : "";
+      switch (pair[0]) {
+        case "as" -> identity = named(text, () -> Identity.parse(value));
+        case "type" -> kind = Optional.of(named(text, () -> VehicleKind.parse(value)));
+        case "id" -> systemId = number(text, value, MAX_SYSTEM_ID);
+        case "key" -> key = Optional.of(Path.of(value));
+        default -> throw wrong(text, FORM);
+      }
+    }
+    boolean tcp = parts[0].startsWith("tcp:");
+    if (!tcp && !parts[0].startsWith("udp:")) {
+      throw wrong(text, FORM);
+    }
+    InetSocketAddress address = address(text, parts[0].substring("tcp:".length()), tcp);
+    if (!address.getAddress().isLoopbackAddress() && key.isEmpty()) {
+      throw wrong(
+          text, "an address beyond this host needs message signing; expected key=FILE as well");
+    }
+    return new BridgeOptions(tcp, address, identity, kind, systemId, key);
+  }
+
+  private static InetSocketAddress address(String text, String place, boolean tcp) {
+    int colon = place.lastIndexOf(':');
+    if (colon < 0 && !tcp) {
+      throw wrong(text, FORM);
+    }
+    String host = colon < 0 ? "127.0.0.1" : place.substring(0, colon);
+    int port = number(text, place.substring(colon + 1), HIGHEST_PORT);
+    try {
+      return new InetSocketAddress(InetAddress.getByName(host), port);
+    } catch (UnknownHostException e) {
+      throw wrong(text, "no host \"" + host + "\" is known");
+    }
+  }
+
+  private static int number(String text, String value, int highest) {
+    if (!value.matches("[1-9][0-9]{0,4}") || Integer.parseInt(value) > highest) {
+      throw wrong(text, "\"" + value + "\": expected 1…" + highest);
+    }
+    return Integer.parseInt(value);
+  }
+
+  private static <T> T named(String text, java.util.function.Supplier<T> parsed) {
+    try {
+      return parsed.get();
+    } catch (IllegalArgumentException e) {
+      throw wrong(text, e.getMessage());
+    }
+  }
+
+  private static IllegalArgumentException wrong(String text, String why) {
+    return new IllegalArgumentException("MAVLink link \"" + text + "\": " + why);
+  }
+
+  @Override
+  public String toString() {
+    return (tcp ? "tcp:" : "udp:")
+        + address.getAddress().getHostAddress()
+        + ":"
+        + address.getPort();
+  }
+}

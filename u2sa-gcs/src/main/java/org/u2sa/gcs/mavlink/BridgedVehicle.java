@@ -1,0 +1,52 @@
+package org.u2sa.gcs.mavlink;
+
+import java.util.Optional;
+import java.util.function.LongSupplier;
+import org.u2sa.gcs.mavlink.plan.MissionProgressMessages;
+import org.u2sa.gcs.mavlink.plan.PlanBook;
+import org.u2sa.gcs.mavlink.telemetry.Placement;
+import org.u2sa.gcs.mavlink.telemetry.Telemetry;
+import org.u2sa.gcs.mavlink.telemetry.Uptime;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+
+/** What all stations of a bridge share: one vehicle and its identity. */
+final class BridgedVehicle {
+  final VehicleOrders orders;
+  final VehicleModel model;
+  final Identity identity;
+  final String systemId;
+  final int mavlinkId;
+  final Placement placement;
+  final Uptime uptime;
+  final PlanBook book;
+  final MissionProgressMessages progress;
+  final Telemetry telemetry;
+
+  /**
+   * @param systemId the vehicle's U2SA system ID
+   * @param mavlinkId the vehicle's MAVLink system ID
+   * @param clock real time [µs since 1970]
+   */
+  BridgedVehicle(
+      VehicleOrders orders,
+      Identity identity,
+      Optional<VehicleKind> kind,
+      String systemId,
+      int mavlinkId,
+      LongSupplier clock) {
+    this.orders = orders;
+    this.identity = identity;
+    this.systemId = systemId;
+    this.mavlinkId = mavlinkId;
+    model = new VehicleModel(clock, kind, orders);
+    placement = new Placement(model);
+    uptime = new Uptime(clock);
+    book = new PlanBook(model, placement, identity);
+    progress = new MissionProgressMessages(model, book);
+    telemetry = new Telemetry(model, identity, placement, uptime);
+    telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);
+  }
+}

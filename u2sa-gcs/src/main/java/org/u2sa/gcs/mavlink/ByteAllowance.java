@@ -1,0 +1,24 @@
+package org.u2sa.gcs.mavlink;
+
+/** Limits the bytes that are handled of a link, on average and in a burst. */
+final class ByteAllowance {
+  private static final double BYTES_PER_S = 100_000.0;
+  private static final double BURST = 200_000.0;
+  private static final double MICROS_PER_S = 1.0e6;
+
+  private double left = BURST;
+  private long filledMicros = Long.MIN_VALUE;
+
+  /** Number of bytes that may be handled at present. */
+  int left(long nowMicros) {
+    if (filledMicros != Long.MIN_VALUE) {
+      left = Math.min(BURST, left + BYTES_PER_S * (nowMicros - filledMicros) / MICROS_PER_S);
+    }
+    filledMicros = nowMicros;
+    return (int) left;
+  }
+
+  void use(int bytes) {
+    left -= bytes;
+  }
+}

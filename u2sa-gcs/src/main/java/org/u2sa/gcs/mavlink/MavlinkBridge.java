@@ -1,0 +1,175 @@
+package org.u2sa.gcs.mavlink;
+
+import io.dronefleet.mavlink.common.MavSeverity;
+import java.io.IOException;
+import java.nio.channels.Selector;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.remote.Operator;
+import org.u2sa.gcs.remote.RemoteLink;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.mavlink.MavlinkSigning;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Presents a vehicle to MAVLink stations. One thread does it all; the vehicle's messages arrive on
+ * the link's thread in a {@link VehicleModel}.
+ */
+public final class MavlinkBridge implements AutoCloseable {
+  private static final long TURN_MS = 10;
+  private static final long[] ASK_AT_MICROS = {0, 1_000_000, 3_000_000, 8_000_000, 20_000_000};
+  private static final long ASK_EVERY_MICROS = 60_000_000;
+
+  private final RemoteLink link;
+  private final BridgedVehicle vehicle;
+  private final Selector selector;
+  private final StationLink stations;
+  private final Consumer<String> console;
+  private final Thread thread;
+  private final long beganMicros;
+  private int asked;
+  private FailsafeAction failsafe = FailsafeAction.CONTINUE;
+  private volatile boolean isOpen = true;
+
+  /**
+   * Starts a bridge.
+   *
+   * @param link to the vehicle; the bridge closes it
+   * @param console receives lines about the bridge
+   * @throws BadInputException if the address is taken or the key cannot be read
+   */
+  public MavlinkBridge(RemoteLink link, BridgeOptions options, Consumer<String> console) {
+    this.link = link;
+    this.console = console;
+    vehicle =
+        new BridgedVehicle(
+            new VehicleOrders(link::publish, "mavlink:" + Operator.name()),
+            options.identity(),
+            options.kind(),
+            link.systemId(),
+            options.systemId(),
+            link.clock()::micros);
+    Optional<MavlinkSigning> signing =
+        options.key().map(file -> new MavlinkSigning(passphrase(file), link.clock()::micros));
+    try {
+      selector = Selector.open();
+      stations =
+          options.tcp()
+              ? new TcpLink(options.address(), () -> new StationSession(vehicle, signing), selector)
+              : new UdpLink(options.address(), new StationSession(vehicle, signing), selector);
+    } catch (IOException e) {
+      throw new BadInputException("MAVLink link " + options + ": " + e.getMessage(), e);
+    }
+    VehicleModel.CHANNELS.forEach(
+        channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
+    beganMicros = link.clock().micros();
+    thread = new Thread(this::run, "u2sa-mavlink");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  private static String passphrase(Path file) {
+    try {
+      List<String> lines = Files.readAllLines(file);
+      if (lines.isEmpty() || lines.get(0).trim().isEmpty()) {
+        throw new BadInputException(file + ": expected the passphrase of MAVLink in line 1");
+      }
+      return lines.get(0).trim();
+    } catch (IOException e) {
+      throw new BadInputException(file + ": the MAVLink passphrase cannot be read: " + e, e);
+    }
+  }
+
+  private void run() {
+    try {
+      while (isOpen) {
+        selector.select(TURN_MS);
+        selector.selectedKeys().clear();
+        turn(link.clock().micros());
+      }
+    } catch (IOException | RuntimeException e) { // the vehicle goes on without it
+      console.accept("the MAVLink bridge ended: " + e);
+    }
+  }
+
+  private void turn(long nowMicros) throws IOException {
+    try {
+      ask(nowMicros);
+      vehicle.model.refresh();
+    } catch (CommunicationException e) {
+      asked = Math.max(0, asked - 1); // the broker is away; the link reports it, and asks later
+    }
+    vehicle.orders.step(nowMicros);
+    List<Object> reached = vehicle.progress.reached();
+    Optional<String> failsafe = failsafeText();
+    for (StationSession session : stations.sessions()) {
+      reached.forEach(session::send);
+      failsafe.ifPresent(text -> session.text(MavSeverity.MAV_SEVERITY_CRITICAL, text));
+      session.step(nowMicros);
+    }
+    stations.exchange(nowMicros);
+  }
+
+  private void ask(long nowMicros) {
+    long sinceMicros = nowMicros - beganMicros;
+    long due =
+        asked < ASK_AT_MICROS.length
+            ? ASK_AT_MICROS[asked]
+            : ASK_EVERY_MICROS * (asked - ASK_AT_MICROS.length + 1);
+    if (sinceMicros >= due) {
+      asked++;
+      vehicle.model.ask();
+    }
+  }
+
+  private Optional<String> failsafeText() {
+    FailsafeAction now = vehicle.model.failsafe();
+    if (now == failsafe) {
+      return Optional.empty();
+    }
+    failsafe = now;
+    return Optional.of(
+        "failsafe "
+            + now
+            + (vehicle.model.failsafeCauses().isEmpty()
+                ? ""
+                : ": " + String.join("; ", vehicle.model.failsafeCauses())));
+  }
+
+  /** TCP port that stations connect to; empty with UDP. */
+  public Optional<Integer> port() {
+    try {
+      return stations instanceof TcpLink tcp ? Optional.of(tcp.port()) : Optional.empty();
+    } catch (IOException e) {
+      return Optional.empty(); // closed already
+    }
+  }
+
+  /** Waits until the bridge ends. */
+  public void await() throws InterruptedException {
+    thread.join();
+  }
+
+  @Override
+  public void close() {
+    isOpen = false;
+    selector.wakeup();
+    try {
+      thread.join();
+      stations.close();
+      selector.close();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (IOException e) {
+      console.accept("the MAVLink bridge did not close its link: " + e);
+    }
+    link.close();
+  }
+}

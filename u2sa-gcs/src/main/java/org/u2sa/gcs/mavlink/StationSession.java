@@ -1,0 +1,149 @@
+package org.u2sa.gcs.mavlink;
+
+import io.dronefleet.mavlink.common.FileTransferProtocol;
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.Ping;
+import io.dronefleet.mavlink.common.RequestDataStream;
+import io.dronefleet.mavlink.common.Timesync;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import org.u2sa.gcs.mavlink.command.CommandService;
+import org.u2sa.gcs.mavlink.command.MessageCommands;
+import org.u2sa.gcs.mavlink.command.VehicleCommands;
+import org.u2sa.gcs.mavlink.parameter.ParameterService;
+import org.u2sa.gcs.mavlink.plan.MissionService;
+import org.u2sa.gcs.mavlink.station.FileRefusals;
+import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.StatusTexts;
+import org.u2sa.gcs.mavlink.telemetry.MessageRates;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.mavlink.MavlinkSigning;
+import org.u2sa.mavlink.MavlinkStream;
+
+/**
+ * One station: decodes its packets, hands them to the microservices, and queues what it gets.
+ * Confined to the bridge's thread.
+ */
+final class StationSession implements Station {
+  private static final int QUEUE_BYTES = 256 * 1024;
+  private static final int BULK_BYTES = 8 * 1024;
+  private static final long NANOS = 1000;
+
+  private final MavlinkStream stream;
+  private final BridgedVehicle vehicle;
+  private final MessageTargets targets;
+  private final MessageRates rates;
+  private final ParameterService parameters;
+  private final MissionService mission;
+  private final CommandService commands;
+  private final StatusTexts texts = new StatusTexts();
+  private final ByteAllowance allowance = new ByteAllowance();
+  private final Deque<byte[]> queue = new ArrayDeque<>();
+  private int queuedBytes;
+
+  StationSession(BridgedVehicle vehicle, Optional<MavlinkSigning> signing) {
+    this.vehicle = vehicle;
+    stream = new MavlinkStream(vehicle.mavlinkId, AUTOPILOT, signing);
+    targets = new MessageTargets(vehicle.mavlinkId);
+    rates = new MessageRates(vehicle.telemetry);
+    boolean casts = vehicle.identity.castsParameters();
+    parameters = new ParameterService(vehicle.model, vehicle.orders, this, casts);
+    mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, this);
+    commands =
+        new CommandService(
+            this,
+            new MessageCommands(vehicle.telemetry, rates, vehicle.identity, vehicle.systemId, this),
+            new VehicleCommands(
+                vehicle.model, vehicle.orders, vehicle.identity, vehicle.placement, vehicle.book));
+  }
+
+  /** Number of bytes that may be received at present. */
+  int allowance(long micros) {
+    return allowance.left(micros);
+  }
+
+  /** Handles received bytes. */
+  void receive(byte[] bytes, int length, long micros) {
+    mission.step(micros);
+    allowance.use(length);
+    stream.accept(bytes, length, this::take);
+  }
+
+  private void take(MavlinkStream.Received received) {
+    boolean isForged = received.systemId() == vehicle.mavlinkId || received.systemId() == 0;
+    if (isForged || !targets.include(received.payload())) {
+      return;
+    }
+    Object message = received.payload();
+    Sender from = new Sender(received.systemId(), received.componentId());
+    try {
+      boolean isHandled =
+          parameters.handle(message)
+              || mission.handle(message, from)
+              || commands.handle(message, from);
+      if (!isHandled) {
+        takeOther(message, from);
+      }
+    } catch (CommunicationException e) {
+      text(MavSeverity.MAV_SEVERITY_ERROR, e.getMessage());
+    }
+  }
+
+  private void takeOther(Object message, Sender from) {
+    if (message instanceof Timesync sync && sync.tc1() == 0) {
+      send(
+          Timesync.builder()
+              .tc1(vehicle.uptime.micros() * NANOS)
+              .ts1(sync.ts1())
+              .targetSystem(from.system())
+              .targetComponent(from.component())
+              .build());
+    } else if (message instanceof Ping ping && ping.targetSystem() == 0) {
+      send(
+          Ping.builder()
+              .timeUsec(ping.timeUsec())
+              .seq(ping.seq())
+              .targetSystem(from.system())
+              .targetComponent(from.component())
+              .build());
+    } else if (message instanceof FileTransferProtocol request) {
+      send(FileRefusals.answer(request, from));
+    } else if (message instanceof RequestDataStream request) {
+      rates.stream(request.reqStreamId(), request.reqMessageRate(), request.startStop() == 1);
+    }
+  }
+
+  /** Sends what is due. */
+  void step(long micros) {
+    rates.step(micros, this);
+    parameters.step();
+    mission.step(micros);
+  }
+
+  @Override
+  public void send(Object message) {
+    byte[] packet = stream.encode(message);
+    if (queuedBytes + packet.length <= QUEUE_BYTES) {
+      queue.add(packet);
+      queuedBytes += packet.length;
+    }
+  }
+
+  @Override
+  public void text(MavSeverity severity, String text) {
+    texts.of(severity, text).forEach(this::send);
+  }
+
+  @Override
+  public boolean hasRoom() {
+    return queuedBytes < BULK_BYTES;
+  }
+
+  /** Next packet to send; null if none waits. */
+  byte[] poll() {
+    byte[] packet = queue.poll();
+    queuedBytes -= packet == null ? 0 : packet.length;
+    return packet;
+  }
+}

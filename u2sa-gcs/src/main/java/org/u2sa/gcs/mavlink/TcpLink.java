@@ -1,0 +1,142 @@
+package org.u2sa.gcs.mavlink;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.function.Supplier;
+
+/** Stations that connect by TCP. One that floods is read slowly, one that does not read is lost. */
+final class TcpLink implements StationLink {
+  private static final int MAX_STATIONS = 16;
+  private static final int CHUNK = 4096;
+  private static final int CHUNKS_PER_TURN = 4;
+  private static final long STUCK_MICROS = 10_000_000;
+
+  /** A connected station. */
+  private static final class Peer {
+    private final SocketChannel channel;
+    private final StationSession session;
+    private ByteBuffer unsent = ByteBuffer.allocate(0);
+    private long wroteMicros;
+
+    Peer(SocketChannel channel, StationSession session, long nowMicros) {
+      this.channel = channel;
+      this.session = session;
+      wroteMicros = nowMicros;
+    }
+  }
+
+  private final ServerSocketChannel server;
+  private final Selector selector;
+  private final Supplier<StationSession> sessions;
+  private final List<Peer> peers = new ArrayList<>();
+  private final ByteBuffer buffer = ByteBuffer.allocate(CHUNK);
+
+  TcpLink(InetSocketAddress address, Supplier<StationSession> sessions, Selector selector)
+      throws IOException {
+    this.sessions = sessions;
+    this.selector = selector;
+    server = ServerSocketChannel.open();
+    server.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+    server.bind(address);
+    server.configureBlocking(false);
+    server.register(selector, SelectionKey.OP_ACCEPT);
+  }
+
+  @Override
+  public void exchange(long nowMicros) throws IOException {
+    accept(nowMicros);
+    Iterator<Peer> all = peers.iterator();
+    while (all.hasNext()) {
+      Peer peer = all.next();
+      if (!isAlive(peer, nowMicros)) {
+        peer.channel.close();
+        all.remove();
+      }
+    }
+  }
+
+  private void accept(long nowMicros) throws IOException {
+    SocketChannel channel = server.accept();
+    if (channel == null) {
+      return;
+    }
+    if (peers.size() >= MAX_STATIONS) {
+      channel.close();
+      return;
+    }
+    channel.configureBlocking(false);
+    channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+    channel.register(selector, SelectionKey.OP_READ);
+    peers.add(new Peer(channel, sessions.get(), nowMicros));
+  }
+
+  private boolean isAlive(Peer peer, long nowMicros) {
+    try {
+      return read(peer, nowMicros) && write(peer, nowMicros);
+    } catch (IOException e) {
+      return false; // reset by the station
+    }
+  }
+
+  private boolean read(Peer peer, long nowMicros) throws IOException {
+    int allowed = peer.session.allowance(nowMicros);
+    SelectionKey key = peer.channel.keyFor(selector);
+    key.interestOps(allowed >= CHUNK ? SelectionKey.OP_READ : 0);
+    for (int i = 0; i < CHUNKS_PER_TURN && peer.session.allowance(nowMicros) >= CHUNK; i++) {
+      buffer.clear();
+      int length = peer.channel.read(buffer);
+      if (length < 0) {
+        return false;
+      }
+      if (length == 0) {
+        return true;
+      }
+      peer.session.receive(buffer.array(), length, nowMicros);
+    }
+    return true;
+  }
+
+  private boolean write(Peer peer, long nowMicros) throws IOException {
+    while (true) {
+      if (!peer.unsent.hasRemaining()) {
+        byte[] packet = peer.session.poll();
+        if (packet == null) {
+          peer.wroteMicros = nowMicros;
+          return true;
+        }
+        peer.unsent = ByteBuffer.wrap(packet);
+      }
+      if (peer.channel.write(peer.unsent) == 0) {
+        return nowMicros - peer.wroteMicros < STUCK_MICROS;
+      }
+      peer.wroteMicros = nowMicros;
+    }
+  }
+
+  @Override
+  public Iterable<StationSession> sessions() {
+    return peers.stream().map(peer -> peer.session).toList();
+  }
+
+  /** Port that it listens on. */
+  int port() throws IOException {
+    return ((InetSocketAddress) server.getLocalAddress()).getPort();
+  }
+
+  @Override
+  public void close() throws IOException {
+    for (Peer peer : peers) {
+      peer.channel.close();
+    }
+    server.close();
+  }
+}

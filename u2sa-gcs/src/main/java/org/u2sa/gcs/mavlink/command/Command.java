@@ -1,0 +1,80 @@
+package org.u2sa.gcs.mavlink.command;
+
+import io.dronefleet.mavlink.common.CommandInt;
+import io.dronefleet.mavlink.common.CommandLong;
+import java.util.Optional;
+import org.u2sa.messages.frame.Geodetic;
+
+/**
+ * A command in either of its two forms.
+ *
+ * @param id MAV_CMD
+ * @param frame MAV_FRAME; of COMMAND_LONG that of stations' practice, GLOBAL
+ * @param latitude fifth parameter, of COMMAND_INT in degrees; NaN: none
+ * @param longitude sixth parameter
+ * @param altitude seventh parameter
+ */
+record Command(
+    int id,
+    int frame,
+    float param1,
+    float param2,
+    float param3,
+    float param4,
+    double latitude,
+    double longitude,
+    double altitude) {
+  private static final double PER_DEGREE = 1.0e7;
+  private static final int RELATIVE = 3;
+  private static final int RELATIVE_INT = 6;
+  private static final double MAX_LATITUDE = 90.0;
+  private static final double MAX_LONGITUDE = 180.0;
+
+  static Command of(CommandLong message) {
+    return new Command(
+        message.command().value(),
+        0,
+        message.param1(),
+        message.param2(),
+        message.param3(),
+        message.param4(),
+        message.param5(),
+        message.param6(),
+        message.param7());
+  }
+
+  static Command of(CommandInt message) {
+    return new Command(
+        message.command().value(),
+        message.frame().value(),
+        message.param1(),
+        message.param2(),
+        message.param3(),
+        message.param4(),
+        degrees(message.x()),
+        degrees(message.y()),
+        message.z());
+  }
+
+  private static double degrees(int wire) {
+    return wire == Integer.MAX_VALUE ? Double.NaN : wire / PER_DEGREE; // stands for NaN
+  }
+
+  /** Altitude above mean sea level [m]; empty if none is given. */
+  Optional<Double> altitudeM(Optional<Geodetic> home) {
+    if (!Double.isFinite(altitude)) {
+      return Optional.empty();
+    }
+    boolean isRelative = frame == RELATIVE || frame == RELATIVE_INT;
+    return Optional.of(altitude + (isRelative ? home.map(Geodetic::altitudeM).orElse(0.0) : 0.0));
+  }
+
+  /** Whether it names a place; 0/0 means none. */
+  boolean hasPlace() {
+    return Double.isFinite(latitude)
+        && Double.isFinite(longitude)
+        && (latitude != 0.0 || longitude != 0.0)
+        && Math.abs(latitude) <= MAX_LATITUDE
+        && Math.abs(longitude) <= MAX_LONGITUDE;
+  }
+}

@@ -1,0 +1,101 @@
+package org.u2sa.gcs.mavlink.command;
+
+import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.CommandInt;
+import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavResult;
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.SetMode;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.Station.Sender;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
+
+/**
+ * The command protocol towards one station (mavlink.io/en/services/command). Every command is
+ * acknowledged; one that is repeated while the vehicle works on it is not obeyed twice.
+ */
+public final class CommandService {
+  private final Station station;
+  private final MessageCommands messages;
+  private final VehicleCommands vehicle;
+  private final Set<Integer> pending = new HashSet<>();
+
+  public CommandService(Station station, MessageCommands messages, VehicleCommands vehicle) {
+    this.station = station;
+    this.messages = messages;
+    this.vehicle = vehicle;
+  }
+
+  /** Handles a message; false if it is not of this protocol. */
+  public boolean handle(Object message, Sender from) {
+    if (message instanceof CommandLong command) {
+      obey(Command.of(command), from);
+    } else if (message instanceof CommandInt command) {
+      obey(Command.of(command), from);
+    } else if (message instanceof SetMode request) {
+      vehicle.mode(request.customMode(), answer("mode not changed", result -> {}));
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private void obey(Command command, Sender from) {
+    Optional<MavResult> immediate = messages.obey(command);
+    if (immediate.isPresent()) {
+      acknowledge(command.id(), immediate.get(), from);
+      return;
+    }
+    if (!pending.add(command.id())) {
+      return; // a repetition: the first is still to be answered
+    }
+    boolean isKnown =
+        vehicle.obey(
+            command,
+            answer(
+                "command " + name(command.id()) + " refused",
+                result -> {
+                  pending.remove(command.id());
+                  acknowledge(command.id(), result, from);
+                }));
+    if (!isKnown) {
+      pending.remove(command.id());
+      acknowledge(command.id(), MavResult.MAV_RESULT_UNSUPPORTED, from);
+    }
+  }
+
+  /** Receives the result of a command. */
+  @FunctionalInterface
+  private interface Outcome {
+    void is(MavResult result);
+  }
+
+  private Answer answer(String ifRefused, Outcome outcome) {
+    return (accepted, text) -> {
+      if (!accepted) {
+        station.text(MavSeverity.MAV_SEVERITY_ERROR, ifRefused + ": " + text);
+      }
+      outcome.is(accepted ? MavResult.MAV_RESULT_ACCEPTED : MavResult.MAV_RESULT_DENIED);
+    };
+  }
+
+  private static String name(int id) {
+    MavCmd known = EnumValue.create(MavCmd.class, id).entry();
+    return known == null ? Integer.toString(id) : known.name().substring("MAV_CMD_".length());
+  }
+
+  private void acknowledge(int id, MavResult result, Sender to) {
+    station.send(
+        CommandAck.builder()
+            .command(EnumValue.create(MavCmd.class, id))
+            .result(result)
+            .targetSystem(to.system())
+            .targetComponent(to.component())
+            .build());
+  }
+}

@@ -1,0 +1,141 @@
+package org.u2sa.gcs.mavlink.command;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.gcs.mavlink.plan.PlanBook;
+import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
+import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+
+/** Changes what the vehicle does, by orders to its Mission Manager. */
+final class ModeOrders {
+  private static final double USUAL_THRESHOLD_M = 2.0;
+
+  private final VehicleModel vehicle;
+  private final VehicleOrders orders;
+  private final PlanBook book;
+
+  ModeOrders(VehicleModel vehicle, VehicleOrders orders, PlanBook book) {
+    this.vehicle = vehicle;
+    this.orders = orders;
+    this.book = book;
+  }
+
+  void change(VehicleMode mode, Answer answer) {
+    switch (mode) {
+      case HOLD -> hold(answer);
+      case MISSION -> mission(answer);
+      case RETURN -> give(MissionAction.GOTO, Optional.of(VehicleModel.HOME), answer);
+      case LAND -> give(MissionAction.LAND, Optional.empty(), answer);
+      case GO_TO -> answer.done(false, "expected a place to go to");
+    }
+  }
+
+  private void hold(Answer answer) {
+    if (vehicle.current().isEmpty()) {
+      answer.done(true, "the mission is over: the vehicle holds");
+    } else {
+      give(MissionAction.PAUSE, Optional.empty(), answer);
+    }
+  }
+
+  /** Goes on with the mission; one that is over begins again. */
+  void mission(Answer answer) {
+    if (vehicle.current().isEmpty()) {
+      goTo(book.first(), answer);
+    } else if (vehicle.mode() == VehicleMode.MISSION) {
+      answer.done(true, "the mission is pursued");
+    } else {
+      give(
+          MissionAction.RESUME,
+          Optional.empty(),
+          (resumed, why) -> {
+            if (resumed) {
+              answer.done(true, why);
+            } else {
+              goTo(book.first(), answer);
+            }
+          });
+    }
+  }
+
+  /** Pursues a goal of the mission. */
+  void goTo(Optional<String> goal, Answer answer) {
+    if (goal.isEmpty()) {
+      answer.done(false, "the mission has no such item");
+    } else {
+      give(MissionAction.GOTO, goal, answer);
+    }
+  }
+
+  private void give(MissionAction action, Optional<String> goal, Answer answer) {
+    MissionOrder order = new MissionOrder().action(action);
+    goal.ifPresent(order::uid);
+    orders.mission(order, answer);
+  }
+
+  /** Goes to a place and stays there; the mission can be resumed afterwards. */
+  void goTo(Geodetic place, OptionalDouble altitudeM, OptionalDouble speed, Answer answer) {
+    Waypoint goal =
+        new Waypoint()
+            .uid(VehicleModel.GO_TO)
+            .x(place.longitudeDeg())
+            .y(place.latitudeDeg())
+            .horizontalThreshold(thresholdM());
+    goal.nextIf(GoalResult.DONE, List.of());
+    altitudeM.ifPresent(goal::z);
+    speed.ifPresent(goal::speed);
+    orders.tell(Channels.GOAL_UPDATES, goal);
+    give(MissionAction.GOTO, Optional.of(VehicleModel.GO_TO), answer);
+  }
+
+  /** Threshold of the mission's first waypoint: what is near for this vehicle. */
+  private double thresholdM() {
+    return vehicle.report().stream()
+        .flatMap(report -> report.goals().stream())
+        .filter(Waypoint.class::isInstance)
+        .mapToDouble(goal -> ((Waypoint) goal).horizontalThreshold())
+        .findFirst()
+        .orElse(USUAL_THRESHOLD_M);
+  }
+
+  /** Sets the speed of the goals that are still to be reached. */
+  void speed(double metresPerSecond, Answer answer) {
+    StringBuilder goals = new StringBuilder("<mission>");
+    vehicle
+        .report()
+        .ifPresent(
+            report -> {
+              for (GoalInformation goal : report.goals()) {
+                boolean isOpen =
+                    goal.type() == Waypoint.TYPE
+                        && goal.result().isEmpty()
+                        && !goal.uid().equals(VehicleModel.HOME)
+                        && goal.uid().matches("[\\w .-]+");
+                if (isOpen) {
+                  goals.append(
+                      String.format(
+                          java.util.Locale.ROOT,
+                          "<waypoint><name>%s</name><speed>%.3f</speed></waypoint>",
+                          goal.uid(),
+                          metresPerSecond));
+                }
+              }
+            });
+    orders.mission(
+        new MissionOrder()
+            .action(MissionAction.UPDATE)
+            .file("a ground station's speed")
+            .goals(goals.append("</mission>").toString()),
+        answer);
+  }
+}

@@ -1,0 +1,166 @@
+package org.u2sa.gcs.mavlink.command;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.UUID;
+import org.u2sa.gcs.mavlink.plan.PlanBook;
+import org.u2sa.gcs.mavlink.telemetry.Placement;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
+import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.safety.EmergencyStop;
+
+/** Commands that change what the vehicle does. */
+public final class VehicleCommands {
+  private static final int RETURN = 20; // MAV_CMD, as the following
+  private static final int LAND = 21;
+  private static final int TAKE_OFF = 22;
+  private static final int SET_MODE = 176;
+  private static final int CHANGE_SPEED = 178;
+  private static final int TERMINATE = 185;
+  private static final int REPOSITION = 192;
+  private static final int PAUSE_CONTINUE = 193;
+  private static final int SET_CURRENT = 224;
+  private static final int START = 300;
+  private static final int ARM = 400;
+  private static final int PRE_ARM_CHECKS = 401;
+  private static final double TAKE_OFF_M = 50.0;
+  private static final double AHEAD_M = 2000.0; // a plane cannot climb on the spot
+
+  private final VehicleModel vehicle;
+  private final VehicleOrders orders;
+  private final Identity identity;
+  private final Placement placement;
+  private final PlanBook book;
+  private final ModeOrders modes;
+
+  public VehicleCommands(
+      VehicleModel vehicle,
+      VehicleOrders orders,
+      Identity identity,
+      Placement placement,
+      PlanBook book) {
+    this.vehicle = vehicle;
+    this.orders = orders;
+    this.identity = identity;
+    this.placement = placement;
+    this.book = book;
+    modes = new ModeOrders(vehicle, orders, book);
+  }
+
+  /** Changes the mode to that of a number. */
+  void mode(long custom, Answer answer) {
+    Optional<VehicleMode> mode = identity.mode(custom, vehicle.kind());
+    if (mode.isEmpty()) {
+      answer.done(false, "the vehicle has no mode " + custom);
+    } else {
+      modes.change(mode.get(), answer);
+    }
+  }
+
+  /** Obeys a command; false if it is none of these. */
+  boolean obey(Command command, Answer answer) {
+    switch (command.id()) {
+      case ARM -> orders.arm(command.param1() >= 0.5f, answer);
+      case PRE_ARM_CHECKS ->
+          answer.done(
+              vehicle.reasonsAgainstArming().isEmpty(),
+              String.join("; ", vehicle.reasonsAgainstArming()));
+      case RETURN -> modes.change(VehicleMode.RETURN, answer);
+      case LAND -> modes.change(VehicleMode.LAND, answer);
+      case TAKE_OFF -> takeOff(command, answer);
+      case SET_MODE -> mode(identity.custom(command.param2(), command.param3()), answer);
+      case CHANGE_SPEED -> speed(command.param2(), answer);
+      case TERMINATE -> terminate(command, answer);
+      case REPOSITION -> reposition(command, answer);
+      case PAUSE_CONTINUE ->
+          modes.change(command.param1() >= 0.5f ? VehicleMode.MISSION : VehicleMode.HOLD, answer);
+      case SET_CURRENT -> modes.goTo(book.goal((int) command.param1()), answer);
+      case START -> start(command, answer);
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void start(Command command, Answer answer) {
+    if (command.param1() > 0.0f) {
+      modes.goTo(book.goal((int) command.param1()), answer);
+    } else {
+      modes.mission(answer);
+    }
+  }
+
+  private void speed(float metresPerSecond, Answer answer) {
+    if (metresPerSecond > 0.0f && Float.isFinite(metresPerSecond)) {
+      modes.speed(metresPerSecond, answer);
+    } else {
+      answer.done(false, "speed " + metresPerSecond + " m/s; expected more than 0");
+    }
+  }
+
+  private void terminate(Command command, Answer answer) {
+    if (command.param1() < 0.5f) {
+      answer.done(false, "an emergency stop is cleared by ./u2sa emergency-stop --clear only");
+      return;
+    }
+    orders.tell(
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop()
+            .active(true)
+            .operator(orders.operator())
+            .reason("terminated by a ground station")
+            .stopId(orders.operator() + " " + UUID.randomUUID()));
+    answer.done(true, "emergency stop sent");
+  }
+
+  private void takeOff(Command command, Answer answer) {
+    Optional<StateInformation> here = placement.global();
+    if (vehicle.kind().isOnSurface() || here.isEmpty()) {
+      answer.done(
+          false, here.isEmpty() ? "no position on the earth" : "this vehicle does not take off");
+      return;
+    }
+    double altitudeM =
+        command.altitudeM(placement.home()).orElse(here.get().z().orElse(0.0) + TAKE_OFF_M);
+    Geodetic place = place(here.get());
+    if (vehicle.kind() == VehicleKind.PLANE) {
+      place = place.destination(here.get().psi().orElse(0.0), AHEAD_M);
+    }
+    modes.goTo(place, OptionalDouble.of(altitudeM), OptionalDouble.empty(), answer);
+  }
+
+  private static Geodetic place(StateInformation global) {
+    return new Geodetic(global.x().getAsDouble(), global.y().getAsDouble(), global.z().orElse(0.0));
+  }
+
+  /** Without a place this is the pause button of QGroundControl. */
+  private void reposition(Command command, Answer answer) {
+    if (!command.hasPlace()) {
+      modes.change(VehicleMode.HOLD, answer);
+      return;
+    }
+    Optional<StateInformation> here = placement.global();
+    OptionalDouble altitudeM = OptionalDouble.empty();
+    if (!vehicle.kind().isOnSurface()) {
+      Optional<Double> given = command.altitudeM(placement.home());
+      altitudeM =
+          given.isPresent()
+              ? OptionalDouble.of(given.get())
+              : here.map(StateInformation::z).orElse(OptionalDouble.empty());
+    }
+    boolean hasSpeed = command.param1() > 0.0f && Float.isFinite(command.param1());
+    modes.goTo(
+        new Geodetic(command.longitude(), command.latitude(), altitudeM.orElse(0.0)),
+        altitudeM,
+        hasSpeed ? OptionalDouble.of(command.param1()) : OptionalDouble.empty(),
+        answer);
+  }
+}

@@ -1,0 +1,2 @@
+/** The configuration variables of the services as MAVLink parameters. */
+package org.u2sa.gcs.mavlink.parameter;

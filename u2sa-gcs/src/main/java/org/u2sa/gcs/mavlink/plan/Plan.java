@@ -1,0 +1,23 @@
+package org.u2sa.gcs.mavlink.plan;
+
+import java.util.List;
+
+/**
+ * A mission as a list of items.
+ *
+ * @param origin name under which the Mission Manager knows it
+ * @param items in order
+ * @param goals name of the goal that each item stands for; an action has that of the next place, ""
+ *     after the last
+ */
+record Plan(String origin, List<MissionItem> items, List<String> goals) {
+  Plan {
+    items = List.copyOf(items);
+    goals = List.copyOf(goals);
+  }
+
+  /** Index of the item that is a goal; −1 if none is. */
+  int indexOf(String goal) {
+    return goals.lastIndexOf(goal); // actions before the place have its name too
+  }
+}

@@ -1,0 +1,167 @@
+package org.u2sa.gcs.mavlink.plan;
+
+import io.dronefleet.mavlink.common.MavMissionResult;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.u2sa.gcs.mavlink.telemetry.Placement;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionReport;
+
+/**
+ * The mission as items: those that were uploaded if the Mission Manager still pursues them
+ * unchanged, so that they are read back as they were, otherwise its goals. Shared by all stations.
+ */
+public final class PlanBook {
+  /** Origin of a mission that a station has cleared. */
+  static final String CLEARED = "cleared by a ground station";
+
+  private static final double DEGREES = 1.0e-9;
+  private static final int MAX_CHARACTERS = 65_536; // of MissionOrder.goals; it is ASCII
+
+  private final VehicleModel vehicle;
+  private final Placement placement;
+  private final Identity identity;
+  private Plan uploaded = new Plan("", List.of(), List.of());
+  private int uploads;
+  private MissionReport viewed; // the report that plan was made of
+  private Plan plan = uploaded;
+  private Optional<PlanRefusal> refusal = Optional.empty();
+
+  public PlanBook(VehicleModel vehicle, Placement placement, Identity identity) {
+    this.vehicle = vehicle;
+    this.placement = placement;
+    this.identity = identity;
+  }
+
+  /** Reads uploaded items. @throws PlanRefusal if one cannot be expressed */
+  Upload read(List<MissionItem> items) {
+    boolean skipsHome = identity.startsWithHome() && !items.isEmpty();
+    List<MissionItem> own = skipsHome ? items.subList(1, items.size()) : items;
+    PlanReader reader = new PlanReader(vehicle.kind(), placement.home(), own);
+    String xml = reader.xml();
+    if (xml.length() > MAX_CHARACTERS) {
+      throw new PlanRefusal(
+          MavMissionResult.MAV_MISSION_NO_SPACE,
+          "mission of " + own.size() + " items: too long for one order; expected about 500");
+    }
+    String origin = "uploaded by a ground station, no. " + ++uploads;
+    return new Upload(new Plan(origin, own, reader.names()), xml);
+  }
+
+  /** An upload and its mission in XML. */
+  record Upload(Plan plan, String xml) {}
+
+  /** Remembers an upload that the Mission Manager has accepted. */
+  void accepted(Plan accepted) {
+    uploaded = accepted;
+  }
+
+  /** The present mission. @throws PlanRefusal if items cannot express it */
+  Plan plan() {
+    view();
+    refusal.ifPresent(
+        why -> {
+          throw why;
+        });
+    return plan;
+  }
+
+  private void view() {
+    MissionReport report = vehicle.report().orElse(null);
+    if (report == viewed) {
+      return;
+    }
+    viewed = report;
+    refusal = Optional.empty();
+    try {
+      plan =
+          report.mission().equals(CLEARED)
+              ? new Plan(CLEARED, List.of(), List.of())
+              : isUploaded(report) ? uploaded : PlanWriter.plan(report, vehicle.kind());
+    } catch (PlanRefusal e) {
+      plan = new Plan(report.mission(), List.of(), List.of());
+      refusal = Optional.of(e);
+    }
+  }
+
+  private boolean isUploaded(MissionReport report) {
+    Set<String> places = new HashSet<>(uploaded.goals());
+    places.remove("");
+    places.remove(VehicleModel.HOME);
+    List<GoalInformation> goals = PlanWriter.goals(report);
+    return report.mission().equals(uploaded.origin())
+        && goals.size() == places.size()
+        && goals.stream().allMatch(this::isWhereUploaded);
+  }
+
+  private boolean isWhereUploaded(GoalInformation goal) {
+    int index = uploaded.indexOf(goal.uid());
+    if (index < 0 || !(goal instanceof Waypoint waypoint)) {
+      return false;
+    }
+    MissionItem item = uploaded.items().get(index);
+    return waypoint.x().isEmpty()
+        || Math.abs(waypoint.x().getAsDouble() - item.longitudeDeg()) < DEGREES
+            && Math.abs(waypoint.y().orElse(0.0) - item.latitudeDeg()) < DEGREES;
+  }
+
+  /** Items as stations count them: with home as item 0 where the identity has it so. */
+  List<MissionItem> listed() {
+    List<MissionItem> items = plan().items();
+    if (!identity.startsWithHome()) {
+      return items;
+    }
+    Geodetic home = placement.home().orElse(new Geodetic(0.0, 0.0, 0.0));
+    List<MissionItem> listed = new java.util.ArrayList<>();
+    listed.add(
+        MissionItem.at(
+            MissionItem.GLOBAL,
+            MissionItem.WAYPOINT,
+            home.latitudeDeg(),
+            home.longitudeDeg(),
+            home.altitudeM()));
+    listed.addAll(items);
+    return listed;
+  }
+
+  private int offset() {
+    return identity.startsWithHome() ? 1 : 0;
+  }
+
+  /** Number of items as stations count them; 0 if the mission cannot be expressed. */
+  public int size() {
+    view();
+    return plan.items().size() + (plan.items().isEmpty() ? 0 : offset());
+  }
+
+  /** Index of a goal as stations count it; empty if it is no item. */
+  public Optional<Integer> index(String goal) {
+    view();
+    int index = plan.indexOf(goal);
+    return index < 0 ? Optional.empty() : Optional.of(index + offset());
+  }
+
+  /** Goal of an index as stations count it; empty if there is none. */
+  public Optional<String> goal(int index) {
+    view();
+    int own = index - offset();
+    return IntStream.range(0, plan.goals().size())
+        .filter(each -> each == own)
+        .mapToObj(plan.goals()::get)
+        .filter(goal -> !goal.isEmpty())
+        .findFirst();
+  }
+
+  /** First goal of the mission; empty without one. */
+  public Optional<String> first() {
+    view();
+    return plan.goals().stream().filter(goal -> !goal.isEmpty()).findFirst();
+  }
+}

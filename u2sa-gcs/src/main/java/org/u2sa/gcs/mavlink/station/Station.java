@@ -1,0 +1,21 @@
+package org.u2sa.gcs.mavlink.station;
+
+import io.dronefleet.mavlink.common.MavSeverity;
+
+/** A ground station at the other end of a link. */
+public interface Station {
+  /** Sender of a message. */
+  record Sender(int system, int component) {}
+
+  /** Component ID of an autopilot, as which the vehicle answers. */
+  int AUTOPILOT = 1;
+
+  /** Sends a message; it is lost if the link is full. */
+  void send(Object message);
+
+  /** Shows a text to the operator. */
+  void text(MavSeverity severity, String text);
+
+  /** Whether the link has room for bulk messages. */
+  boolean hasRoom();
+}

@@ -1,0 +1,86 @@
+package org.u2sa.gcs.mavlink.telemetry;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.u2sa.gcs.mavlink.station.Station;
+
+/** How often one station gets each message. */
+public final class MessageRates {
+  private static final double MAX_HZ = 50.0;
+  private static final long MICROS_PER_S = 1_000_000;
+  private static final long OFF = -1;
+  private static final int ALL_STREAMS = 0;
+
+  /** MAV_DATA_STREAM: what stations of ArduPilot ask for. */
+  private static final Map<Integer, List<Integer>> STREAMS =
+      Map.of(
+          2, List.of(1, 2, 24, 62, Telemetry.MISSION_CURRENT, 147), // EXTENDED_STATUS
+          6, List.of(32, 33), // POSITION
+          10, List.of(30), // EXTRA1
+          11, List.of(74), // EXTRA2
+          12, List.of(230, 147)); // EXTRA3
+
+  private final Telemetry telemetry;
+  private final Map<Integer, Long> intervals = new TreeMap<>(); // [µs]; OFF: none
+  private final Map<Integer, Long> due = new TreeMap<>();
+
+  /** Starts with the usual rates. */
+  public MessageRates(Telemetry telemetry) {
+    this.telemetry = telemetry;
+    telemetry.sources().forEach((id, source) -> intervals.put(id, interval(source.usualHz())));
+  }
+
+  private static long interval(double hz) {
+    return hz > 0.0 ? Math.round(MICROS_PER_S / Math.min(MAX_HZ, hz)) : OFF;
+  }
+
+  /** Sends what is due. */
+  public void step(long nowMicros, Station to) {
+    intervals.forEach(
+        (id, interval) -> {
+          if (interval != OFF && nowMicros >= due.getOrDefault(id, Long.MIN_VALUE)) {
+            long late = nowMicros - due.getOrDefault(id, nowMicros);
+            due.put(id, nowMicros + interval - Math.min(late, interval / 2));
+            telemetry.sources().get(id).make().get().ifPresent(to::send);
+          }
+        });
+  }
+
+  /**
+   * Sets an interval.
+   *
+   * @param micros interval [µs]; 0: the usual one; negative: off
+   * @return false if there is no such message
+   */
+  public boolean set(int id, double micros) {
+    Telemetry.Source source = telemetry.sources().get(id);
+    if (source == null || Double.isNaN(micros)) {
+      return false;
+    }
+    if (id != Telemetry.HEARTBEAT) { // without it the vehicle counts as lost
+      intervals.put(
+          id,
+          micros == 0.0
+              ? interval(source.usualHz())
+              : micros < 0.0 ? OFF : Math.round(Math.max(MICROS_PER_S / MAX_HZ, micros)));
+      due.remove(id);
+    }
+    return true;
+  }
+
+  /** Interval of a message [µs]: −1 if it is off, 0 if there is none. */
+  public int get(int id) {
+    return intervals.getOrDefault(id, 0L).intValue();
+  }
+
+  /** Sets the rate of a stream of messages. */
+  public void stream(int stream, int hz, boolean on) {
+    STREAMS.forEach(
+        (id, messages) -> {
+          if (stream == ALL_STREAMS || stream == id) {
+            messages.forEach(each -> set(each, on && hz > 0 ? (double) MICROS_PER_S / hz : OFF));
+          }
+        });
+  }
+}

@@ -1,0 +1,279 @@
+package org.u2sa.gcs.mavlink.telemetry;
+
+import io.dronefleet.mavlink.common.BatteryStatus;
+import io.dronefleet.mavlink.common.ExtendedSysState;
+import io.dronefleet.mavlink.common.HomePosition;
+import io.dronefleet.mavlink.common.MavBatteryFunction;
+import io.dronefleet.mavlink.common.MavBatteryType;
+import io.dronefleet.mavlink.common.MavLandedState;
+import io.dronefleet.mavlink.common.MavSysStatusSensor;
+import io.dronefleet.mavlink.common.MavVtolState;
+import io.dronefleet.mavlink.common.NavControllerOutput;
+import io.dronefleet.mavlink.common.SysStatus;
+import io.dronefleet.mavlink.common.SystemTime;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.minimal.MavModeFlag;
+import io.dronefleet.mavlink.minimal.MavState;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.math.BigInteger;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
+import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.mavlink.AvailableModes;
+import org.u2sa.mavlink.CurrentMode;
+import org.u2sa.messages.AircraftState;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.FailsafeAction;
+
+/** Messages about modes, readiness, battery, home and the way to the goal. */
+final class StatusMessages {
+  private static final int MAVLINK_VERSION = 3;
+  private static final double E7 = 1.0e7;
+  private static final double MILLI = 1000.0;
+  private static final double CENTI = 100.0;
+  private static final int UNKNOWN_16 = 0xFFFF;
+  private static final int CELLS = 10;
+  private static final int NOT_SELECTABLE = 2; // MAV_MODE_PROPERTY_NOT_USER_SELECTABLE
+
+  private final VehicleModel vehicle;
+  private final Identity identity;
+  private final Placement placement;
+  private final Uptime uptime;
+
+  StatusMessages(VehicleModel vehicle, Identity identity, Placement placement, Uptime uptime) {
+    this.vehicle = vehicle;
+    this.identity = identity;
+    this.placement = placement;
+    this.uptime = uptime;
+  }
+
+  Optional<Object> heartbeat() {
+    boolean armed = vehicle.isArmed();
+    VehicleMode mode = vehicle.mode();
+    int flags =
+        flag(MavModeFlag.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED)
+            | flag(MavModeFlag.MAV_MODE_FLAG_STABILIZE_ENABLED)
+            | flag(MavModeFlag.MAV_MODE_FLAG_GUIDED_ENABLED)
+            | flag(MavModeFlag.MAV_MODE_FLAG_AUTO_ENABLED)
+            | (armed ? flag(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : 0);
+    return Optional.of(
+        Heartbeat.builder()
+            .type(vehicle.kind().type())
+            .autopilot(identity.autopilot())
+            .baseMode(EnumValue.create(MavModeFlag.class, flags))
+            .customMode(custom(mode))
+            .systemStatus(condition(armed))
+            .mavlinkVersion(MAVLINK_VERSION)
+            .build());
+  }
+
+  private static int flag(MavModeFlag flag) {
+    return EnumValue.of(flag).value();
+  }
+
+  private long custom(VehicleMode mode) {
+    return identity.modes(vehicle.kind()).get(mode);
+  }
+
+  private MavState condition(boolean armed) {
+    if (vehicle.isStopped()) {
+      return MavState.MAV_STATE_EMERGENCY;
+    }
+    if (vehicle.failsafe() != FailsafeAction.CONTINUE) {
+      return MavState.MAV_STATE_CRITICAL;
+    }
+    return armed ? MavState.MAV_STATE_ACTIVE : MavState.MAV_STATE_STANDBY;
+  }
+
+  Optional<Object> currentMode() {
+    VehicleMode mode = vehicle.mode();
+    return Optional.of(new CurrentMode(mode.standard(), custom(mode), 0));
+  }
+
+  /** AVAILABLE_MODES of one index from 1; empty beyond the last. */
+  Optional<Object> mode(int index) {
+    Map<VehicleMode, Long> modes = identity.modes(vehicle.kind());
+    List<VehicleMode> listed =
+        modes.keySet().stream()
+            .filter(mode -> identity != Identity.PX4 || mode != VehicleMode.GO_TO)
+            .toList();
+    if (index < 1 || index > listed.size()) {
+      return Optional.empty();
+    }
+    VehicleMode mode = listed.get(index - 1);
+    long properties = mode == VehicleMode.GO_TO ? NOT_SELECTABLE : 0;
+    return Optional.of(
+        new AvailableModes(
+            listed.size(), index, mode.standard(), modes.get(mode), properties, mode.label()));
+  }
+
+  int modes() {
+    return identity.modes(vehicle.kind()).size() - (identity == Identity.PX4 ? 1 : 0);
+  }
+
+  Optional<Object> systemStatus() {
+    boolean positioned = placement.local().isPresent();
+    boolean ready = vehicle.isArmed() || vehicle.reasonsAgainstArming().isEmpty();
+    int always =
+        bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK)
+            | bit(MavSysStatusSensor.MAV_SYS_STATUS_AHRS)
+            | bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS)
+            | (vehicle.battery().isPresent()
+                ? bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY)
+                : 0);
+    int healthy =
+        (ready ? bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK) : 0)
+            | (positioned ? bit(MavSysStatusSensor.MAV_SYS_STATUS_AHRS) : 0)
+            | (placement.global().isPresent()
+                ? bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS)
+                : 0)
+            | always & bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
+    Optional<BatteryState> battery = vehicle.battery();
+    return Optional.of(
+        SysStatus.builder()
+            .onboardControlSensorsPresent(EnumValue.create(MavSysStatusSensor.class, always))
+            .onboardControlSensorsEnabled(EnumValue.create(MavSysStatusSensor.class, always))
+            .onboardControlSensorsHealth(EnumValue.create(MavSysStatusSensor.class, healthy))
+            .voltageBattery(millivolts(battery))
+            .currentBattery(centiamperes(battery))
+            .batteryRemaining(percent(battery))
+            .build());
+  }
+
+  private static int bit(MavSysStatusSensor sensor) {
+    return EnumValue.of(sensor).value();
+  }
+
+  private static int millivolts(Optional<BatteryState> battery) {
+    return battery
+        .map(BatteryState::voltage)
+        .filter(OptionalDouble::isPresent)
+        .map(volts -> (int) Math.min(UNKNOWN_16 - 1, Math.round(volts.getAsDouble() * MILLI)))
+        .orElse(UNKNOWN_16);
+  }
+
+  private static int centiamperes(Optional<BatteryState> battery) {
+    return battery
+        .map(BatteryState::current)
+        .filter(OptionalDouble::isPresent)
+        .map(
+            amperes ->
+                (int)
+                    Math.max(
+                        0, Math.min(Short.MAX_VALUE, Math.round(amperes.getAsDouble() * CENTI))))
+        .orElse(-1);
+  }
+
+  private static int percent(Optional<BatteryState> battery) {
+    return battery
+        .map(BatteryState::remaining)
+        .filter(OptionalDouble::isPresent)
+        .map(percent -> (int) Math.round(percent.getAsDouble()))
+        .orElse(-1);
+  }
+
+  Optional<Object> battery() {
+    Optional<BatteryState> battery = vehicle.battery();
+    return battery.map(
+        state -> {
+          List<Integer> cells = new java.util.ArrayList<>(Collections.nCopies(CELLS, UNKNOWN_16));
+          cells.set(0, millivolts(battery));
+          return BatteryStatus.builder()
+              .id(0)
+              .batteryFunction(MavBatteryFunction.MAV_BATTERY_FUNCTION_ALL)
+              .type(MavBatteryType.MAV_BATTERY_TYPE_UNKNOWN)
+              .temperature(Short.MAX_VALUE)
+              .voltages(cells)
+              .currentBattery(centiamperes(battery))
+              .currentConsumed(-1)
+              .energyConsumed(-1)
+              .batteryRemaining(percent(battery))
+              .voltagesExt(List.of(0, 0, 0, 0))
+              .build();
+        });
+  }
+
+  Optional<Object> extendedState() {
+    Optional<AircraftState> aircraft =
+        vehicle.state().filter(AircraftState.class::isInstance).map(AircraftState.class::cast);
+    MavLandedState landed =
+        aircraft
+            .map(
+                state ->
+                    state.weightOnWheels()
+                        ? MavLandedState.MAV_LANDED_STATE_ON_GROUND
+                        : MavLandedState.MAV_LANDED_STATE_IN_AIR)
+            .orElse(
+                vehicle.kind().isOnSurface()
+                    ? MavLandedState.MAV_LANDED_STATE_ON_GROUND
+                    : MavLandedState.MAV_LANDED_STATE_UNDEFINED);
+    return Optional.of(
+        ExtendedSysState.builder()
+            .vtolState(MavVtolState.MAV_VTOL_STATE_UNDEFINED)
+            .landedState(landed)
+            .build());
+  }
+
+  Optional<Object> systemTime() {
+    return Optional.of(
+        SystemTime.builder()
+            .timeUnixUsec(BigInteger.valueOf(uptime.unixMicros()))
+            .timeBootMs(uptime.millis())
+            .build());
+  }
+
+  Optional<Object> home() {
+    return placement
+        .home()
+        .map(
+            place ->
+                HomePosition.builder()
+                    .latitude(MotionMessages.scaled(place.latitudeDeg(), E7))
+                    .longitude(MotionMessages.scaled(place.longitudeDeg(), E7))
+                    .altitude(MotionMessages.scaled(place.altitudeM(), MILLI))
+                    .q(List.of(1.0f, 0.0f, 0.0f, 0.0f))
+                    .approachX(Float.NaN)
+                    .approachY(Float.NaN)
+                    .approachZ(Float.NaN)
+                    .timeUsec(BigInteger.valueOf(uptime.micros()))
+                    .build());
+  }
+
+  Optional<Object> navigation() {
+    Optional<StateInformation> here = placement.global();
+    Optional<GoalInformation> goal =
+        vehicle.goals().flatMap(list -> list.goals().stream().findFirst());
+    if (here.isEmpty() || goal.isEmpty() || !(goal.get() instanceof Waypoint waypoint)) {
+      return Optional.empty();
+    }
+    Geodetic from =
+        new Geodetic(
+            here.get().x().getAsDouble(), here.get().y().getAsDouble(), here.get().z().orElse(0.0));
+    return Placement.place(waypoint)
+        .map(
+            there -> {
+              int bearingDeg = (int) Math.round(Math.toDegrees(from.bearingRad(there)));
+              double altitudeError =
+                  waypoint.z().isPresent()
+                      ? waypoint.z().getAsDouble() - here.get().z().orElse(0.0)
+                      : 0.0;
+              return NavControllerOutput.builder()
+                  .navRoll((float) Math.toDegrees(here.get().phi().orElse(0.0)))
+                  .navPitch((float) Math.toDegrees(here.get().theta().orElse(0.0)))
+                  .navBearing(bearingDeg)
+                  .targetBearing(bearingDeg)
+                  .wpDist((int) Math.min(UNKNOWN_16, Math.round(from.distanceM(there))))
+                  .altError((float) altitudeError)
+                  .build();
+            });
+  }
+}

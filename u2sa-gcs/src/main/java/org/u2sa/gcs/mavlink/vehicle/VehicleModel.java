@@ -1,0 +1,277 @@
+package org.u2sa.gcs.mavlink.vehicle;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.DiscoveryRequest;
+import org.u2sa.messages.contract.DiscoveryResponse;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionReport;
+import org.u2sa.messages.mission.MissionRequest;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * The vehicle's latest messages. {@link #take} may be called on any thread; messages are frozen, so
+ * readers need no lock.
+ */
+public final class VehicleModel {
+  /** Goal that a go-to order adds to the mission. */
+  public static final String GO_TO = "go-to";
+
+  /** Goal that names the home position. */
+  public static final String HOME = "home";
+
+  /** Channels to subscribe to. */
+  public static final List<Channel<?>> CHANNELS =
+      List.of(
+          Channels.STATE,
+          Channels.GOALS,
+          Channels.MISSION,
+          Channels.ARMING_STATE,
+          Channels.FAILSAFE,
+          Channels.EMERGENCY_STOP,
+          Channels.POWER,
+          Channels.NAVIGATION,
+          Channels.CONFIGURATION,
+          Channels.DISCOVERY);
+
+  private static final String LAND_PREFIX = "LAND ";
+  private static final long FRESH_MICROS = 2_000_000;
+  private static final int MAX_SERVICES = 256;
+
+  private final LongSupplier micros;
+  private final Optional<VehicleKind> statedKind;
+  private final VehicleOrders orders;
+  private final Map<String, ConfigurationResponse> configurations = new ConcurrentSkipListMap<>();
+  private final Set<String> stops = ConcurrentHashMap.newKeySet();
+  private final AtomicLong configurationChanges = new AtomicLong();
+  private final Set<String> changed = ConcurrentHashMap.newKeySet(); // services to ask again
+  private volatile boolean isReportWanted;
+  private volatile VehicleKind heardKind = VehicleKind.GENERIC;
+  private volatile StateInformation state; // null until heard, as the others
+  private volatile long stateMicros;
+  private volatile StateInformation first;
+  private volatile GoalList goals;
+  private volatile MissionReport report;
+  private volatile ArmingState arming;
+  private volatile FailsafeState failsafe;
+  private volatile BatteryState battery;
+  private volatile NavigationPoint navigation;
+
+  /**
+   * @param micros real time [µs]
+   * @param statedKind kind of the vehicle; empty: by its control service
+   */
+  public VehicleModel(LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
+    this.micros = micros;
+    this.statedKind = statedKind;
+    this.orders = orders;
+  }
+
+  /** Takes a message of any of {@link #CHANNELS}. */
+  public void take(U2SAData message) {
+    orders.take(message);
+    if (message instanceof StateInformation now) {
+      state = now;
+      stateMicros = micros.getAsLong();
+      first = first == null && now.x().isPresent() && now.y().isPresent() ? now : first;
+    } else if (message instanceof GoalList list) {
+      goals = list;
+      isReportWanted = true;
+    } else if (message instanceof MissionReport found) {
+      report = found;
+    } else if (message instanceof ArmingState now) {
+      arming = now;
+    } else if (message instanceof FailsafeState now) {
+      failsafe = now;
+    } else if (message instanceof BatteryState now) {
+      battery = now;
+    } else if (message instanceof NavigationPoint now) {
+      navigation = now;
+    } else if (message instanceof EmergencyStop stop) {
+      take(stop);
+    } else {
+      takeAnswer(message);
+    }
+  }
+
+  private void take(EmergencyStop stop) {
+    if (stop.active()) {
+      stops.add(stop.identity());
+    } else if (stop.lifts().isEmpty()) {
+      stops.clear();
+    } else {
+      stops.removeAll(stop.lifts());
+    }
+  }
+
+  private void takeAnswer(U2SAData message) {
+    if (message instanceof ConfigurationResponse response) {
+      boolean known = configurations.containsKey(response.serviceName());
+      if (known || configurations.size() < MAX_SERVICES) {
+        configurations.put(response.serviceName(), response);
+        configurationChanges.incrementAndGet();
+      }
+    } else if (message instanceof ConfigurationTransactionResult result && result.accepted()) {
+      changed.add(result.serviceName());
+    } else if (message instanceof DiscoveryResponse response) {
+      VehicleKind kind = VehicleKind.ofControl(response.className().orElse(""));
+      heardKind = kind == VehicleKind.GENERIC ? heardKind : kind;
+    }
+  }
+
+  /** Asks for what has changed since the last call; not to be called on the transport's thread. */
+  public void refresh() {
+    if (isReportWanted) {
+      isReportWanted = false;
+      orders.tell(Channels.MISSION, new MissionRequest().requestId(UUID.randomUUID().toString()));
+    }
+    for (String service : List.copyOf(changed)) {
+      changed.remove(service);
+      orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(service));
+    }
+  }
+
+  /** Asks for the mission's state at the next {@link #refresh}. */
+  public void wantReport() {
+    isReportWanted = true;
+  }
+
+  /** Asks all services who they are, how they are configured, and how the mission stands. */
+  public void ask() {
+    orders.tell(Channels.DISCOVERY, new DiscoveryRequest());
+    orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(""));
+    isReportWanted = true;
+  }
+
+  /** The vehicle's kind, as far as known. */
+  public VehicleKind kind() {
+    return statedKind.orElse(heardKind);
+  }
+
+  /** State estimate; empty if none arrived within 2 s. */
+  public Optional<StateInformation> state() {
+    return Optional.ofNullable(state)
+        .filter(now -> micros.getAsLong() - stateMicros <= FRESH_MICROS);
+  }
+
+  /** First state with a position: the place that stands for a home if the mission has none. */
+  public Optional<StateInformation> first() {
+    return Optional.ofNullable(first);
+  }
+
+  /** Goals being pursued; empty until heard. */
+  public Optional<GoalList> goals() {
+    return Optional.ofNullable(goals);
+  }
+
+  /** The mission; empty until heard. */
+  public Optional<MissionReport> report() {
+    return Optional.ofNullable(report);
+  }
+
+  /** Home of the mission; empty if it has none. */
+  public Optional<Waypoint> home() {
+    return report().stream()
+        .flatMap(each -> each.goals().stream())
+        .filter(goal -> goal.uid().equals(HOME) && goal instanceof Waypoint)
+        .map(goal -> (Waypoint) goal)
+        .findFirst();
+  }
+
+  /** Newest battery state. */
+  public Optional<BatteryState> battery() {
+    return Optional.ofNullable(battery);
+  }
+
+  /** Newest navigation point. */
+  public Optional<NavigationPoint> navigation() {
+    return Optional.ofNullable(navigation);
+  }
+
+  /** Whether the vehicle may move; false if unknown. */
+  public boolean isArmed() {
+    return arming != null && arming.armed();
+  }
+
+  /** Reasons against arming; empty if there are none or none is known. */
+  public List<String> reasonsAgainstArming() {
+    return arming == null
+        ? List.of("no Safety Manager was heard")
+        : arming.armed() ? List.of() : arming.reasons();
+  }
+
+  /** Failsafe in force. */
+  public FailsafeAction failsafe() {
+    return failsafe == null ? FailsafeAction.CONTINUE : failsafe.action();
+  }
+
+  /** Causes of the failsafe, most severe first. */
+  public List<String> failsafeCauses() {
+    return failsafe == null ? List.of() : failsafe.causes();
+  }
+
+  /** Whether an emergency stop is in force. */
+  public boolean isStopped() {
+    return !stops.isEmpty();
+  }
+
+  /** Configurations by service. */
+  public Map<String, ConfigurationResponse> configurations() {
+    return configurations;
+  }
+
+  /** Number of configurations heard; a change means that one may have changed. */
+  public long configurationChanges() {
+    return configurationChanges.get();
+  }
+
+  /** UID of the goal being pursued; empty if none is. */
+  public Optional<String> current() {
+    return goals().flatMap(list -> list.goals().stream().map(GoalInformation::uid).findFirst());
+  }
+
+  /** What the vehicle is doing. */
+  public VehicleMode mode() {
+    Optional<VehicleMode> forced =
+        switch (failsafe()) {
+          case HOLD, STOP -> Optional.of(VehicleMode.HOLD);
+          case RETURN -> Optional.of(VehicleMode.RETURN);
+          case LAND -> Optional.of(VehicleMode.LAND);
+          case CONTINUE -> Optional.empty();
+        };
+    boolean holds = goals == null || goals.paused() || isStopped();
+    return forced.orElseGet(
+        () -> holds ? VehicleMode.HOLD : current().map(this::mode).orElse(VehicleMode.HOLD));
+  }
+
+  private VehicleMode mode(String uid) {
+    if (uid.equals(GO_TO)) {
+      return VehicleMode.GO_TO;
+    }
+    if (uid.equals(HOME)) {
+      return VehicleMode.RETURN;
+    }
+    return uid.startsWith(LAND_PREFIX) ? VehicleMode.LAND : VehicleMode.MISSION;
+  }
+}

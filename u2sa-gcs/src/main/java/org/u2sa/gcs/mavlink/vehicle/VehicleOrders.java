@@ -1,0 +1,153 @@
+package org.u2sa.gcs.mavlink.vehicle;
+
+import java.util.Iterator;
+import java.util.Map;
+import java.util.Queue;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.messages.contract.ConfigurationTransaction;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Orders to the vehicle. Each is answered once, on the thread that calls {@link #step}: by the
+ * vehicle's own answer, or after {@link #ANSWER_WITHIN_MICROS} by its absence.
+ */
+public final class VehicleOrders {
+  /** Publishes a message of the vehicle's channels. */
+  @FunctionalInterface
+  public interface Publisher {
+    /** Publishes. @throws CommunicationException if the message was not accepted */
+    void publish(Channel<?> channel, U2SAData message);
+  }
+
+  /** Receives the result of an order. */
+  @FunctionalInterface
+  public interface Answer {
+    /**
+     * Called once.
+     *
+     * @param text what was done, or why it was not
+     */
+    void done(boolean accepted, String text);
+  }
+
+  private record Pending(long deadlineMicros, boolean arms, Answer answer) {}
+
+  private record Result(String id, boolean accepted, String text) {}
+
+  private static final long ANSWER_WITHIN_MICROS = 3_000_000;
+  private static final int MAX_PENDING = 32;
+
+  private final Publisher publisher;
+  private final String operator;
+  private final Map<String, Pending> pending = new ConcurrentHashMap<>();
+  private final Queue<Result> results = new ConcurrentLinkedQueue<>();
+  private long nowMicros;
+
+  /**
+   * @param operator author of the orders, as the vehicle logs it
+   */
+  public VehicleOrders(Publisher publisher, String operator) {
+    this.publisher = publisher;
+    this.operator = operator;
+  }
+
+  /** Name under which the orders are given. */
+  public String operator() {
+    return operator;
+  }
+
+  /** Arms or disarms. */
+  public void arm(boolean arm, Answer answer) {
+    String id = UUID.randomUUID().toString();
+    send(
+        id,
+        arm,
+        Channels.ARMING,
+        new ArmCommand().requestId(id).arm(arm).operator(operator),
+        answer);
+  }
+
+  /** Changes the mission. */
+  public void mission(MissionOrder order, Answer answer) {
+    String id = UUID.randomUUID().toString();
+    send(id, false, Channels.MISSION, order.requestId(id).operator(operator), answer);
+  }
+
+  /** Changes the configuration. */
+  public void configure(ConfigurationTransaction change, Answer answer) {
+    String id = UUID.randomUUID().toString();
+    send(id, false, Channels.CONFIGURATION, change.requestId(id).author(operator), answer);
+  }
+
+  /** Publishes a message that is not answered. */
+  public void tell(Channel<?> channel, U2SAData message) {
+    publisher.publish(channel, message);
+  }
+
+  private void send(String id, boolean arms, Channel<?> channel, U2SAData order, Answer answer) {
+    if (pending.size() >= MAX_PENDING) {
+      answer.done(false, "too many orders at once");
+      return;
+    }
+    pending.put(id, new Pending(nowMicros + ANSWER_WITHIN_MICROS, arms, answer));
+    try {
+      publisher.publish(channel, order);
+    } catch (CommunicationException e) {
+      results.add(new Result(id, false, e.getMessage()));
+    }
+  }
+
+  /** Takes a message that may be an answer; on any thread. */
+  void take(U2SAData message) {
+    if (message instanceof MissionOrderResult result) {
+      answered(result.requestId(), result.accepted(), result.outcome());
+    } else if (message instanceof ConfigurationTransactionResult result) {
+      answered(result.requestId(), result.accepted(), result.reason());
+    } else if (message instanceof ArmingState state && state.requestId().isPresent()) {
+      String id = state.requestId().get();
+      Pending asked = pending.get(id);
+      if (asked != null) {
+        answered(id, state.armed() == asked.arms(), String.join("; ", state.reasons()));
+      }
+    }
+  }
+
+  private void answered(String id, boolean accepted, String text) {
+    if (pending.containsKey(id)) {
+      results.add(new Result(id, accepted, text));
+    }
+  }
+
+  /** Delivers answers. */
+  public void step(long micros) {
+    nowMicros = micros;
+    for (Result result = results.poll(); result != null; result = results.poll()) {
+      Pending asked = pending.remove(result.id());
+      if (asked != null) { // the first answer counts
+        asked.answer().done(result.accepted(), result.text());
+      }
+    }
+    Iterator<Pending> waiting = pending.values().iterator();
+    while (waiting.hasNext()) {
+      Pending asked = waiting.next();
+      if (micros > asked.deadlineMicros()) {
+        waiting.remove();
+        asked
+            .answer()
+            .done(
+                false,
+                "no answer from the vehicle: the bridge's user may lack the role operator, or nobody there handles it");
+      }
+    }
+  }
+}

@@ -1,0 +1,158 @@
+package org.u2sa.gcs.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.CommandInt;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MavFrame;
+import io.dronefleet.mavlink.common.MavResult;
+import io.dronefleet.mavlink.common.SetMode;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.safety.ArmCommand;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
+
+/** What becomes of a station's commands. */
+class StationCommandTest {
+  private static final int ARM = 400;
+  private static final int REPOSITION = 192;
+  private static final int PX4_LAND = 4 << 16 | 6 << 24;
+
+  private final BridgeKit kit = BridgeKit.rover().ready();
+
+  private MavResult result() {
+    List<CommandAck> answers = kit.received(CommandAck.class);
+    assertThat(answers).hasSize(1);
+    return answers.get(0).result().entry();
+  }
+
+  @Test
+  void arm_accepted_isAnsweredWhenTheVehicleIsArmed() {
+    kit.command(ARM, 1);
+    assertThat(kit.received(CommandAck.class)).isEmpty();
+    kit.answerArming(true);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
+  }
+
+  @Test
+  void arm_refused_tellsEveryReasonWhole() {
+    String reason =
+        "the StateEstimator has not reported a position with a standard deviation below 6 m";
+    kit.command(ARM, 1);
+    kit.answerArming(false, reason, "no mission");
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains(reason + "; no mission");
+  }
+
+  @Test
+  void arm_repeatedBeforeTheAnswer_isOrderedOnce() {
+    kit.command(ARM, 1);
+    kit.command(ARM, 1);
+    assertThat(kit.published).filteredOn(ArmCommand.class::isInstance).hasSize(1);
+    kit.answerArming(true);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
+  }
+
+  @Test
+  void arm_vehicleSilent_isDeniedWithTheReason() {
+    kit.command(ARM, 1);
+    kit.advance(4.0);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains("no answer from the vehicle");
+  }
+
+  @Test
+  void reposition_fullOfNaN_pauses() {
+    double nan = Double.NaN;
+    kit.command(REPOSITION, -1, 1, 0, nan, nan, nan, nan);
+    assertThat(kit.orders(MissionOrder.class).get(0).action()).isEqualTo(MissionAction.PAUSE);
+  }
+
+  @Test
+  void reposition_place_goesThereAndStays() {
+    kit.send(
+        CommandInt.builder()
+            .targetSystem(1)
+            .targetComponent(1)
+            .frame(MavFrame.MAV_FRAME_GLOBAL)
+            .command(MavCmd.MAV_CMD_DO_REPOSITION)
+            .param1(-1)
+            .param4(Float.NaN)
+            .x(540_010_000)
+            .y(100_020_000)
+            .build());
+    Waypoint goal = kit.orders(Waypoint.class).get(0);
+    assertThat(goal.y().getAsDouble()).isEqualTo(54.001);
+    assertThat(goal.x().getAsDouble()).isEqualTo(10.002);
+    assertThat(goal.z()).isEmpty(); // a rover's altitude is the ground's
+    assertThat(kit.orders(MissionOrder.class).get(0).uid()).hasValue(goal.uid());
+  }
+
+  @Test
+  void modes_ofBothIdentities_becomeOrders() {
+    kit.command(176, 1, 4, 5); // PX4: auto, return
+    assertThat(kit.published).filteredOn(MissionOrder.class::isInstance).hasSize(1);
+    kit.answerMission(true, "pursuing goal \"home\"");
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
+    kit.send(SetMode.builder().targetSystem(1).customMode(PX4_LAND).build());
+    assertThat(kit.orders(MissionOrder.class).get(0).action()).isEqualTo(MissionAction.LAND);
+    kit.command(176, 1, 1, 0); // PX4: manual
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains("the vehicle has no mode");
+
+    BridgeKit rover = new BridgeKit(Identity.ARDUPILOT, VehicleKind.ROVER).ready();
+    rover.command(176, 1, 4); // ArduPilot: hold
+    assertThat(rover.orders(MissionOrder.class).get(0).action()).isEqualTo(MissionAction.PAUSE);
+  }
+
+  @Test
+  void heartbeat_pausedMission_isHold() {
+    kit.received(Heartbeat.class);
+    kit.advance(1.0);
+    assertThat(kit.received(Heartbeat.class).get(0).customMode()).isEqualTo(4L << 16 | 4L << 24);
+    kit.mission("file.xml", List.of(BridgeKit.waypoint("1", 0.001, 0.0)), true);
+    kit.advance(1.1);
+    assertThat(kit.received(Heartbeat.class).get(0).customMode()).isEqualTo(4L << 16 | 3L << 24);
+  }
+
+  @Test
+  void missionStart_paused_resumes() {
+    kit.mission("file.xml", List.of(BridgeKit.waypoint("1", 0.001, 0.0)), true);
+    kit.command(300);
+    assertThat(kit.orders(MissionOrder.class).get(0).action()).isEqualTo(MissionAction.RESUME);
+  }
+
+  @Test
+  void terminate_stopsEverything() {
+    kit.command(185, 1);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
+    assertThat(kit.orders(EmergencyStop.class).get(0).active()).isTrue();
+  }
+
+  @Test
+  void takeOff_rover_isRefusedAndCopterClimbs() {
+    kit.command(22, 0, 0, 0, 0, 0, 0, 30);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    BridgeKit copter = new BridgeKit(Identity.PX4, VehicleKind.COPTER).ready();
+    copter.command(22, 0, 0, 0, 0, 0, 0, 30);
+    Waypoint goal = copter.orders(Waypoint.class).get(0);
+    assertThat(goal.z().getAsDouble()).isEqualTo(30.0);
+    assertThat(goal.x().getAsDouble()).isEqualTo(BridgeKit.LONGITUDE);
+  }
+
+  @Test
+  void arming_disarmed_isToldByHeartbeat() {
+    kit.says(new ArmingState().armed(true));
+    kit.received(Heartbeat.class);
+    kit.advance(1.1);
+    assertThat(kit.received(Heartbeat.class).get(0).baseMode().value() & 128).isEqualTo(128);
+  }
+}

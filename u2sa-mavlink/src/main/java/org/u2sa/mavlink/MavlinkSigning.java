@@ -1,0 +1,84 @@
+package org.u2sa.mavlink;
+
+import io.dronefleet.mavlink.protocol.MavlinkPacket;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.LongSupplier;
+
+/**
+ * Signs MAVLink 2 packets and checks signatures (mavlink.io/en/guide/message_signing). A packet is
+ * admitted once: each stream's timestamps must rise, and a new stream's must not be older than a
+ * minute. Thread-safe, so that all links of a system share it.
+ */
+public final class MavlinkSigning {
+  private static final long EPOCH_MICROS = 1_420_070_400_000_000L; // 2015-01-01 UTC
+  private static final long TICK_MICROS = 10;
+  private static final long NEW_STREAM_TICKS = 60_000_000L / TICK_MICROS;
+  private static final int MAX_STREAMS = 64;
+  private static final int LINK_ID = 0;
+  private static final int BYTE = 8;
+
+  private final byte[] key;
+  private final LongSupplier unixMicros;
+  private final Map<Integer, Long> streams = new HashMap<>(); // newest timestamp of each
+  private long newest; // of all signatures, ours included [10 µs since 2015]
+
+  /**
+   * @param passphrase shared with the stations, which hash it the same way
+   * @param unixMicros wall clock [µs since 1970]
+   */
+  public MavlinkSigning(String passphrase, LongSupplier unixMicros) {
+    key = sha256(passphrase.getBytes(StandardCharsets.UTF_8));
+    this.unixMicros = unixMicros;
+  }
+
+  private static byte[] sha256(byte[] text) {
+    try {
+      return MessageDigest.getInstance("SHA-256").digest(text);
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java has SHA-256", e);
+    }
+  }
+
+  /** Signed packet of a payload. */
+  synchronized byte[] sign(
+      int sequence, int system, int component, int message, int crc, byte[] payload) {
+    newest = Math.max(newest + 1, wallTicks());
+    return MavlinkPacket.createSignedMavlink2Packet(
+            sequence, system, component, message, crc, payload, LINK_ID, newest, key)
+        .getRawBytes();
+  }
+
+  private long wallTicks() {
+    return (unixMicros.getAsLong() - EPOCH_MICROS) / TICK_MICROS;
+  }
+
+  /** Why a packet is not admitted; empty if it is, and then never again. */
+  synchronized String refusal(MavlinkPacket packet) {
+    if (!packet.isMavlink2() || !packet.isSigned()) {
+      return "not signed";
+    }
+    if (!packet.validateSignature(key)) {
+      return "wrong signature";
+    }
+    int stream =
+        (packet.getSystemId() << 2 * BYTE)
+            | (packet.getComponentId() << BYTE)
+            | packet.getSignatureLinkId();
+    long time = packet.getSignatureTimestamp();
+    Long before = streams.get(stream);
+    if (before == null && streams.size() >= MAX_STREAMS) {
+      return "more than " + MAX_STREAMS + " signed streams";
+    }
+    long oldest = Math.max(newest, wallTicks()) - NEW_STREAM_TICKS;
+    if (before == null ? time < oldest : time <= before) {
+      return "signature of the past";
+    }
+    streams.put(stream, time);
+    newest = Math.max(newest, time);
+    return "";
+  }
+}
