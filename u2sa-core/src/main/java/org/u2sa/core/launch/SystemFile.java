@@ -121,8 +121,7 @@ public record SystemFile(
     Optional<AutonomyLevels> autonomy = root.child("autonomy").map(AutonomyLevels::read);
     OptionalInt web = port(root, "web", USUAL_WEB_PORT);
     OptionalInt rosbridge = port(root, "rosbridge", USUAL_ROSBRIDGE_PORT);
-    return new SystemFile(
-        file, id, manager, delivery, host, web, rosbridge, autonomy, services);
+    return new SystemFile(file, id, manager, delivery, host, web, rosbridge, autonomy, services);
   }
 
   /** The configuration files of the Communication Manager and of the services. */

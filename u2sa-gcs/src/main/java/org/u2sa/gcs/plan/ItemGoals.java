@@ -28,8 +28,7 @@ public final class ItemGoals {
   private boolean isOver; // an item that ends the way came
 
   private ItemGoals(StationPlan plan, List<String> lost) {
-    homeAltitudeM =
-        plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
+    homeAltitudeM = plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
     this.lost = lost;
   }
 
@@ -142,7 +141,11 @@ public final class ItemGoals {
         lose(item, "its altitude is relative to a home without altitude");
         return OptionalDouble.empty();
       default:
-        lose(item, "an altitude in frame " + item.frame() + "; expected MAV_FRAME_GLOBAL or …_RELATIVE_ALT");
+        lose(
+            item,
+            "an altitude in frame "
+                + item.frame()
+                + "; expected MAV_FRAME_GLOBAL or …_RELATIVE_ALT");
         return OptionalDouble.empty();
     }
   }

@@ -120,12 +120,12 @@ public final class RosbridgeServer implements ClientBridge {
       String name = "rosbridge-" + clients.incrementAndGet();
       operations = thread(name, MAX_WAITING);
       calls = thread(name + "-calls", MAX_CALLS);
-      RosAccount account =
-          new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
+      RosAccount account = new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
       session = new RosbridgeSession(RosbridgeServer.this, socket, account);
       socket
           .header("Authorization")
-          .ifPresent(header -> operations.execute(() -> run("", () -> account.authorization(header))));
+          .ifPresent(
+              header -> operations.execute(() -> run("", () -> account.authorization(header))));
     }
 
     private static ThreadPoolExecutor thread(String name, int waiting) {
