@@ -144,7 +144,7 @@ public final class GoalItems {
     position(goal, isStation, fields);
   }
 
-  /** A goal to which the mission jumps states its speed anew, whatever it was where it jumped. */
+  /** A goal to which the mission jumps states its speed again, whatever it was where it jumped. */
   private void speed(double wanted, boolean isTarget) {
     if (wanted != speed || isTarget) {
       items.add(PlanItem.order(nextId(), PlanItem.CHANGE_SPEED, AIRSPEED, wanted, UNCHANGED));

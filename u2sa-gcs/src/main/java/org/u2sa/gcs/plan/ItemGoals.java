@@ -14,7 +14,7 @@ public final class ItemGoals {
   private static final double VEHICLE_CHOOSES = -2.0; // of DO_CHANGE_SPEED
   private static final double UNCHANGED = -1.0; // likewise
   private static final double FULL_TURN_DEG = 360.0;
-  private static final int MOST_JUMPS = 1_000_000;
+  private static final int MAX_JUMPS = 1_000_000;
 
   private final OptionalDouble homeAltitudeM;
   private final List<String> lost;
@@ -166,7 +166,7 @@ public final class ItemGoals {
     }
   }
 
-  /** Jumps back: a number of times is a repetition, for ever is the way itself. */
+  /** Jumps back: a number of times is a repetition, endless ones are the way itself. */
   private void jump(PlanItem item) {
     Integer target = goalFrom.get((int) item.parameter(1));
     double times = item.parameter(2);
@@ -181,7 +181,7 @@ public final class ItemGoals {
     if (times < 0.0) {
       next.set(goals.size() - 1, List.of(Integer.toString(target + 1)));
       isOver = true;
-    } else if (times >= 1.0 && times <= MOST_JUMPS && last.repeatFrom().isEmpty()) {
+    } else if (times >= 1.0 && times <= MAX_JUMPS && last.repeatFrom().isEmpty()) {
       last.repeatFrom(Integer.toString(target + 1)).repeatTimes((long) times);
     } else if (times != 0.0) {
       lose(item, "jumps " + times + " times, or is the second jump at its place");

@@ -18,20 +18,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Serves clients of the rosbridge protocol beside the embedded broker. */
-public final class RosbridgeServer implements ClientBridge {
-  /** Finds the server for the Communication Manager. */
-  public static final class Provider implements ClientBridge.Provider {
-    @Override
-    public String protocol() {
-      return "rosbridge";
-    }
-
-    @Override
-    public ClientBridge start(Setting setting) {
-      return new RosbridgeServer(setting);
-    }
-  }
-
+final class RosbridgeServer implements ClientBridge {
   private static final int MAX_CLIENTS = 16;
   private static final int MAX_WAITING = 256; // operations of a client
   private static final int MAX_CALLS = 32; // waiting calls of a client
@@ -48,7 +35,7 @@ public final class RosbridgeServer implements ClientBridge {
   private final AtomicLong clients = new AtomicLong();
   private final WebSocketServer server;
 
-  private RosbridgeServer(Setting setting) {
+  RosbridgeServer(Setting setting) {
     this.setting = setting;
     server =
         new WebSocketServer(

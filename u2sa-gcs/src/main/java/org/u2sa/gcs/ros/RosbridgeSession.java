@@ -112,7 +112,7 @@ final class RosbridgeSession {
     }
   }
 
-  /** Subscribes anew to a channel that is heard already, so that retained messages come again. */
+  /** Subscribes again to a channel that is heard already, so that retained messages come again. */
   private void listen(RemoteLink link, Channel<?> channel) {
     Consumer<U2SAData> before = listeners.get(channel.name());
     if (before != null && channel.isRetained()) {
