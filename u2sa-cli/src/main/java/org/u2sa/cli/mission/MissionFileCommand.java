@@ -12,9 +12,9 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.gcs.plan.FenceAreas;
 import org.u2sa.gcs.plan.GoalItems;
 import org.u2sa.gcs.plan.ItemGoals;
-import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.gcs.plan.PlanXml;
 import org.u2sa.gcs.plan.QgcPlan;
+import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.gcs.plan.WaypointList;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -48,7 +48,8 @@ abstract class MissionFileCommand extends BaseCommand {
 
   @Option(
       names = "--lossy",
-      description = "Leave out what cannot be said in the other format, and say what; otherwise refuse.")
+      description =
+          "Leave out what cannot be said in the other format, and say what; otherwise refuse.")
   private boolean lossy;
 
   private final List<String> lost = new ArrayList<>();
@@ -81,7 +82,8 @@ abstract class MissionFileCommand extends BaseCommand {
   void settle() {
     if (!lost.isEmpty() && !lossy) {
       throw new BadInputException(
-          file + ": cannot be converted without loss (--lossy leaves it out):\n  "
+          file
+              + ": cannot be converted without loss (--lossy leaves it out):\n  "
               + String.join("\n  ", lost));
     }
     lost.forEach(each -> tell("left out: " + each));

@@ -84,9 +84,13 @@ class MissionFileCommandTest extends CommandFixture {
     assertThat(err.toString()).contains("--fence names the file for it");
     assertThat(
             u2sa(
-                "mission", "import", plan,
-                "--out", folder.resolve("m2.xml").toString(),
-                "--fence", back.toString()))
+                "mission",
+                "import",
+                plan,
+                "--out",
+                folder.resolve("m2.xml").toString(),
+                "--fence",
+                back.toString()))
         .as(err.toString())
         .isEqualTo(ExitCode.DONE);
 

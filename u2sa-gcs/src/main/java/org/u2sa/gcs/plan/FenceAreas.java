@@ -4,8 +4,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.units.XmlNumbers;
+import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
 /** Reads a fence file (docs/health-and-failsafes.md) as areas of a plan. */
@@ -46,7 +46,8 @@ public final class FenceAreas {
     for (XmlElement corner : element.children()) {
       if (corner.name().equals("corner") || corner.name().equals(CENTRE)) {
         corners.add(
-            new StationPlan.Place(number(corner, "x"), number(corner, "y"), OptionalDouble.empty()));
+            new StationPlan.Place(
+                number(corner, "x"), number(corner, "y"), OptionalDouble.empty()));
       }
     }
     OptionalDouble radius =

@@ -28,8 +28,20 @@ public final class GoalItems {
   private static final String DURATION = "duration";
   private static final Set<String> SAID =
       Set.of(
-          "systemId", "timestamp", "uid", "next", "repeatFrom", "repeatTimes", "referenceFrame",
-          "x", "y", "z", "psi", THRESHOLD, SPEED, DURATION);
+          "systemId",
+          "timestamp",
+          "uid",
+          "next",
+          "repeatFrom",
+          "repeatTimes",
+          "referenceFrame",
+          "x",
+          "y",
+          "z",
+          "psi",
+          THRESHOLD,
+          SPEED,
+          DURATION);
 
   private final List<String> lost;
   private final List<PlanItem> items = new ArrayList<>();
@@ -132,11 +144,10 @@ public final class GoalItems {
     position(goal, isStation, fields);
   }
 
-  /** A goal to which the mission jumps states its speed anew, whatever it was where it jumped. */
+  /** A goal to which the mission jumps states its speed again, whatever it was where it jumped. */
   private void speed(double wanted, boolean isTarget) {
     if (wanted != speed || isTarget) {
-      items.add(
-          PlanItem.order(nextId(), PlanItem.CHANGE_SPEED, AIRSPEED, wanted, UNCHANGED));
+      items.add(PlanItem.order(nextId(), PlanItem.CHANGE_SPEED, AIRSPEED, wanted, UNCHANGED));
     }
     speed = wanted;
   }

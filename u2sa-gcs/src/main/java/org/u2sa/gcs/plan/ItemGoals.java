@@ -14,7 +14,7 @@ public final class ItemGoals {
   private static final double VEHICLE_CHOOSES = -2.0; // of DO_CHANGE_SPEED
   private static final double UNCHANGED = -1.0; // likewise
   private static final double FULL_TURN_DEG = 360.0;
-  private static final int MOST_JUMPS = 1_000_000;
+  private static final int MAX_JUMPS = 1_000_000;
 
   private final OptionalDouble homeAltitudeM;
   private final List<String> lost;
@@ -28,8 +28,7 @@ public final class ItemGoals {
   private boolean isOver; // an item that ends the way came
 
   private ItemGoals(StationPlan plan, List<String> lost) {
-    homeAltitudeM =
-        plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
+    homeAltitudeM = plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
     this.lost = lost;
   }
 
@@ -142,7 +141,11 @@ public final class ItemGoals {
         lose(item, "its altitude is relative to a home without altitude");
         return OptionalDouble.empty();
       default:
-        lose(item, "an altitude in frame " + item.frame() + "; expected MAV_FRAME_GLOBAL or …_RELATIVE_ALT");
+        lose(
+            item,
+            "an altitude in frame "
+                + item.frame()
+                + "; expected MAV_FRAME_GLOBAL or …_RELATIVE_ALT");
         return OptionalDouble.empty();
     }
   }
@@ -163,7 +166,7 @@ public final class ItemGoals {
     }
   }
 
-  /** Jumps back: a number of times is a repetition, for ever is the way itself. */
+  /** Jumps back: a number of times is a repetition, endless ones are the way itself. */
   private void jump(PlanItem item) {
     Integer target = goalFrom.get((int) item.parameter(1));
     double times = item.parameter(2);
@@ -178,7 +181,7 @@ public final class ItemGoals {
     if (times < 0.0) {
       next.set(goals.size() - 1, List.of(Integer.toString(target + 1)));
       isOver = true;
-    } else if (times >= 1.0 && times <= MOST_JUMPS && last.repeatFrom().isEmpty()) {
+    } else if (times >= 1.0 && times <= MAX_JUMPS && last.repeatFrom().isEmpty()) {
       last.repeatFrom(Integer.toString(target + 1)).repeatTimes((long) times);
     } else if (times != 0.0) {
       lose(item, "jumps " + times + " times, or is the second jump at its place");

@@ -74,8 +74,7 @@ record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn,
     return of(id, command, frame, place, first);
   }
 
-  private static PlanItem of(
-      int id, int command, int frame, List<Double> place, double... first) {
+  private static PlanItem of(int id, int command, int frame, List<Double> place, double... first) {
     Double[] all = new Double[PARAMETERS];
     for (int i = 0; i < PARAMETERS; i++) {
       int ofPlace = i - (PARAMETERS - place.size());

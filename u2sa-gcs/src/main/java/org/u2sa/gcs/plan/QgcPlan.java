@@ -60,7 +60,9 @@ public final class QgcPlan {
     }
     Object home = mission.get("plannedHomePosition");
     return new StationPlan(
-        home instanceof List<?> ? Optional.of(place(home, "plannedHomePosition")) : Optional.empty(),
+        home instanceof List<?>
+            ? Optional.of(place(home, "plannedHomePosition"))
+            : Optional.empty(),
         items,
         areas);
   }

@@ -64,9 +64,7 @@ public final class WaypointList {
         new StationPlan.Place(
             first.parameter(6), first.parameter(5), OptionalDouble.of(first.parameter(7)));
     return new StationPlan(
-        isPlace ? Optional.of(home) : Optional.empty(),
-        items.subList(1, items.size()),
-        List.of());
+        isPlace ? Optional.of(home) : Optional.empty(), items.subList(1, items.size()), List.of());
   }
 
   private PlanItem item(String[] columns) {

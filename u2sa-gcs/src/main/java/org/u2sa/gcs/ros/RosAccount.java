@@ -52,8 +52,7 @@ final class RosAccount {
     try {
       String text =
           new String(
-              Base64.getDecoder().decode(header.substring(BASIC.length())),
-              StandardCharsets.UTF_8);
+              Base64.getDecoder().decode(header.substring(BASIC.length())), StandardCharsets.UTF_8);
       int colon = text.indexOf(':');
       if (header.startsWith(BASIC) && colon > 0) {
         as(text.substring(0, colon), text.substring(colon + 1));
@@ -84,8 +83,7 @@ final class RosAccount {
   /**
    * The connection, made at the first use.
    *
-   * @throws org.u2sa.interfaces.communication.CommunicationException if the broker refuses the
-   *     user
+   * @throws org.u2sa.interfaces.communication.CommunicationException if the broker refuses the user
    */
   synchronized RemoteLink link() {
     if (link == null) {

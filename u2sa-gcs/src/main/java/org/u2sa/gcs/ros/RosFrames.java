@@ -91,10 +91,8 @@ final class RosFrames {
   }
 
   private Pose ofPlaced(StateInformation state) {
-    Rotation turn =
-        Rotation.NED_FROM_ENU.times(attitude(state).nedFromFrd()).times(FLU_FROM_FRD);
-    Point at =
-        Point.of(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
+    Rotation turn = Rotation.NED_FROM_ENU.times(attitude(state).nedFromFrd()).times(FLU_FROM_FRD);
+    Point at = Point.of(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
     return state.referenceFrame().isLocal()
         ? new Pose(ODOM, Rotation.NED_FROM_ENU.times(at), turn)
         : new Pose(MAP, scene.onMap(Geodetic.of(at)), turn);
@@ -121,8 +119,6 @@ final class RosFrames {
   }
 
   private static String named(String frame) {
-    return frame.equals(SceneFrame.BODY)
-        ? BASE
-        : frame.equals(SceneFrame.LOCAL) ? ODOM : MAP;
+    return frame.equals(SceneFrame.BODY) ? BASE : frame.equals(SceneFrame.LOCAL) ? ODOM : MAP;
   }
 }

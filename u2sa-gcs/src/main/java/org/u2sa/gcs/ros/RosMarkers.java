@@ -47,7 +47,13 @@ final class RosMarkers {
     List<Object> markers = new ArrayList<>();
     RosSpelling.Header nowhere = new RosSpelling.Header(stamp, RosFrames.MAP);
     markers.add(
-        marker(nowhere, "", 0, new Look(SPHERE, DELETE_ALL, cube(POINT_M), 0.0), Point.ORIGIN, List.of()));
+        marker(
+            nowhere,
+            "",
+            0,
+            new Look(SPHERE, DELETE_ALL, cube(POINT_M), 0.0),
+            Point.ORIGIN,
+            List.of()));
     for (ObjectDescription object : list.objects()) {
       frames
           .place(object.referenceFrame(), object.center())

@@ -93,13 +93,15 @@ final class RosParameters {
     Map<String, Object> read =
         JsonReader.object("parameter \"" + name + "\"", "{\"" + VALUE + "\":" + json + "}");
     Object value = read.get(VALUE);
-    if (read.size() != 1 || value instanceof Map || value instanceof List || value instanceof Optional) {
+    if (read.size() != 1
+        || value instanceof Map
+        || value instanceof List
+        || value instanceof Optional) {
       throw new BadInputException(
           "parameter \"" + name + "\": expected a number, true, false or a text, not " + json);
     }
     String service = found.service().serviceName();
-    String text =
-        RemoteConfiguration.inUnitOf(found.variable(), service, String.valueOf(value));
+    String text = RemoteConfiguration.inUnitOf(found.variable(), service, String.valueOf(value));
     new RemoteConfiguration(link)
         .change(
             new ConfigurationTransaction()

@@ -79,8 +79,7 @@ final class RosScenes {
             "transforms",
             List.of(
                 new RosFrames.Pose(RosFrames.BASE, at, turn)
-                    .transform(
-                        RosStates.stamp(scan), RosStates.frameOf(scan.sensorName())))));
+                    .transform(RosStates.stamp(scan), RosStates.frameOf(scan.sensorName())))));
   }
 
   /** {@code sensor_msgs/PointCloud2} of a scan's echoes or a cloud; empty if it has no place. */

@@ -11,8 +11,8 @@ import java.util.function.Predicate;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.services.DirectoryObservation;
 import org.u2sa.interfaces.BadInputException;
-import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
@@ -149,7 +149,10 @@ final class RosServices {
           return fields(SERVICES, found);
         });
     add("service_request_details", "ServiceRequestDetails", call -> fields("typedefs", List.of()));
-    add("service_response_details", "ServiceResponseDetails", call -> fields("typedefs", List.of()));
+    add(
+        "service_response_details",
+        "ServiceResponseDetails",
+        call -> fields("typedefs", List.of()));
     add("action_servers", "GetActionServers", call -> fields("action_servers", List.of()));
   }
 
@@ -195,14 +198,8 @@ final class RosServices {
   }
 
   private void addParameters() {
-    add(
-        "get_param_names",
-        "GetParamNames",
-        call -> fields("names", call.parameters().names()));
-    add(
-        "get_param",
-        "GetParam",
-        call -> fields("value", call.parameters().value(call.text(NAME))));
+    add("get_param_names", "GetParamNames", call -> fields("names", call.parameters().names()));
+    add("get_param", "GetParam", call -> fields("value", call.parameters().value(call.text(NAME))));
     add(
         "has_param",
         "HasParam",

@@ -87,9 +87,7 @@ final class RosStates {
 
   /** {@code sensor_msgs/NavSatFix} of a measured global position. */
   static Optional<Object> fix(StateInformation measured) {
-    if (!measured.referenceFrame().isEarth()
-        || measured.x().isEmpty()
-        || measured.y().isEmpty()) {
+    if (!measured.referenceFrame().isEarth() || measured.x().isEmpty() || measured.y().isEmpty()) {
       return Optional.empty();
     }
     StateInformation state = measured.in(ReferenceFrame.GLOBAL);

@@ -43,22 +43,96 @@ record RosTopic(
     RosScenes scenes = new RosScenes(frames);
     RosMarkers markers = new RosMarkers(frames);
     List<RosTopic> all = new ArrayList<>();
-    all.add(made("/odom", "nav_msgs", "Odometry", StateInformation.class, states::odometry, Channels.STATE));
     all.add(
-        made("/odometry/local", "nav_msgs", "Odometry", StateInformation.class, states::odometry, Channels.LOCAL_STATE));
-    all.add(made("/fix", "sensor_msgs", "NavSatFix", StateInformation.class, RosStates::fix, Channels.SENSED_STATE));
-    all.add(made("/imu", "sensor_msgs", "Imu", InertialMeasurement.class, RosStates::imu, Channels.SENSED_STATE));
-    all.add(made("/scan", "sensor_msgs", "LaserScan", RangeScan.class, RosScenes::scan, Channels.SCANS));
+        made(
+            "/odom",
+            "nav_msgs",
+            "Odometry",
+            StateInformation.class,
+            states::odometry,
+            Channels.STATE));
     all.add(
-        made("/points", "sensor_msgs", "PointCloud2", U2SAData.class, scenes::points, Channels.SCANS, Channels.SENSED_OBJECTS, Channels.STATE));
+        made(
+            "/odometry/local",
+            "nav_msgs",
+            "Odometry",
+            StateInformation.class,
+            states::odometry,
+            Channels.LOCAL_STATE));
     all.add(
-        made("/image/compressed", "sensor_msgs", "CompressedImage", CameraImage.class, RosScenes::image, Channels.IMAGES));
-    all.add(made("/map", "nav_msgs", "OccupancyGrid", OccupancyGrid.class, scenes::grid, Channels.GRID, Channels.STATE));
-    all.add(made("/plan", "nav_msgs", "Path", PlannedPath.class, scenes::path, Channels.PLANS, Channels.STATE));
+        made(
+            "/fix",
+            "sensor_msgs",
+            "NavSatFix",
+            StateInformation.class,
+            RosStates::fix,
+            Channels.SENSED_STATE));
     all.add(
-        made("/markers", "visualization_msgs", "MarkerArray", ObjectList.class, markers::of, Channels.OBJECTS, Channels.STATE));
-    all.add(made("/battery", "sensor_msgs", "BatteryState", BatteryState.class, RosStates::battery, Channels.POWER));
-    all.add(made("/clock", "rosgraph_msgs", "Clock", U2SAData.class, RosStates::clock, Channels.STATE));
+        made(
+            "/imu",
+            "sensor_msgs",
+            "Imu",
+            InertialMeasurement.class,
+            RosStates::imu,
+            Channels.SENSED_STATE));
+    all.add(
+        made(
+            "/scan", "sensor_msgs", "LaserScan", RangeScan.class, RosScenes::scan, Channels.SCANS));
+    all.add(
+        made(
+            "/points",
+            "sensor_msgs",
+            "PointCloud2",
+            U2SAData.class,
+            scenes::points,
+            Channels.SCANS,
+            Channels.SENSED_OBJECTS,
+            Channels.STATE));
+    all.add(
+        made(
+            "/image/compressed",
+            "sensor_msgs",
+            "CompressedImage",
+            CameraImage.class,
+            RosScenes::image,
+            Channels.IMAGES));
+    all.add(
+        made(
+            "/map",
+            "nav_msgs",
+            "OccupancyGrid",
+            OccupancyGrid.class,
+            scenes::grid,
+            Channels.GRID,
+            Channels.STATE));
+    all.add(
+        made(
+            "/plan",
+            "nav_msgs",
+            "Path",
+            PlannedPath.class,
+            scenes::path,
+            Channels.PLANS,
+            Channels.STATE));
+    all.add(
+        made(
+            "/markers",
+            "visualization_msgs",
+            "MarkerArray",
+            ObjectList.class,
+            markers::of,
+            Channels.OBJECTS,
+            Channels.STATE));
+    all.add(
+        made(
+            "/battery",
+            "sensor_msgs",
+            "BatteryState",
+            BatteryState.class,
+            RosStates::battery,
+            Channels.POWER));
+    all.add(
+        made("/clock", "rosgraph_msgs", "Clock", U2SAData.class, RosStates::clock, Channels.STATE));
     all.add(
         made(
             "/tf",

@@ -37,8 +37,7 @@ final class RosTypes {
 
   RosTypes() {
     try (InputStream in = RosTypes.class.getResourceAsStream("messages.txt")) {
-      BufferedReader lines =
-          new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
+      BufferedReader lines = new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
       List<Field> current = null;
       for (String line = lines.readLine(); line != null; line = lines.readLine()) {
         if (line.startsWith(TYPE_LINE)) {
@@ -81,8 +80,7 @@ final class RosTypes {
         names.add(field.name());
         kinds.add(field.type());
         lengths.add(field.length());
-        examples.add(
-            field.length() != SCALAR ? "[]" : types.containsKey(field.type()) ? "{}" : "");
+        examples.add(field.length() != SCALAR ? "[]" : types.containsKey(field.type()) ? "{}" : "");
       }
       details.add(
           fields(

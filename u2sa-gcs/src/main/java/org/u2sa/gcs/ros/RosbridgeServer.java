@@ -18,20 +18,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Serves clients of the rosbridge protocol beside the embedded broker. */
-public final class RosbridgeServer implements ClientBridge {
-  /** Finds the server for the Communication Manager. */
-  public static final class Provider implements ClientBridge.Provider {
-    @Override
-    public String protocol() {
-      return "rosbridge";
-    }
-
-    @Override
-    public ClientBridge start(Setting setting) {
-      return new RosbridgeServer(setting);
-    }
-  }
-
+final class RosbridgeServer implements ClientBridge {
   private static final int MAX_CLIENTS = 16;
   private static final int MAX_WAITING = 256; // operations of a client
   private static final int MAX_CALLS = 32; // waiting calls of a client
@@ -48,7 +35,7 @@ public final class RosbridgeServer implements ClientBridge {
   private final AtomicLong clients = new AtomicLong();
   private final WebSocketServer server;
 
-  private RosbridgeServer(Setting setting) {
+  RosbridgeServer(Setting setting) {
     this.setting = setting;
     server =
         new WebSocketServer(
@@ -120,12 +107,12 @@ public final class RosbridgeServer implements ClientBridge {
       String name = "rosbridge-" + clients.incrementAndGet();
       operations = thread(name, MAX_WAITING);
       calls = thread(name + "-calls", MAX_CALLS);
-      RosAccount account =
-          new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
+      RosAccount account = new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
       session = new RosbridgeSession(RosbridgeServer.this, socket, account);
       socket
           .header("Authorization")
-          .ifPresent(header -> operations.execute(() -> run("", () -> account.authorization(header))));
+          .ifPresent(
+              header -> operations.execute(() -> run("", () -> account.authorization(header))));
     }
 
     private static ThreadPoolExecutor thread(String name, int waiting) {

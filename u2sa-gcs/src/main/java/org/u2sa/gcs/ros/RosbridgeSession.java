@@ -112,7 +112,7 @@ final class RosbridgeSession {
     }
   }
 
-  /** Subscribes anew to a channel that is heard already, so that retained messages come again. */
+  /** Subscribes again to a channel that is heard already, so that retained messages come again. */
   private void listen(RemoteLink link, Channel<?> channel) {
     Consumer<U2SAData> before = listeners.get(channel.name());
     if (before != null && channel.isRetained()) {
@@ -132,8 +132,7 @@ final class RosbridgeSession {
     Map<RosTopic, Optional<Object>> made = new HashMap<>();
     for (RosSubscription subscription : subscriptions.values()) {
       if (subscription.topic().sources().contains(channel)) {
-        made.computeIfAbsent(
-                subscription.topic(), topic -> topic.maker().apply(channel, message))
+        made.computeIfAbsent(subscription.topic(), topic -> topic.maker().apply(channel, message))
             .ifPresent(subscription::offer);
       }
     }
@@ -164,7 +163,8 @@ final class RosbridgeSession {
         .removeIf(
             each -> {
               boolean isMeant =
-                  each.getValue().topic().equals(topic) && (id.isEmpty() || each.getKey().equals(id));
+                  each.getValue().topic().equals(topic)
+                      && (id.isEmpty() || each.getKey().equals(id));
               if (isMeant) {
                 each.getValue().end();
               }
@@ -207,7 +207,11 @@ final class RosbridgeSession {
         reader.named("msg", fields, declared(operation.topic()).or(() -> only(channel)));
     if (!channel.carries(type)) {
       throw new BadInputException(
-          "a " + type.name() + " does not travel on \"" + channel + "\"; it carries "
+          "a "
+              + type.name()
+              + " does not travel on \""
+              + channel
+              + "\"; it carries "
               + channel.carriedTypes().stream().map(MessageType::name).toList());
     }
     account.requireRight(channel, type);

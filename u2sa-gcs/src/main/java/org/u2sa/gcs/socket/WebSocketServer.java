@@ -105,14 +105,14 @@ public final class WebSocketServer implements AutoCloseable {
       throw e;
     } catch (Exception e) { // Netty throws checked exceptions without declaring them
       threads.shutdownGracefully(0, END_MS, TimeUnit.MILLISECONDS);
-      throw new RunFailedException("cannot listen on " + offer.address() + ": " + e.getMessage(), e);
+      throw new RunFailedException(
+          "cannot listen on " + offer.address() + ": " + e.getMessage(), e);
     }
   }
 
   private static SslContext encryption(SecurityDirectory directory) {
     try {
-      return SslContextBuilder.forServer(
-              directory.certificate().toFile(), directory.key().toFile())
+      return SslContextBuilder.forServer(directory.certificate().toFile(), directory.key().toFile())
           .sslProvider(SslProvider.JDK)
           .protocols("TLSv1.3", "TLSv1.2")
           .build();

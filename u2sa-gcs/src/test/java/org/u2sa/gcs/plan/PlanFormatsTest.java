@@ -21,7 +21,8 @@ import org.u2sa.messages.goal.Waypoint;
 
 /** Missions in the formats of other stations and back. */
 class PlanFormatsTest {
-  private static final StationPlan.Place HOME = new StationPlan.Place(8.0, 50.0, OptionalDouble.of(120.5));
+  private static final StationPlan.Place HOME =
+      new StationPlan.Place(8.0, 50.0, OptionalDouble.of(120.5));
 
   private final List<String> lost = new ArrayList<>();
 
@@ -193,7 +194,10 @@ class PlanFormatsTest {
   @Test
   void fence_ofAPlan_isAFileAndWhatThatCannotSayIsNamed() {
     List<StationPlan.Place> corners =
-        List.of(HOME, new StationPlan.Place(8.1, 50.0, OptionalDouble.empty()), new StationPlan.Place(8.0, 50.1, OptionalDouble.empty()));
+        List.of(
+            HOME,
+            new StationPlan.Place(8.1, 50.0, OptionalDouble.empty()),
+            new StationPlan.Place(8.0, 50.1, OptionalDouble.empty()));
     List<StationPlan.Area> areas =
         List.of(
             new StationPlan.Area(true, corners, OptionalDouble.empty()),
@@ -206,7 +210,8 @@ class PlanFormatsTest {
     assertThat(lost).isEmpty();
     assertThat(file)
         .contains("<keepIn>\n    <corner><x>8.0</x><y>50.0</y></corner>")
-        .contains("<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
+        .contains(
+            "<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
     PlanXml.fence(List.of(new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0))), lost);
     assertThat(lost).first().isEqualTo("fence: a circle to stay within");
   }

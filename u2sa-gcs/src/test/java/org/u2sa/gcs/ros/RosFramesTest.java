@@ -31,7 +31,14 @@ class RosFramesTest {
   }
 
   private static StateInformation eastward() {
-    return new StateInformation().x(8.0).y(50.0).z(0.0).psi(RIGHT).xDot(2.0).psiDot(0.1).xSigma(3.0);
+    return new StateInformation()
+        .x(8.0)
+        .y(50.0)
+        .z(0.0)
+        .psi(RIGHT)
+        .xDot(2.0)
+        .psiDot(0.1)
+        .xSigma(3.0);
   }
 
   @Test
@@ -77,7 +84,9 @@ class RosFramesTest {
             .orElseThrow();
     frames.pose(eastward());
     RosFrames.Pose inMap =
-        frames.pose(new StateInformation().x(8.001).y(50.001).z(2.0).psi(1.1).phi(0.2)).orElseThrow();
+        frames
+            .pose(new StateInformation().x(8.001).y(50.001).z(2.0).psi(1.1).phi(0.2))
+            .orElseThrow();
 
     RosFrames.Pose odom = frames.odomInMap(inMap).orElseThrow();
 
@@ -93,7 +102,8 @@ class RosFramesTest {
     InertialMeasurement measured =
         new InertialMeasurement().specificForceX(0.0).specificForceY(1.0).specificForceZ(-9.81);
 
-    JsonNode imu = json(RosStates.imu(measured.yawRate(0.3).rollRate(0.0).pitchRate(0.0)).orElseThrow());
+    JsonNode imu =
+        json(RosStates.imu(measured.yawRate(0.3).rollRate(0.0).pitchRate(0.0)).orElseThrow());
 
     assertThat(imu.get("linear_acceleration").get("z").asDouble()).isEqualTo(9.81, EXACT);
     assertThat(imu.get("linear_acceleration").get("y").asDouble()).isEqualTo(-1.0, EXACT);
@@ -127,7 +137,8 @@ class RosFramesTest {
 
   @Test
   void battery_discharging_hasANegativeCurrentAndAFraction() throws Exception {
-    BatteryState state = new BatteryState().sensorName("pack").voltage(12.0).current(3.0).remaining(40.0);
+    BatteryState state =
+        new BatteryState().sensorName("pack").voltage(12.0).current(3.0).remaining(40.0);
 
     JsonNode battery = json(RosStates.battery(state).orElseThrow());
 

@@ -182,7 +182,9 @@ class RosbridgeServerTest {
     vehicle.subscribe(Channels.EMERGENCY_STOP);
     try (RosClient client = operator()) {
       client.send(
-          "{'op':'publish','topic':'" + topic + "','msg':{'active':true,'operator':'Ann','reason':'test'}}");
+          "{'op':'publish','topic':'"
+              + topic
+              + "','msg':{'active':true,'operator':'Ann','reason':'test'}}");
 
       EmergencyStop stop = (EmergencyStop) heard.poll(30, TimeUnit.SECONDS);
       assertThat(stop.active()).isTrue();
@@ -206,12 +208,13 @@ class RosbridgeServerTest {
     vehicle.subscribe(Channels.EMERGENCY_STOP);
     try (RosClient client = new RosClient(port);
         RosClient operator = operator()) {
-      client.send("{'op':'publish','topic':'/u2sa/emergency_stop','msg':{'active':true,'reason':'a'}}");
+      client.send(
+          "{'op':'publish','topic':'/u2sa/emergency_stop','msg':{'active':true,'reason':'a'}}");
       assertThat(client.nextStatus()).contains("without a log-in this connection only listens");
-      JsonNode set =
-          client.call("/rosapi/set_param", "{'name':'/Control/GAIN','value':'1'}");
+      JsonNode set = client.call("/rosapi/set_param", "{'name':'/Control/GAIN','value':'1'}");
       assertThat(set.asText()).contains("orders need the role operator");
-      operator.send("{'op':'publish','topic':'/u2sa/emergency_stop','msg':{'active':true,'reason':'b'}}");
+      operator.send(
+          "{'op':'publish','topic':'/u2sa/emergency_stop','msg':{'active':true,'reason':'b'}}");
       EmergencyStop stop = (EmergencyStop) heard.poll(30, TimeUnit.SECONDS);
       assertThat(stop.reason()).isEqualTo("b");
     }
@@ -220,9 +223,11 @@ class RosbridgeServerTest {
   @Test
   void publish_whatServicesSay_isRefusedToOperatorsToo() throws Exception {
     try (RosClient client = operator()) {
-      client.send("{'op':'publish','topic':'/u2sa/state','msg':{'type':'StateInformation','x':1.0}}");
+      client.send(
+          "{'op':'publish','topic':'/u2sa/state','msg':{'type':'StateInformation','x':1.0}}");
       assertThat(client.nextStatus()).contains("the vehicle's own word");
-      client.send("{'op':'publish','topic':'/u2sa/actuation','msg':{'type':'PercentageCommand','actuatorName':'a','percentage':100}}");
+      client.send(
+          "{'op':'publish','topic':'/u2sa/actuation','msg':{'type':'PercentageCommand','actuatorName':'a','percentage':100}}");
       assertThat(client.nextStatus()).contains("the vehicle's own word");
     }
   }

@@ -93,15 +93,12 @@ public final class SceneFrame {
     double r = Math.sqrt(squares[largest]);
     double s = 0.5 / r;
     return switch (largest) {
-          case 0 ->
-              new double[] {r / 2, (a.y() + b.x()) * s, (a.z() + c.x()) * s, (b.z() - c.y()) * s};
-          case 1 ->
-              new double[] {(a.y() + b.x()) * s, r / 2, (b.z() + c.y()) * s, (c.x() - a.z()) * s};
-          case 2 ->
-              new double[] {(a.z() + c.x()) * s, (b.z() + c.y()) * s, r / 2, (a.y() - b.x()) * s};
-          default ->
-              new double[] {(b.z() - c.y()) * s, (c.x() - a.z()) * s, (a.y() - b.x()) * s, r / 2};
-        };
+      case 0 -> new double[] {r / 2, (a.y() + b.x()) * s, (a.z() + c.x()) * s, (b.z() - c.y()) * s};
+      case 1 -> new double[] {(a.y() + b.x()) * s, r / 2, (b.z() + c.y()) * s, (c.x() - a.z()) * s};
+      case 2 -> new double[] {(a.z() + c.x()) * s, (b.z() + c.y()) * s, r / 2, (a.y() - b.x()) * s};
+      default ->
+          new double[] {(b.z() - c.y()) * s, (c.x() - a.z()) * s, (a.y() - b.x()) * s, r / 2};
+    };
   }
 
   /** A {@code foxglove.Quaternion} about the up axis [rad], counterclockwise seen from above. */

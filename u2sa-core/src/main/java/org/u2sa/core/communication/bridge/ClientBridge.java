@@ -12,19 +12,6 @@ import org.u2sa.interfaces.mqtt.MqttTransport;
 
 /** A server of another protocol beside the embedded broker. */
 public interface ClientBridge extends AutoCloseable {
-  /** Makes bridges of one protocol; found through {@link ServiceLoader}. */
-  interface Provider {
-    /** Name of the protocol, such as "rosbridge". */
-    String protocol();
-
-    /**
-     * Starts listening.
-     *
-     * @throws org.u2sa.interfaces.RunFailedException if the port is taken
-     */
-    ClientBridge start(Setting setting);
-  }
-
   /**
    * Where a bridge listens, and how its clients reach the broker.
    *
@@ -60,7 +47,7 @@ public interface ClientBridge extends AutoCloseable {
    */
   static ClientBridge start(String protocol, Setting setting) {
     try {
-      for (Provider provider : ServiceLoader.load(Provider.class)) {
+      for (ClientBridgeProvider provider : ServiceLoader.load(ClientBridgeProvider.class)) {
         if (provider.protocol().equals(protocol)) {
           return provider.start(setting);
         }
