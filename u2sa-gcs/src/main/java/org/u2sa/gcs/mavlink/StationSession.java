@@ -90,6 +90,7 @@ final class StationSession implements Station {
     }
   }
 
+  @SuppressWarnings("deprecation") // stations still send these
   private void takeOther(Object message, Sender from) {
     if (message instanceof Timesync sync && sync.tc1() == 0) {
       send(

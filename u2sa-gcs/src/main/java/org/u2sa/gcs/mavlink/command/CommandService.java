@@ -32,6 +32,7 @@ public final class CommandService {
   }
 
   /** Handles a message; false if it is not of this protocol. */
+  @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof CommandLong command) {
       obey(Command.of(command), from);

@@ -128,6 +128,7 @@ public final class MessageCommands {
     return EnumValue.of(capability).value();
   }
 
+  @SuppressWarnings("deprecation") // stations still ask for it
   private static ProtocolVersion protocol() {
     return ProtocolVersion.builder()
         .version(PROTOCOL)

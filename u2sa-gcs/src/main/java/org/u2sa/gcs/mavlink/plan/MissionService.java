@@ -70,6 +70,7 @@ public final class MissionService {
   }
 
   /** Handles a message; false if it is not of this protocol. */
+  @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof MissionRequestList request) {
       list(request.missionType().value(), from);

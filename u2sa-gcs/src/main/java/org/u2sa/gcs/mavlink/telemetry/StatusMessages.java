@@ -136,6 +136,7 @@ final class StatusMessages {
             | (placement.global().isPresent()
                 ? bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS)
                 : 0)
+            | (isInsideFence() ? bit(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE) : 0)
             | always & bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
     Optional<BatteryState> battery = vehicle.battery();
     return Optional.of(
@@ -147,6 +148,11 @@ final class StatusMessages {
             .currentBattery(centiamperes(battery))
             .batteryRemaining(percent(battery))
             .build());
+  }
+
+  /** Stations take a fence that is not healthy for a breach. */
+  private boolean isInsideFence() {
+    return vehicle.failsafeCauses().stream().noneMatch(cause -> cause.contains("fence"));
   }
 
   private static int bit(MavSysStatusSensor sensor) {
