@@ -149,7 +149,7 @@ class StationMissionTest {
   @Test
   void upload_abandoned_isCancelled() {
     kit.send(MissionCount.builder().targetSystem(1).targetComponent(1).count(2).build());
-    kit.advance(12.0);
+    kit.advance(22.0);
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED);
   }
 

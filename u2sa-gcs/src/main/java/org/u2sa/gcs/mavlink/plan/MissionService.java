@@ -16,10 +16,10 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.gcs.mavlink.station.Station;
-import org.u2sa.gcs.mavlink.station.Station.Sender;
+import org.u2sa.gcs.mavlink.station.GroundStation;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.mission.MissionAction;
@@ -34,7 +34,7 @@ public final class MissionService {
   private static final int FENCE = MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal();
   private static final int MAX_ITEMS = 1000;
   private static final long RETRY_MICROS = 700_000;
-  private static final int MAX_RETRIES = 12;
+  private static final int MAX_RETRIES = 25;
 
   /** An upload under way. */
   private static final class Incoming {
@@ -50,10 +50,10 @@ public final class MissionService {
     }
   }
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final VehicleOrders orders;
   private final PlanBook book;
-  private final Station station;
+  private final GroundStation station;
   private Optional<Incoming> incoming = Optional.empty();
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
   private long nowMicros;
@@ -62,7 +62,7 @@ public final class MissionService {
    * @param book shared by all stations
    */
   public MissionService(
-      VehicleModel vehicle, VehicleOrders orders, PlanBook book, Station station) {
+      VehicleStatus vehicle, VehicleOrders orders, PlanBook book, GroundStation station) {
     this.vehicle = vehicle;
     this.orders = orders;
     this.book = book;

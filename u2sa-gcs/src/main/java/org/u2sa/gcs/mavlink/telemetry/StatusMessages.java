@@ -23,7 +23,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.mavlink.AvailableModes;
 import org.u2sa.mavlink.CurrentMode;
 import org.u2sa.messages.AircraftState;
@@ -44,12 +44,12 @@ final class StatusMessages {
   private static final int CELLS = 10;
   private static final int NOT_SELECTABLE = 2; // MAV_MODE_PROPERTY_NOT_USER_SELECTABLE
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final Identity identity;
   private final Placement placement;
   private final Uptime uptime;
 
-  StatusMessages(VehicleModel vehicle, Identity identity, Placement placement, Uptime uptime) {
+  StatusMessages(VehicleStatus vehicle, Identity identity, Placement placement, Uptime uptime) {
     this.vehicle = vehicle;
     this.identity = identity;
     this.placement = placement;

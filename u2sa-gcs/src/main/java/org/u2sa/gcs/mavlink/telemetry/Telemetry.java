@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 
 /** The messages that stations can have regularly or on request, by message ID. */
 public final class Telemetry {
@@ -40,7 +40,7 @@ public final class Telemetry {
   private final StatusMessages status;
 
   /** Creates the messages of a vehicle. */
-  public Telemetry(VehicleModel vehicle, Identity identity, Placement placement, Uptime uptime) {
+  public Telemetry(VehicleStatus vehicle, Identity identity, Placement placement, Uptime uptime) {
     status = new StatusMessages(vehicle, identity, placement, uptime);
     MotionMessages motion = new MotionMessages(placement, uptime);
     add(HEARTBEAT, 1.0, status::heartbeat);
