@@ -33,6 +33,7 @@ public final class MissionService {
   private static final int MISSION = MavMissionType.MAV_MISSION_TYPE_MISSION.ordinal();
   private static final int FENCE = MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal();
   private static final int MAX_ITEMS = 1000;
+  private static final long REPORT_MICROS = 1_000_000;
   private static final long RETRY_MICROS = 700_000;
   private static final int MAX_RETRIES = 25;
 
@@ -50,11 +51,15 @@ public final class MissionService {
     }
   }
 
+  /** A mission that is acknowledged as soon as it can be read back. */
+  private record Confirmation(String origin, int type, Sender to, long deadlineMicros) {}
+
   private final VehicleStatus vehicle;
   private final VehicleOrders orders;
   private final PlanBook book;
   private final GroundStation station;
   private Optional<Incoming> incoming = Optional.empty();
+  private Optional<Confirmation> confirmation = Optional.empty();
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
   private long nowMicros;
 
@@ -199,15 +204,17 @@ public final class MissionService {
         (accepted, text) -> {
           if (accepted) {
             book.accepted(upload.plan());
+            confirm(upload.plan().origin(), MISSION, from);
           } else {
             station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission refused: " + text);
+            acknowledge(MavMissionResult.MAV_MISSION_ERROR, MISSION, from);
           }
-          acknowledge(
-              accepted ? MavMissionResult.MAV_MISSION_ACCEPTED : MavMissionResult.MAV_MISSION_ERROR,
-              MISSION,
-              from);
-          vehicle.wantReport();
         });
+  }
+
+  private void confirm(String origin, int type, Sender to) {
+    confirmation = Optional.of(new Confirmation(origin, type, to, nowMicros + REPORT_MICROS));
+    vehicle.wantReport();
   }
 
   /** A mission has at least one goal, so a cleared one has a place to hold at. */
@@ -233,14 +240,12 @@ public final class MissionService {
     orders.mission(
         new MissionOrder().action(MissionAction.REPLACE).file(PlanBook.CLEARED).goals(goal),
         (accepted, text) -> {
-          if (!accepted) {
+          if (accepted) {
+            confirm(PlanBook.CLEARED, type, from);
+          } else {
             station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission not cleared: " + text);
+            acknowledge(MavMissionResult.MAV_MISSION_ERROR, type, from);
           }
-          acknowledge(
-              accepted ? MavMissionResult.MAV_MISSION_ACCEPTED : MavMissionResult.MAV_MISSION_ERROR,
-              type,
-              from);
-          vehicle.wantReport();
         });
   }
 
@@ -262,6 +267,13 @@ public final class MissionService {
   /** Asks again for what did not arrive. */
   public void step(long micros) {
     nowMicros = micros;
+    confirmation
+        .filter(each -> micros > each.deadlineMicros() || isReported(each.origin()))
+        .ifPresent(
+            each -> {
+              confirmation = Optional.empty();
+              acknowledge(MavMissionResult.MAV_MISSION_ACCEPTED, each.type(), each.to());
+            });
     if (incoming.isEmpty() || micros - incoming.get().askedMicros < RETRY_MICROS) {
       return;
     }
@@ -272,6 +284,10 @@ public final class MissionService {
       incoming = Optional.empty();
       acknowledge(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, MISSION, upload.from);
     }
+  }
+
+  private boolean isReported(String origin) {
+    return vehicle.report().filter(report -> report.mission().equals(origin)).isPresent();
   }
 
   private void acknowledge(MavMissionResult result, int type, Sender to) {
