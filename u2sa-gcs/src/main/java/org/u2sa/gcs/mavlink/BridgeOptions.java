@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink;
 
+import java.util.function.Supplier;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
@@ -84,7 +85,7 @@ public record BridgeOptions(
     return Integer.parseInt(value);
   }
 
-  private static <T> T named(String text, java.util.function.Supplier<T> parsed) {
+  private static <T> T named(String text, Supplier<T> parsed) {
     try {
       return parsed.get();
     } catch (IllegalArgumentException e) {

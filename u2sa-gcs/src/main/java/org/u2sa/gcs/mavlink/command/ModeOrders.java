@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.command;
 
+import java.util.Locale;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -124,7 +125,7 @@ final class ModeOrders {
                 if (isOpen) {
                   goals.append(
                       String.format(
-                          java.util.Locale.ROOT,
+                          Locale.ROOT,
                           "<waypoint><name>%s</name><speed>%.3f</speed></waypoint>",
                           goal.uid(),
                           metresPerSecond));

@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.plan;
 
+import java.util.Locale;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MavSeverity;
@@ -232,7 +233,7 @@ public final class MissionService {
     }
     String goal =
         String.format(
-            java.util.Locale.ROOT,
+            Locale.ROOT,
             "<mission><waypoint><name>held</name><reference>%s</reference><x>%.9f</x><y>%.9f</y></waypoint></mission>",
             here.get().referenceFrame(),
             here.get().x().getAsDouble(),

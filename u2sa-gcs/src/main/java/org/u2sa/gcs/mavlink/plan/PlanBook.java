@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.plan;
 
+import java.util.ArrayList;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import java.util.HashSet;
 import java.util.List;
@@ -127,7 +128,7 @@ public final class PlanBook {
       return items;
     }
     Geodetic home = placement.home().orElse(new Geodetic(0.0, 0.0, 0.0));
-    List<MissionItem> listed = new java.util.ArrayList<>();
+    List<MissionItem> listed = new ArrayList<>();
     listed.add(
         MissionItem.at(
             MissionItem.GLOBAL,

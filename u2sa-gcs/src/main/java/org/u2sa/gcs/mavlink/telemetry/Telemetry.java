@@ -53,7 +53,7 @@ public final class Telemetry {
     add(33, 5.0, motion::globalPosition);
     add(62, 2.0, status::navigation);
     add(74, 4.0, () -> motion.hud(OptionalDouble.empty()));
-    add(147, 1.0, status::battery);
+    add(147, 1.0, () -> BatteryMessages.status(vehicle.battery()));
     add(230, 1.0, motion::estimator);
     add(HOME_POSITION, 0.5, status::home);
     add(245, 1.0, status::extendedState);
