@@ -86,8 +86,7 @@ public final class MavlinkSigning {
       return "wrong signature";
     }
     int link = frame[end - TIMESTAMP - 1] & 0xFF;
-    int stream =
-        (frame[SYSTEM] & 0xFF) << 2 * BYTE | (frame[SYSTEM + 1] & 0xFF) << BYTE | link;
+    int stream = (frame[SYSTEM] & 0xFF) << 2 * BYTE | (frame[SYSTEM + 1] & 0xFF) << BYTE | link;
     long time = 0;
     for (int i = end - 1; i >= end - TIMESTAMP; i--) {
       time = time << BYTE | frame[i] & 0xFF; // the least significant byte comes first

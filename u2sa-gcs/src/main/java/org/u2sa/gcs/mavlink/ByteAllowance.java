@@ -1,6 +1,9 @@
 package org.u2sa.gcs.mavlink;
 
-/** Limits what is handled of a link, on average and in a burst: its bytes, and 400 more for each message. */
+/**
+ * Limits what is handled of a link, on average and in a burst: its bytes, and 400 more for each
+ * message.
+ */
 final class ByteAllowance {
   private static final double BYTES_PER_S = 100_000.0;
   private static final double BURST = 400_000.0;

@@ -1,14 +1,14 @@
 package org.u2sa.gcs.mavlink.command;
 
-import java.util.Locale;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;

@@ -1,6 +1,5 @@
 package org.u2sa.gcs.mavlink.plan;
 
-import java.util.Locale;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MavSeverity;
@@ -16,12 +15,13 @@ import io.dronefleet.mavlink.common.MissionWritePartialList;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;

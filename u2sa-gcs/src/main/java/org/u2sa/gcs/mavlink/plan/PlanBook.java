@@ -1,7 +1,7 @@
 package org.u2sa.gcs.mavlink.plan;
 
-import java.util.ArrayList;
 import io.dronefleet.mavlink.common.MavMissionResult;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;

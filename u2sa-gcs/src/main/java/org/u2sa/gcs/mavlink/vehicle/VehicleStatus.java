@@ -82,7 +82,8 @@ public final class VehicleStatus {
    * @param micros real time [µs]
    * @param statedKind kind of the vehicle; empty: by its control service
    */
-  public VehicleStatus(LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
+  public VehicleStatus(
+      LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
     this.micros = micros;
     this.statedKind = statedKind;
     this.orders = orders;
