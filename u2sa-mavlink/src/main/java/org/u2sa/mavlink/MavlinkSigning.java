@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.protocol.MavlinkPacket;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.function.LongSupplier;
@@ -20,6 +21,12 @@ public final class MavlinkSigning {
   private static final int MAX_STREAMS = 64;
   private static final int LINK_ID = 0;
   private static final int BYTE = 8;
+  private static final int MAGIC_2 = 0xFD;
+  private static final int FLAGS = 2; // offsets in the frame
+  private static final int SYSTEM = 5;
+  private static final int SIGNED = 0x01;
+  private static final int TIMESTAMP = 6; // bytes
+  private static final int SIGNATURE = 6;
 
   private final byte[] key;
   private final LongSupplier unixMicros;
@@ -47,28 +54,43 @@ public final class MavlinkSigning {
   synchronized byte[] sign(
       int sequence, int system, int component, int message, int crc, byte[] payload) {
     newest = Math.max(newest + 1, wallTicks());
-    return MavlinkPacket.createSignedMavlink2Packet(
-            sequence, system, component, message, crc, payload, LINK_ID, newest, key)
-        .getRawBytes();
+    byte[] frame =
+        MavlinkPacket.createSignedMavlink2Packet(
+                sequence, system, component, message, crc, payload, LINK_ID, newest, key)
+            .getRawBytes();
+    // The library's own signature is not what the specification says.
+    System.arraycopy(signature(frame), 0, frame, frame.length - SIGNATURE, SIGNATURE);
+    return frame;
+  }
+
+  /** First 48 bits of SHA-256 over the key and all of the frame before. */
+  private byte[] signature(byte[] frame) {
+    byte[] text = Arrays.copyOf(key, key.length + frame.length - SIGNATURE);
+    System.arraycopy(frame, 0, text, key.length, frame.length - SIGNATURE);
+    return Arrays.copyOf(sha256(text), SIGNATURE);
   }
 
   private long wallTicks() {
     return (unixMicros.getAsLong() - EPOCH_MICROS) / TICK_MICROS;
   }
 
-  /** Why a packet is not admitted; empty if it is, and then never again. */
-  synchronized String refusal(MavlinkPacket packet) {
-    if (!packet.isMavlink2() || !packet.isSigned()) {
+  /** Why a frame is not admitted; empty if it is, and then never again. */
+  synchronized String refusal(byte[] frame) {
+    boolean isSigned = (frame[0] & 0xFF) == MAGIC_2 && frame[FLAGS] == SIGNED;
+    if (!isSigned) {
       return "not signed";
     }
-    if (!packet.validateSignature(key)) {
+    int end = frame.length - SIGNATURE;
+    byte[] signature = Arrays.copyOfRange(frame, end, frame.length);
+    if (!MessageDigest.isEqual(signature(frame), signature)) {
       return "wrong signature";
     }
-    int stream =
-        (packet.getSystemId() << 2 * BYTE)
-            | (packet.getComponentId() << BYTE)
-            | packet.getSignatureLinkId();
-    long time = packet.getSignatureTimestamp();
+    int link = frame[end - TIMESTAMP - 1] & 0xFF;
+    int stream = (frame[SYSTEM] & 0xFF) << 2 * BYTE | (frame[SYSTEM + 1] & 0xFF) << BYTE | link;
+    long time = 0;
+    for (int i = end - 1; i >= end - TIMESTAMP; i--) {
+      time = time << BYTE | frame[i] & 0xFF; // the least significant byte comes first
+    }
     Long before = streams.get(stream);
     if (before == null && streams.size() >= MAX_STREAMS) {
       return "more than " + MAX_STREAMS + " signed streams";

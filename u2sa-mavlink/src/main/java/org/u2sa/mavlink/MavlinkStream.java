@@ -123,7 +123,7 @@ public final class MavlinkStream {
       refuse(type.getSimpleName() + ": wrong checksum");
       return false;
     }
-    String refusal = signing.map(each -> each.refusal(packet)).orElse("");
+    String refusal = signing.map(each -> each.refusal(frame)).orElse("");
     if (!refusal.isEmpty()) {
       refuse(type.getSimpleName() + ": " + refusal);
       return true;

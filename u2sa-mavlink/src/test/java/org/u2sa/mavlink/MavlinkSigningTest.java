@@ -11,6 +11,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 
 /** Message signing: who is heard, and that nobody is heard twice. */
+@SuppressWarnings("deprecation") // Ping: any message would do
 class MavlinkSigningTest {
   private static final long NOW_MICROS = 1_800_000_000_000_000L;
 

@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 
@@ -84,7 +85,7 @@ public record BridgeOptions(
     return Integer.parseInt(value);
   }
 
-  private static <T> T named(String text, java.util.function.Supplier<T> parsed) {
+  private static <T> T named(String text, Supplier<T> parsed) {
     try {
       return parsed.get();
     } catch (IllegalArgumentException e) {

@@ -9,13 +9,13 @@ import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 
 /** What all stations of a bridge share: one vehicle and its identity. */
 final class BridgedVehicle {
   final VehicleOrders orders;
-  final VehicleModel model;
+  final VehicleStatus model;
   final Identity identity;
   final String systemId;
   final int mavlinkId;
@@ -41,7 +41,7 @@ final class BridgedVehicle {
     this.identity = identity;
     this.systemId = systemId;
     this.mavlinkId = mavlinkId;
-    model = new VehicleModel(clock, kind, orders);
+    model = new VehicleStatus(clock, kind, orders);
     placement = new Placement(model);
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);

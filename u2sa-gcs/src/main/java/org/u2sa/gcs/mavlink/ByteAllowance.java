@@ -1,9 +1,13 @@
 package org.u2sa.gcs.mavlink;
 
-/** Limits the bytes that are handled of a link, on average and in a burst. */
+/**
+ * Limits what is handled of a link, on average and in a burst: its bytes, and 400 more for each
+ * message.
+ */
 final class ByteAllowance {
   private static final double BYTES_PER_S = 100_000.0;
-  private static final double BURST = 200_000.0;
+  private static final double BURST = 400_000.0;
+  private static final int PER_MESSAGE = 400; // a message costs more time than its bytes
   private static final double MICROS_PER_S = 1.0e6;
 
   private double left = BURST;
@@ -20,5 +24,10 @@ final class ByteAllowance {
 
   void use(int bytes) {
     left -= bytes;
+  }
+
+  /** Counts a message that is handled. */
+  void useMessage() {
+    left -= PER_MESSAGE;
   }
 }

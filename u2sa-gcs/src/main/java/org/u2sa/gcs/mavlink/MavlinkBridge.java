@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
@@ -20,7 +20,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Presents a vehicle to MAVLink stations. One thread does it all; the vehicle's messages arrive on
- * the link's thread in a {@link VehicleModel}.
+ * the link's thread in a {@link VehicleStatus}.
  */
 public final class MavlinkBridge implements AutoCloseable {
   private static final long TURN_MS = 10;
@@ -67,7 +67,7 @@ public final class MavlinkBridge implements AutoCloseable {
     } catch (IOException e) {
       throw new BadInputException("MAVLink link " + options + ": " + e.getMessage(), e);
     }
-    VehicleModel.CHANNELS.forEach(
+    VehicleStatus.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
     beganMicros = link.clock().micros();
     thread = new Thread(this::run, "u2sa-mavlink");

@@ -5,7 +5,7 @@ import java.lang.reflect.Method;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
-import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 
 /** Whether a message is addressed to this vehicle; target 0 means everybody. */
 final class MessageTargets {
@@ -26,7 +26,7 @@ final class MessageTargets {
     int system = fields.system().map(each -> value(each, message)).orElse(0);
     int component = fields.component().map(each -> value(each, message)).orElse(0);
     return (system == 0 || system == systemId)
-        && (component == 0 || component == Station.AUTOPILOT);
+        && (component == 0 || component == GroundStation.AUTOPILOT);
   }
 
   private static Optional<Method> getter(Class<?> type, String name) {

@@ -14,7 +14,7 @@ import org.u2sa.gcs.mavlink.command.VehicleCommands;
 import org.u2sa.gcs.mavlink.parameter.ParameterService;
 import org.u2sa.gcs.mavlink.plan.MissionService;
 import org.u2sa.gcs.mavlink.station.FileRefusals;
-import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.StatusTexts;
 import org.u2sa.gcs.mavlink.telemetry.MessageRates;
 import org.u2sa.interfaces.communication.CommunicationException;
@@ -25,7 +25,7 @@ import org.u2sa.mavlink.MavlinkStream;
  * One station: decodes its packets, hands them to the microservices, and queues what it gets.
  * Confined to the bridge's thread.
  */
-final class StationSession implements Station {
+final class StationSession implements GroundStation {
   private static final int QUEUE_BYTES = 256 * 1024;
   private static final int BULK_BYTES = 8 * 1024;
   private static final long NANOS = 1000;
@@ -75,6 +75,7 @@ final class StationSession implements Station {
     if (isForged || !targets.include(received.payload())) {
       return;
     }
+    allowance.useMessage();
     Object message = received.payload();
     Sender from = new Sender(received.systemId(), received.componentId());
     try {
@@ -90,6 +91,7 @@ final class StationSession implements Station {
     }
   }
 
+  @SuppressWarnings("deprecation") // stations still send these
   private void takeOther(Object message, Sender from) {
     if (message instanceof Timesync sync && sync.tc1() == 0) {
       send(

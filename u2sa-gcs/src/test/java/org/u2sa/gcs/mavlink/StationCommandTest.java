@@ -21,6 +21,7 @@ import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 
 /** What becomes of a station's commands. */
+@SuppressWarnings("deprecation") // stations still send these
 class StationCommandTest {
   private static final int ARM = 400;
   private static final int REPOSITION = 192;

@@ -25,6 +25,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.ArmingState;
 
 /** What stations ask for when they connect, in QGroundControl's order, and what they trip over. */
+@SuppressWarnings("deprecation") // stations still send these
 class StationConnectTest {
   private static final int REQUEST_MESSAGE = 512;
   private static final int SET_INTERVAL = 511;

@@ -11,8 +11,8 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.util.HashSet;
 import java.util.Optional;
 import java.util.Set;
-import org.u2sa.gcs.mavlink.station.Station;
-import org.u2sa.gcs.mavlink.station.Station.Sender;
+import org.u2sa.gcs.mavlink.station.GroundStation;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
 
 /**
@@ -20,18 +20,19 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
  * acknowledged; one that is repeated while the vehicle works on it is not obeyed twice.
  */
 public final class CommandService {
-  private final Station station;
+  private final GroundStation station;
   private final MessageCommands messages;
   private final VehicleCommands vehicle;
   private final Set<Integer> pending = new HashSet<>();
 
-  public CommandService(Station station, MessageCommands messages, VehicleCommands vehicle) {
+  public CommandService(GroundStation station, MessageCommands messages, VehicleCommands vehicle) {
     this.station = station;
     this.messages = messages;
     this.vehicle = vehicle;
   }
 
   /** Handles a message; false if it is not of this protocol. */
+  @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof CommandLong command) {
       obey(Command.of(command), from);

@@ -9,7 +9,7 @@ import io.dronefleet.mavlink.util.EnumValue;
 import java.math.BigInteger;
 import java.nio.ByteBuffer;
 import java.util.Optional;
-import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.telemetry.MessageRates;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
@@ -31,7 +31,7 @@ public final class MessageCommands {
   private final MessageRates rates;
   private final Identity identity;
   private final String systemId;
-  private final Station station;
+  private final GroundStation station;
 
   /**
    * @param systemId the vehicle's ID, of which its unique number is made
@@ -41,7 +41,7 @@ public final class MessageCommands {
       MessageRates rates,
       Identity identity,
       String systemId,
-      Station station) {
+      GroundStation station) {
     this.telemetry = telemetry;
     this.rates = rates;
     this.identity = identity;
@@ -128,6 +128,7 @@ public final class MessageCommands {
     return EnumValue.of(capability).value();
   }
 
+  @SuppressWarnings("deprecation") // stations still ask for it
   private static ProtocolVersion protocol() {
     return ProtocolVersion.builder()
         .version(PROTOCOL)

@@ -1,13 +1,14 @@
 package org.u2sa.gcs.mavlink.command;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
@@ -20,11 +21,11 @@ import org.u2sa.messages.mission.MissionOrder;
 final class ModeOrders {
   private static final double USUAL_THRESHOLD_M = 2.0;
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final VehicleOrders orders;
   private final PlanBook book;
 
-  ModeOrders(VehicleModel vehicle, VehicleOrders orders, PlanBook book) {
+  ModeOrders(VehicleStatus vehicle, VehicleOrders orders, PlanBook book) {
     this.vehicle = vehicle;
     this.orders = orders;
     this.book = book;
@@ -34,7 +35,7 @@ final class ModeOrders {
     switch (mode) {
       case HOLD -> hold(answer);
       case MISSION -> mission(answer);
-      case RETURN -> give(MissionAction.GOTO, Optional.of(VehicleModel.HOME), answer);
+      case RETURN -> give(MissionAction.GOTO, Optional.of(VehicleStatus.HOME), answer);
       case LAND -> give(MissionAction.LAND, Optional.empty(), answer);
       case GO_TO -> answer.done(false, "expected a place to go to");
     }
@@ -87,7 +88,7 @@ final class ModeOrders {
   void goTo(Geodetic place, OptionalDouble altitudeM, OptionalDouble speed, Answer answer) {
     Waypoint goal =
         new Waypoint()
-            .uid(VehicleModel.GO_TO)
+            .uid(VehicleStatus.GO_TO)
             .x(place.longitudeDeg())
             .y(place.latitudeDeg())
             .horizontalThreshold(thresholdM());
@@ -95,7 +96,7 @@ final class ModeOrders {
     altitudeM.ifPresent(goal::z);
     speed.ifPresent(goal::speed);
     orders.tell(Channels.GOAL_UPDATES, goal);
-    give(MissionAction.GOTO, Optional.of(VehicleModel.GO_TO), answer);
+    give(MissionAction.GOTO, Optional.of(VehicleStatus.GO_TO), answer);
   }
 
   /** Threshold of the mission's first waypoint: what is near for this vehicle. */
@@ -119,12 +120,12 @@ final class ModeOrders {
                 boolean isOpen =
                     goal.type() == Waypoint.TYPE
                         && goal.result().isEmpty()
-                        && !goal.uid().equals(VehicleModel.HOME)
+                        && !goal.uid().equals(VehicleStatus.HOME)
                         && goal.uid().matches("[\\w .-]+");
                 if (isOpen) {
                   goals.append(
                       String.format(
-                          java.util.Locale.ROOT,
+                          Locale.ROOT,
                           "<waypoint><name>%s</name><speed>%.3f</speed></waypoint>",
                           goal.uid(),
                           metresPerSecond));

@@ -8,9 +8,9 @@ import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
@@ -33,7 +33,7 @@ public final class VehicleCommands {
   private static final double TAKE_OFF_M = 50.0;
   private static final double AHEAD_M = 2000.0; // a plane cannot climb on the spot
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final VehicleOrders orders;
   private final Identity identity;
   private final Placement placement;
@@ -41,7 +41,7 @@ public final class VehicleCommands {
   private final ModeOrders modes;
 
   public VehicleCommands(
-      VehicleModel vehicle,
+      VehicleStatus vehicle,
       VehicleOrders orders,
       Identity identity,
       Placement placement,

@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.parameter;
 
+import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Set;
 import java.util.zip.CRC32;
@@ -57,7 +58,7 @@ final class ParameterNames {
 
   private static String hash(String text) {
     CRC32 crc = new CRC32();
-    crc.update(text.getBytes(java.nio.charset.StandardCharsets.UTF_8));
+    crc.update(text.getBytes(StandardCharsets.UTF_8));
     String digits = "00" + Long.toString(crc.getValue(), RADIX).toUpperCase(Locale.ROOT);
     return digits.substring(digits.length() - HASH);
   }

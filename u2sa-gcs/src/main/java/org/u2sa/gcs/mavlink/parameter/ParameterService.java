@@ -8,9 +8,9 @@ import io.dronefleet.mavlink.common.ParamSet;
 import io.dronefleet.mavlink.common.ParamValue;
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.gcs.mavlink.station.Station;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationVariable;
@@ -24,9 +24,9 @@ public final class ParameterService {
   private static final int PER_STEP = 10;
   private static final int NO_INDEX = 0xFFFF;
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final VehicleOrders orders;
-  private final Station station;
+  private final GroundStation station;
   private final boolean casts;
   private ParameterTable table;
   private long tableMicros = Long.MIN_VALUE; // number of configurations heard when it was made
@@ -36,7 +36,7 @@ public final class ParameterService {
    * @param casts whether integers travel cast to float
    */
   public ParameterService(
-      VehicleModel vehicle, VehicleOrders orders, Station station, boolean casts) {
+      VehicleStatus vehicle, VehicleOrders orders, GroundStation station, boolean casts) {
     this.vehicle = vehicle;
     this.orders = orders;
     this.station = station;

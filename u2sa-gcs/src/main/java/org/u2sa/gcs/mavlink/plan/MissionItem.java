@@ -5,7 +5,7 @@ import io.dronefleet.mavlink.common.MavFrame;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.util.EnumValue;
-import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 
 /**
  * A mission item as it travels (MISSION_ITEM_INT); equal items are equal on the wire.
@@ -81,7 +81,7 @@ record MissionItem(
     return new MissionItem(frame, command, autocontinue, first, second, param3, fourth, x, y, z);
   }
 
-  MissionItemInt message(int seq, boolean isCurrent, Station.Sender to) {
+  MissionItemInt message(int seq, boolean isCurrent, GroundStation.Sender to) {
     return MissionItemInt.builder()
         .targetSystem(to.system())
         .targetComponent(to.component())

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.mission.MissionReport;
 
@@ -24,14 +24,14 @@ public final class MissionProgressMessages {
   private static final int IN_MISSION_MODE = 1;
   private static final int SUSPENDED = 2;
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final PlanBook book;
   private final Map<String, Double> completed = new HashMap<>(); // times, by goal
   private MissionReport seen;
   private String mission = "";
   private int current; // last known item
 
-  public MissionProgressMessages(VehicleModel vehicle, PlanBook book) {
+  public MissionProgressMessages(VehicleStatus vehicle, PlanBook book) {
     this.vehicle = vehicle;
     this.book = book;
   }

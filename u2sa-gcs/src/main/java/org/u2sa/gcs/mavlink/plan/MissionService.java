@@ -15,12 +15,13 @@ import io.dronefleet.mavlink.common.MissionWritePartialList;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
-import org.u2sa.gcs.mavlink.station.Station;
-import org.u2sa.gcs.mavlink.station.Station.Sender;
+import org.u2sa.gcs.mavlink.station.GroundStation;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
@@ -33,8 +34,9 @@ public final class MissionService {
   private static final int MISSION = MavMissionType.MAV_MISSION_TYPE_MISSION.ordinal();
   private static final int FENCE = MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal();
   private static final int MAX_ITEMS = 1000;
+  private static final long REPORT_MICROS = 1_000_000;
   private static final long RETRY_MICROS = 700_000;
-  private static final int MAX_RETRIES = 12;
+  private static final int MAX_RETRIES = 25;
 
   /** An upload under way. */
   private static final class Incoming {
@@ -50,11 +52,15 @@ public final class MissionService {
     }
   }
 
-  private final VehicleModel vehicle;
+  /** A mission that is acknowledged as soon as it can be read back. */
+  private record Confirmation(String origin, int type, Sender to, long deadlineMicros) {}
+
+  private final VehicleStatus vehicle;
   private final VehicleOrders orders;
   private final PlanBook book;
-  private final Station station;
+  private final GroundStation station;
   private Optional<Incoming> incoming = Optional.empty();
+  private Optional<Confirmation> confirmation = Optional.empty();
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
   private long nowMicros;
 
@@ -62,7 +68,7 @@ public final class MissionService {
    * @param book shared by all stations
    */
   public MissionService(
-      VehicleModel vehicle, VehicleOrders orders, PlanBook book, Station station) {
+      VehicleStatus vehicle, VehicleOrders orders, PlanBook book, GroundStation station) {
     this.vehicle = vehicle;
     this.orders = orders;
     this.book = book;
@@ -70,6 +76,7 @@ public final class MissionService {
   }
 
   /** Handles a message; false if it is not of this protocol. */
+  @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof MissionRequestList request) {
       list(request.missionType().value(), from);
@@ -198,15 +205,17 @@ public final class MissionService {
         (accepted, text) -> {
           if (accepted) {
             book.accepted(upload.plan());
+            confirm(upload.plan().origin(), MISSION, from);
           } else {
             station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission refused: " + text);
+            acknowledge(MavMissionResult.MAV_MISSION_ERROR, MISSION, from);
           }
-          acknowledge(
-              accepted ? MavMissionResult.MAV_MISSION_ACCEPTED : MavMissionResult.MAV_MISSION_ERROR,
-              MISSION,
-              from);
-          vehicle.wantReport();
         });
+  }
+
+  private void confirm(String origin, int type, Sender to) {
+    confirmation = Optional.of(new Confirmation(origin, type, to, nowMicros + REPORT_MICROS));
+    vehicle.wantReport();
   }
 
   /** A mission has at least one goal, so a cleared one has a place to hold at. */
@@ -224,7 +233,7 @@ public final class MissionService {
     }
     String goal =
         String.format(
-            java.util.Locale.ROOT,
+            Locale.ROOT,
             "<mission><waypoint><name>held</name><reference>%s</reference><x>%.9f</x><y>%.9f</y></waypoint></mission>",
             here.get().referenceFrame(),
             here.get().x().getAsDouble(),
@@ -232,14 +241,12 @@ public final class MissionService {
     orders.mission(
         new MissionOrder().action(MissionAction.REPLACE).file(PlanBook.CLEARED).goals(goal),
         (accepted, text) -> {
-          if (!accepted) {
+          if (accepted) {
+            confirm(PlanBook.CLEARED, type, from);
+          } else {
             station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission not cleared: " + text);
+            acknowledge(MavMissionResult.MAV_MISSION_ERROR, type, from);
           }
-          acknowledge(
-              accepted ? MavMissionResult.MAV_MISSION_ACCEPTED : MavMissionResult.MAV_MISSION_ERROR,
-              type,
-              from);
-          vehicle.wantReport();
         });
   }
 
@@ -261,6 +268,13 @@ public final class MissionService {
   /** Asks again for what did not arrive. */
   public void step(long micros) {
     nowMicros = micros;
+    confirmation
+        .filter(each -> micros > each.deadlineMicros() || isReported(each.origin()))
+        .ifPresent(
+            each -> {
+              confirmation = Optional.empty();
+              acknowledge(MavMissionResult.MAV_MISSION_ACCEPTED, each.type(), each.to());
+            });
     if (incoming.isEmpty() || micros - incoming.get().askedMicros < RETRY_MICROS) {
       return;
     }
@@ -271,6 +285,10 @@ public final class MissionService {
       incoming = Optional.empty();
       acknowledge(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, MISSION, upload.from);
     }
+  }
+
+  private boolean isReported(String origin) {
+    return vehicle.report().filter(report -> report.mission().equals(origin)).isPresent();
   }
 
   private void acknowledge(MavMissionResult result, int type, Sender to) {

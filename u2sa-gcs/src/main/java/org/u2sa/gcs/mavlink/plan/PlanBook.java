@@ -1,6 +1,7 @@
 package org.u2sa.gcs.mavlink.plan;
 
 import io.dronefleet.mavlink.common.MavMissionResult;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -8,7 +9,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
@@ -25,22 +26,26 @@ public final class PlanBook {
   private static final double DEGREES = 1.0e-9;
   private static final int MAX_CHARACTERS = 65_536; // of MissionOrder.goals; it is ASCII
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final Placement placement;
   private final Identity identity;
-  private Plan uploaded = new Plan("", List.of(), List.of());
+  private MissionPlan uploaded = new MissionPlan("", List.of(), List.of());
   private int uploads;
   private MissionReport viewed; // the report that plan was made of
-  private Plan plan = uploaded;
+  private MissionPlan plan = uploaded;
   private Optional<PlanRefusal> refusal = Optional.empty();
 
-  public PlanBook(VehicleModel vehicle, Placement placement, Identity identity) {
+  public PlanBook(VehicleStatus vehicle, Placement placement, Identity identity) {
     this.vehicle = vehicle;
     this.placement = placement;
     this.identity = identity;
   }
 
-  /** Reads uploaded items. @throws PlanRefusal if one cannot be expressed */
+  /**
+   * Reads uploaded items.
+   *
+   * @throws PlanRefusal if one cannot be expressed
+   */
   Upload read(List<MissionItem> items) {
     boolean skipsHome = identity.startsWithHome() && !items.isEmpty();
     List<MissionItem> own = skipsHome ? items.subList(1, items.size()) : items;
@@ -52,19 +57,23 @@ public final class PlanBook {
           "mission of " + own.size() + " items: too long for one order; expected about 500");
     }
     String origin = "uploaded by a ground station, no. " + ++uploads;
-    return new Upload(new Plan(origin, own, reader.names()), xml);
+    return new Upload(new MissionPlan(origin, own, reader.names()), xml);
   }
 
   /** An upload and its mission in XML. */
-  record Upload(Plan plan, String xml) {}
+  record Upload(MissionPlan plan, String xml) {}
 
   /** Remembers an upload that the Mission Manager has accepted. */
-  void accepted(Plan accepted) {
+  void accepted(MissionPlan accepted) {
     uploaded = accepted;
   }
 
-  /** The present mission. @throws PlanRefusal if items cannot express it */
-  Plan plan() {
+  /**
+   * The present mission.
+   *
+   * @throws PlanRefusal if items cannot express it
+   */
+  MissionPlan plan() {
     view();
     refusal.ifPresent(
         why -> {
@@ -83,10 +92,10 @@ public final class PlanBook {
     try {
       plan =
           report.mission().equals(CLEARED)
-              ? new Plan(CLEARED, List.of(), List.of())
+              ? new MissionPlan(CLEARED, List.of(), List.of())
               : isUploaded(report) ? uploaded : PlanWriter.plan(report, vehicle.kind());
     } catch (PlanRefusal e) {
-      plan = new Plan(report.mission(), List.of(), List.of());
+      plan = new MissionPlan(report.mission(), List.of(), List.of());
       refusal = Optional.of(e);
     }
   }
@@ -94,7 +103,7 @@ public final class PlanBook {
   private boolean isUploaded(MissionReport report) {
     Set<String> places = new HashSet<>(uploaded.goals());
     places.remove("");
-    places.remove(VehicleModel.HOME);
+    places.remove(VehicleStatus.HOME);
     List<GoalInformation> goals = PlanWriter.goals(report);
     return report.mission().equals(uploaded.origin())
         && goals.size() == places.size()
@@ -119,7 +128,7 @@ public final class PlanBook {
       return items;
     }
     Geodetic home = placement.home().orElse(new Geodetic(0.0, 0.0, 0.0));
-    List<MissionItem> listed = new java.util.ArrayList<>();
+    List<MissionItem> listed = new ArrayList<>();
     listed.add(
         MissionItem.at(
             MissionItem.GLOBAL,

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.frame.Geodetic;
 
 /**
@@ -39,7 +39,11 @@ final class PlanReader {
     goals = new Goal[items.size()];
   }
 
-  /** The mission in XML. @throws PlanRefusal if an item cannot be expressed */
+  /**
+   * The mission in XML.
+   *
+   * @throws PlanRefusal if an item cannot be expressed
+   */
   String xml() {
     for (int i = 0; i < items.size(); i++) {
       read(i);
@@ -67,13 +71,13 @@ final class PlanReader {
     return xml.append("</mission>\n").toString();
   }
 
-  /** Name of the goal of each item, as {@link Plan#goals}. */
+  /** Name of the goal of each item, as {@link MissionPlan#goals}. */
   List<String> names() {
     List<String> names = new ArrayList<>();
     String following = "";
     for (int i = items.size() - 1; i >= 0; i--) {
       boolean returns = items.get(i).command() == MissionItem.RETURN;
-      following = returns ? VehicleModel.HOME : goals[i] == null ? following : name(i);
+      following = returns ? VehicleStatus.HOME : goals[i] == null ? following : name(i);
       names.add(0, following);
     }
     return names;
@@ -189,7 +193,7 @@ final class PlanReader {
           MavMissionResult.MAV_MISSION_UNSUPPORTED,
           home.isEmpty() ? "no home is known" : "expected as the last item only");
     }
-    last(index).text.append("<next if=\"done\">").append(VehicleModel.HOME).append("</next>");
+    last(index).text.append("<next if=\"done\">").append(VehicleStatus.HOME).append("</next>");
   }
 
   private void changeSpeed(int index) {

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
@@ -34,8 +34,8 @@ final class PlanWriter {
     boolean isLinked = report.sequence().isEmpty();
     for (String uid : isLinked ? byName.keySet() : report.sequence()) {
       boolean isMission =
-          !uid.equals(VehicleModel.HOME)
-              && !uid.equals(VehicleModel.GO_TO)
+          !uid.equals(VehicleStatus.HOME)
+              && !uid.equals(VehicleStatus.GO_TO)
               && !uid.startsWith(LAND_PREFIX);
       if (isMission && byName.containsKey(uid)) {
         goals.add(byName.get(uid));
@@ -44,8 +44,12 @@ final class PlanWriter {
     return goals;
   }
 
-  /** The items. @throws PlanRefusal naming the goal that items cannot express */
-  static Plan plan(MissionReport report, VehicleKind kind) {
+  /**
+   * The items.
+   *
+   * @throws PlanRefusal naming the goal that items cannot express
+   */
+  static MissionPlan plan(MissionReport report, VehicleKind kind) {
     List<GoalInformation> goals = goals(report);
     PlanWriter writer = new PlanWriter();
     for (int i = 0; i < goals.size(); i++) {
@@ -53,7 +57,7 @@ final class PlanWriter {
           i + 1 < goals.size() ? Optional.of(goals.get(i + 1).uid()) : Optional.empty();
       writer.write(goals.get(i), following, kind);
     }
-    return new Plan(report.mission(), writer.items, writer.names);
+    return new MissionPlan(report.mission(), writer.items, writer.names);
   }
 
   private void write(GoalInformation goal, Optional<String> following, VehicleKind kind) {
@@ -100,7 +104,7 @@ final class PlanWriter {
           following.orElse(""));
     }
     List<String> done = goal.nextIf(GoalResult.DONE).orElse(goal.next());
-    boolean returns = following.isEmpty() && done.equals(List.of(VehicleModel.HOME));
+    boolean returns = following.isEmpty() && done.equals(List.of(VehicleStatus.HOME));
     boolean isUsual =
         done.isEmpty() || following.isPresent() && done.equals(List.of(following.get()));
     boolean branches =
@@ -109,7 +113,7 @@ final class PlanWriter {
       throw refusal(goal, "what follows it is not only the next goal");
     }
     if (returns) {
-      add(MissionItem.action(MissionItem.RETURN, 0.0f, 0.0f), VehicleModel.HOME);
+      add(MissionItem.action(MissionItem.RETURN, 0.0f, 0.0f), VehicleStatus.HOME);
     }
   }
 

@@ -2,7 +2,7 @@ package org.u2sa.gcs.mavlink.station;
 
 import io.dronefleet.mavlink.common.FileTransferProtocol;
 import java.util.Arrays;
-import org.u2sa.gcs.mavlink.station.Station.Sender;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
 /**
  * Answers file requests (mavlink.io/en/services/ftp): the vehicle has no files. Stations that ask

@@ -3,7 +3,7 @@ package org.u2sa.gcs.mavlink.telemetry;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.u2sa.gcs.mavlink.station.Station;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 
 /** How often one station gets each message. */
 public final class MessageRates {
@@ -36,7 +36,7 @@ public final class MessageRates {
   }
 
   /** Sends what is due. */
-  public void step(long nowMicros, Station to) {
+  public void step(long nowMicros, GroundStation to) {
     intervals.forEach(
         (id, interval) -> {
           if (interval != OFF && nowMicros >= due.getOrDefault(id, Long.MIN_VALUE)) {

@@ -1,7 +1,7 @@
 package org.u2sa.gcs.mavlink.telemetry;
 
 import java.util.Optional;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -10,9 +10,9 @@ import org.u2sa.messages.goal.Waypoint;
 
 /** Where the vehicle and its home are, in the frames that MAVLink knows. */
 public final class Placement {
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
 
-  public Placement(VehicleModel vehicle) {
+  public Placement(VehicleStatus vehicle) {
     this.vehicle = vehicle;
   }
 

@@ -1,10 +1,7 @@
 package org.u2sa.gcs.mavlink.telemetry;
 
-import io.dronefleet.mavlink.common.BatteryStatus;
 import io.dronefleet.mavlink.common.ExtendedSysState;
 import io.dronefleet.mavlink.common.HomePosition;
-import io.dronefleet.mavlink.common.MavBatteryFunction;
-import io.dronefleet.mavlink.common.MavBatteryType;
 import io.dronefleet.mavlink.common.MavLandedState;
 import io.dronefleet.mavlink.common.MavSysStatusSensor;
 import io.dronefleet.mavlink.common.MavVtolState;
@@ -16,14 +13,12 @@ import io.dronefleet.mavlink.minimal.MavModeFlag;
 import io.dronefleet.mavlink.minimal.MavState;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.math.BigInteger;
-import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.mavlink.AvailableModes;
 import org.u2sa.mavlink.CurrentMode;
 import org.u2sa.messages.AircraftState;
@@ -39,17 +34,15 @@ final class StatusMessages {
   private static final int MAVLINK_VERSION = 3;
   private static final double E7 = 1.0e7;
   private static final double MILLI = 1000.0;
-  private static final double CENTI = 100.0;
   private static final int UNKNOWN_16 = 0xFFFF;
-  private static final int CELLS = 10;
   private static final int NOT_SELECTABLE = 2; // MAV_MODE_PROPERTY_NOT_USER_SELECTABLE
 
-  private final VehicleModel vehicle;
+  private final VehicleStatus vehicle;
   private final Identity identity;
   private final Placement placement;
   private final Uptime uptime;
 
-  StatusMessages(VehicleModel vehicle, Identity identity, Placement placement, Uptime uptime) {
+  StatusMessages(VehicleStatus vehicle, Identity identity, Placement placement, Uptime uptime) {
     this.vehicle = vehicle;
     this.identity = identity;
     this.placement = placement;
@@ -136,6 +129,7 @@ final class StatusMessages {
             | (placement.global().isPresent()
                 ? bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS)
                 : 0)
+            | (isInsideFence() ? bit(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE) : 0)
             | always & bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY);
     Optional<BatteryState> battery = vehicle.battery();
     return Optional.of(
@@ -143,63 +137,19 @@ final class StatusMessages {
             .onboardControlSensorsPresent(EnumValue.create(MavSysStatusSensor.class, always))
             .onboardControlSensorsEnabled(EnumValue.create(MavSysStatusSensor.class, always))
             .onboardControlSensorsHealth(EnumValue.create(MavSysStatusSensor.class, healthy))
-            .voltageBattery(millivolts(battery))
-            .currentBattery(centiamperes(battery))
-            .batteryRemaining(percent(battery))
+            .voltageBattery(BatteryMessages.millivolts(battery))
+            .currentBattery(BatteryMessages.centiamperes(battery))
+            .batteryRemaining(BatteryMessages.percent(battery))
             .build());
+  }
+
+  /** Stations take a fence that is not healthy for a breach. */
+  private boolean isInsideFence() {
+    return vehicle.failsafeCauses().stream().noneMatch(cause -> cause.contains("fence"));
   }
 
   private static int bit(MavSysStatusSensor sensor) {
     return EnumValue.of(sensor).value();
-  }
-
-  private static int millivolts(Optional<BatteryState> battery) {
-    return battery
-        .map(BatteryState::voltage)
-        .filter(OptionalDouble::isPresent)
-        .map(volts -> (int) Math.min(UNKNOWN_16 - 1, Math.round(volts.getAsDouble() * MILLI)))
-        .orElse(UNKNOWN_16);
-  }
-
-  private static int centiamperes(Optional<BatteryState> battery) {
-    return battery
-        .map(BatteryState::current)
-        .filter(OptionalDouble::isPresent)
-        .map(
-            amperes ->
-                (int)
-                    Math.max(
-                        0, Math.min(Short.MAX_VALUE, Math.round(amperes.getAsDouble() * CENTI))))
-        .orElse(-1);
-  }
-
-  private static int percent(Optional<BatteryState> battery) {
-    return battery
-        .map(BatteryState::remaining)
-        .filter(OptionalDouble::isPresent)
-        .map(percent -> (int) Math.round(percent.getAsDouble()))
-        .orElse(-1);
-  }
-
-  Optional<Object> battery() {
-    Optional<BatteryState> battery = vehicle.battery();
-    return battery.map(
-        state -> {
-          List<Integer> cells = new java.util.ArrayList<>(Collections.nCopies(CELLS, UNKNOWN_16));
-          cells.set(0, millivolts(battery));
-          return BatteryStatus.builder()
-              .id(0)
-              .batteryFunction(MavBatteryFunction.MAV_BATTERY_FUNCTION_ALL)
-              .type(MavBatteryType.MAV_BATTERY_TYPE_UNKNOWN)
-              .temperature(Short.MAX_VALUE)
-              .voltages(cells)
-              .currentBattery(centiamperes(battery))
-              .currentConsumed(-1)
-              .energyConsumed(-1)
-              .batteryRemaining(percent(battery))
-              .voltagesExt(List.of(0, 0, 0, 0))
-              .build();
-        });
   }
 
   Optional<Object> extendedState() {

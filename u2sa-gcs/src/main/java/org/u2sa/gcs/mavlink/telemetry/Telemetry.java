@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleModel;
+import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 
 /** The messages that stations can have regularly or on request, by message ID. */
 public final class Telemetry {
@@ -40,7 +40,7 @@ public final class Telemetry {
   private final StatusMessages status;
 
   /** Creates the messages of a vehicle. */
-  public Telemetry(VehicleModel vehicle, Identity identity, Placement placement, Uptime uptime) {
+  public Telemetry(VehicleStatus vehicle, Identity identity, Placement placement, Uptime uptime) {
     status = new StatusMessages(vehicle, identity, placement, uptime);
     MotionMessages motion = new MotionMessages(placement, uptime);
     add(HEARTBEAT, 1.0, status::heartbeat);
@@ -53,7 +53,7 @@ public final class Telemetry {
     add(33, 5.0, motion::globalPosition);
     add(62, 2.0, status::navigation);
     add(74, 4.0, () -> motion.hud(OptionalDouble.empty()));
-    add(147, 1.0, status::battery);
+    add(147, 1.0, () -> BatteryMessages.status(vehicle.battery()));
     add(230, 1.0, motion::estimator);
     add(HOME_POSITION, 0.5, status::home);
     add(245, 1.0, status::extendedState);

@@ -40,7 +40,11 @@ public enum Identity {
     return this == ARDUPILOT;
   }
 
-  /** Parses a name, such as "px4". @throws IllegalArgumentException if it is none */
+  /**
+   * Parses a name, such as "px4".
+   *
+   * @throws IllegalArgumentException if it is none
+   */
   public static Identity parse(String text) {
     for (Identity each : values()) {
       if (each.name().toLowerCase(Locale.ROOT).equals(text)) {

@@ -30,7 +30,11 @@ public enum VehicleKind {
     return this == ROVER || this == BOAT;
   }
 
-  /** Parses a name, such as "rover". @throws IllegalArgumentException if it is none */
+  /**
+   * Parses a name, such as "rover".
+   *
+   * @throws IllegalArgumentException if it is none
+   */
   public static VehicleKind parse(String text) {
     for (VehicleKind each : values()) {
       if (each.word().equals(text)) {

@@ -25,7 +25,11 @@ public final class VehicleOrders {
   /** Publishes a message of the vehicle's channels. */
   @FunctionalInterface
   public interface Publisher {
-    /** Publishes. @throws CommunicationException if the message was not accepted */
+    /**
+     * Publishes.
+     *
+     * @throws CommunicationException if the message was not accepted
+     */
     void publish(Channel<?> channel, U2SAData message);
   }
 

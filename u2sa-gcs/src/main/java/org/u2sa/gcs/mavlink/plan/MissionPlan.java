@@ -10,8 +10,8 @@ import java.util.List;
  * @param goals name of the goal that each item stands for; an action has that of the next place, ""
  *     after the last
  */
-record Plan(String origin, List<MissionItem> items, List<String> goals) {
-  Plan {
+record MissionPlan(String origin, List<MissionItem> items, List<String> goals) {
+  MissionPlan {
     items = List.copyOf(items);
     goals = List.copyOf(goals);
   }

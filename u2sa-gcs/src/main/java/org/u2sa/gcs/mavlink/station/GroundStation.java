@@ -3,7 +3,7 @@ package org.u2sa.gcs.mavlink.station;
 import io.dronefleet.mavlink.common.MavSeverity;
 
 /** A ground station at the other end of a link. */
-public interface Station {
+public interface GroundStation {
   /** Sender of a message. */
   record Sender(int system, int component) {}
 

@@ -34,7 +34,7 @@ import org.u2sa.messages.schema.U2SAData;
  * The vehicle's latest messages. {@link #take} may be called on any thread; messages are frozen, so
  * readers need no lock.
  */
-public final class VehicleModel {
+public final class VehicleStatus {
   /** Goal that a go-to order adds to the mission. */
   public static final String GO_TO = "go-to";
 
@@ -82,7 +82,8 @@ public final class VehicleModel {
    * @param micros real time [µs]
    * @param statedKind kind of the vehicle; empty: by its control service
    */
-  public VehicleModel(LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
+  public VehicleStatus(
+      LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
     this.micros = micros;
     this.statedKind = statedKind;
     this.orders = orders;

@@ -1,0 +1,87 @@
+package org.u2sa.gcs.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.channels.Selector;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+
+/** Stations by TCP: what they get, and that a flood of one is read slowly. */
+class TcpStationsTest {
+  private final BridgeKit kit = BridgeKit.rover().ready();
+
+  private void turn(TcpLink link, double seconds) throws IOException {
+    kit.clock.addAndGet(Math.round(seconds * 1e6));
+    link.sessions().forEach(session -> session.step(kit.clock.get()));
+    link.exchange(kit.clock.get());
+  }
+
+  @Test
+  void exchange_severalStations_eachHasItsTelemetryAndTooManyAreClosed() throws IOException {
+    try (Selector selector = Selector.open();
+        TcpLink link = open(selector)) {
+      List<Socket> sockets = new ArrayList<>();
+      for (int i = 0; i < 17; i++) {
+        sockets.add(new Socket(InetAddress.getLoopbackAddress(), link.port()));
+        turn(link, 0.1);
+      }
+      assertThat(link.sessions()).hasSize(16);
+      turn(link, 1.0);
+      for (Socket socket : sockets.subList(0, 16)) {
+        assertThat(socket.getInputStream().read()).isEqualTo(0xFD);
+      }
+      assertThat(sockets.get(16).getInputStream().read()).isEqualTo(-1);
+      for (Socket socket : sockets) {
+        socket.close();
+      }
+    }
+  }
+
+  @Test
+  void exchange_flood_isHandledAtTheAllowedRateOnly() throws IOException {
+    byte[] ask = kit.station.encode(StationPackets.requestVersion());
+    try (Selector selector = Selector.open();
+        TcpLink link = open(selector);
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), link.port())) {
+      turn(link, 0.0);
+      StationSession session = link.sessions().iterator().next();
+      int handled = 0;
+      for (int second = 0; second < 10; second++) {
+        for (int i = 0; i < 10; i++) {
+          socket.getOutputStream().write(many(ask, 200));
+          turn(link, 0.1);
+          handled += acknowledged(socket.getInputStream());
+        }
+      }
+      assertThat(handled).isBetween(500, 900 + 10 * 240 + 500); // of 20,000 sent
+      assertThat(session.allowance(kit.clock.get())).isLessThan(4096);
+    }
+  }
+
+  private TcpLink open(Selector selector) throws IOException {
+    return new TcpLink(
+        new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+        () -> new StationSession(kit.vehicle, Optional.empty()),
+        selector);
+  }
+
+  private static byte[] many(byte[] packet, int times) {
+    byte[] all = new byte[packet.length * times];
+    for (int i = 0; i < times; i++) {
+      System.arraycopy(packet, 0, all, i * packet.length, packet.length);
+    }
+    return all;
+  }
+
+  private int acknowledged(InputStream in) throws IOException {
+    byte[] bytes = in.readNBytes(in.available());
+    return StationPackets.acknowledgements(bytes);
+  }
+}
