@@ -19,6 +19,8 @@ public final class StationPage implements WebSite {
           "icon.svg",
           "app.js",
           "cbor.js",
+          "configuration.js",
+          "dom.js",
           "editor.js",
           "layers.js",
           "link.js",
@@ -27,7 +29,9 @@ public final class StationPage implements WebSite {
           "mqtt.js",
           "orders.js",
           "panel.js",
-          "place.js");
+          "place.js",
+          "services.js",
+          "texts.js");
 
   private static final Map<String, String> MEDIA_TYPES =
       Map.of(

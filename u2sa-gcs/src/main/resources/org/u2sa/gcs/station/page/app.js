@@ -1,12 +1,14 @@
 // Joins the parts: messages go into the model, the model onto the screen, buttons become orders.
 
+import {byId} from './dom.js';
 import {MissionEditor} from './editor.js';
 import {drawVehicle, extent} from './layers.js';
 import {Link} from './link.js';
 import {MapView} from './map.js';
 import {Model} from './model.js';
 import {Orders} from './orders.js';
-import {Panel, byId} from './panel.js';
+import {Panel} from './panel.js';
+import {ServicesTab} from './services.js';
 
 const PANEL_EVERY_MS = 250;
 const DRAW_EVERY_MS = 40; // spares the battery of a phone
@@ -18,7 +20,8 @@ const link = new Link({changed: () => panel.showLink(), up: linkUp, message: rec
 const orders = new Orders(link);
 const model = new Model({answered: fields => orders.answered(fields), missionChanged: askMission});
 const editor = new MissionEditor(orders);
-const panel = new Panel({link, orders, editor, model, selected, select});
+const services = new ServicesTab({link, orders, selected, order, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question)});
+const panel = new Panel({services, link, orders, editor, model, selected, select});
 const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
 
 let selectedId = '';

@@ -29,6 +29,9 @@ export class Vehicle {
     this.power = new Map();
     this.services = new Map(); // name -> {report, at}
     this.conditions = new Map();
+    this.directory = new Map(); // name -> DiscoveryResponse
+    this.functions = new Map(); // name -> FunctionalityResponse
+    this.configurations = new Map(); // name -> ConfigurationResponse
     this.arming = null;
     this.failsafe = null;
     this.lastStop = '';
@@ -144,6 +147,29 @@ const HANDLERS = {
       const level = ['ALIVE', 'STOPPED', 'UNWATCHED'].includes(fields.condition) ? 'info' : 'error';
       vehicle.log(`${fields.serviceName}: ${[fields.condition.toLowerCase(), fields.reason, fields.action].filter(Boolean).join(', ')}`, level);
     }
+  },
+
+  discovery(vehicle, fields, type) {
+    if (type === 'DiscoveryResponse') put(vehicle.directory, fields.serviceName, fields);
+  },
+
+  functionality(vehicle, fields, type) {
+    if (type === 'FunctionalityResponse') put(vehicle.functions, fields.serviceName, fields);
+  },
+
+  configuration(vehicle, fields, type, answers) {
+    if (type === 'ConfigurationResponse') put(vehicle.configurations, fields.serviceName, fields);
+    if (type !== 'ConfigurationTransactionResult') return;
+    const changes = (fields.assignments || []).map(each => `${each.variableName} = ${each.value}`).join(', ');
+    vehicle.log(`${fields.serviceName}: ${changes} by ${fields.author}${fields.accepted ? '' : ' refused: ' + fields.reason}`, fields.accepted ? 'important' : 'warn');
+    answers.answered(fields);
+  },
+
+  'service-orders'(vehicle, fields, type, answers) {
+    if (type === 'ServiceOrder') vehicle.log(`${fields.action} ${fields.serviceName} ordered by ${fields.operator}`, 'important');
+    if (type !== 'ServiceOrderResult') return;
+    if (!fields.accepted) vehicle.log(`${fields.serviceName}: not done: ${fields.reason}`, 'warn');
+    answers.answered(fields);
   },
 
   'arming-state'(vehicle, fields, type, answers) {
