@@ -18,13 +18,17 @@ public final class StationPage implements WebSite {
           "style.css",
           "icon.svg",
           "app.js",
+          "canvas.js",
           "cbor.js",
+          "coast.js",
           "configuration.js",
           "dom.js",
           "editor.js",
+          "land.json",
           "layers.js",
           "link.js",
           "map.js",
+          "maptools.js",
           "model.js",
           "mqtt.js",
           "orders.js",
@@ -37,6 +41,7 @@ public final class StationPage implements WebSite {
       Map.of(
           "html", "text/html; charset=utf-8",
           "css", "text/css; charset=utf-8",
+          "json", "application/json",
           "js", "text/javascript; charset=utf-8",
           "svg", "image/svg+xml");
 

@@ -2,6 +2,7 @@
 
 import {age, buttonRow, byId, element, fill, row, setText} from './dom.js';
 import {STALE_MS} from './model.js';
+import {distance} from './texts.js';
 
 const SLOW_MS = 500;
 const DEG = 180 / Math.PI;
@@ -138,9 +139,9 @@ export class Panel {
 
   goalRow(vehicle, item) {
     const {pose} = vehicle.place;
-    const distance = item.at && pose ? metres(Math.hypot(item.at.x - pose.x, item.at.y - pose.y)) : '';
+    const apart = item.at && pose ? distance(Math.hypot(item.at.x - pose.x, item.at.y - pose.y)) : '';
     const state = item.isRemoved ? 'to be removed' : item.isChanged ? 'changed' : item.isCurrent ? 'current' : (item.goal.result || 'open').toLowerCase().replace('_', ' ');
-    const line = {cells: [item.uid, item.goal.type ? item.goal.type[item.goal.type.length - 1] : 'Waypoint', state, distance], state: item.isChanged ? 'warn' : item.isCurrent ? 'good' : ''};
+    const line = {cells: [item.uid, item.goal.type ? item.goal.type[item.goal.type.length - 1] : 'Waypoint', state, apart], state: item.isChanged ? 'warn' : item.isCurrent ? 'good' : ''};
     return buttonRow(line, item.isSelected, () => {
       this.editor.selected = item.uid;
       this.showMission(vehicle);
@@ -197,8 +198,4 @@ function chip(id, text, state = '') {
   setText(item, text);
   item.className = state;
   item.hidden = !text;
-}
-
-function metres(value) {
-  return value < 1000 ? value.toFixed(1) + ' m' : (value / 1000).toFixed(2) + ' km';
 }

@@ -21,6 +21,7 @@ export class ServicesTab {
       const className = byId('service-class').value;
       this.asked(texts.askSwap(name, className), () => this.orders.service(vehicle, name, 'SWAP', {className}));
     });
+    on('service-back', (vehicle, name) => this.choose(vehicle, name));
     on('configuration-apply', vehicle => this.order(this.form.apply(vehicle)));
     on('configuration-undo', vehicle => this.order(this.form.undo(vehicle)));
     on('configuration-reset', () => this.form.reset());
@@ -34,7 +35,8 @@ export class ServicesTab {
     this.chosen = this.chosen === name ? null : name;
     if (this.chosen) this.orders.askConfiguration(vehicle, name).catch(error => this.tell(error.message, true));
     this.show(vehicle);
-    if (this.chosen) byId('service').scrollIntoView({block: 'nearest'});
+    if (this.chosen) byId('service-name').focus();
+    byId('services').scrollTop = 0;
   }
 
   show(vehicle) {
@@ -48,6 +50,7 @@ export class ServicesTab {
     }
     fill(byId('service-rows'), [...vehicle.services.keys()].sort(), name => this.row(vehicle, name));
     byId('service').hidden = !vehicle.services.has(this.chosen);
+    byId('service-list').hidden = !byId('service').hidden;
     if (!byId('service').hidden) this.showChosen(vehicle);
   }
 
