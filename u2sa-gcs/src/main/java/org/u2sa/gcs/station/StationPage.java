@@ -20,10 +20,13 @@ public final class StationPage implements WebSite {
           "app.js",
           "canvas.js",
           "cbor.js",
+          "chart.js",
           "coast.js",
           "configuration.js",
           "dom.js",
           "editor.js",
+          "graph.js",
+          "insight.js",
           "land.json",
           "layers.js",
           "link.js",
@@ -34,6 +37,7 @@ public final class StationPage implements WebSite {
           "orders.js",
           "panel.js",
           "place.js",
+          "series.js",
           "services.js",
           "texts.js");
 

@@ -19,6 +19,7 @@ import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 import org.u2sa.testkit.Repository;
+import org.u2sa.testkit.TcpRelay;
 
 /** An operator at the page of a ground vehicle that drives, in Chromium. */
 @Tag("browser")
@@ -168,6 +169,29 @@ class StationPageTest {
     browser.awaitText("alert", "Emergency stop confirmed by");
     assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
     assertThat(browser.errors).isEmpty();
+  }
+
+  @Test
+  void link_goesDeadAndComesBack_isAnnouncedAndRecoversByItself() throws IOException {
+    try (TcpRelay wire = new TcpRelay(webPort)) {
+      browser.open("http://127.0.0.1:" + wire.port() + "/#" + token());
+      browser.awaitText("instruments", "m/s");
+      browser.awaitText("doing", "to ");
+      assertThat(staleInstruments()).isZero();
+
+      wire.goDead();
+      await().atMost(LONG).until(() -> staleInstruments() > 0);
+      browser.awaitText("alert", "Link lost");
+
+      wire.restore();
+      browser.awaitText("link", "link ");
+      await().atMost(LONG).until(() -> staleInstruments() == 0);
+      assertThat(browser.attribute("alert", "hidden")).isEmpty(); // present
+    }
+  }
+
+  private int staleInstruments() {
+    return browser.evaluate("document.querySelectorAll('#instruments .stale').length").asInt();
   }
 
   @Test

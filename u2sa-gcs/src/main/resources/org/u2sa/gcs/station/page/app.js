@@ -4,13 +4,16 @@ import {land} from './coast.js';
 import {byId} from './dom.js';
 import {MissionEditor} from './editor.js';
 import {drawVehicle, extent} from './layers.js';
+import {InsightTab} from './insight.js';
 import {Link} from './link.js';
 import {MapView} from './map.js';
 import {MapTools} from './maptools.js';
 import {Model} from './model.js';
 import {Orders} from './orders.js';
 import {Panel} from './panel.js';
+import {SeriesBook} from './series.js';
 import {ServicesTab} from './services.js';
+import {texts} from './texts.js';
 
 const PANEL_EVERY_MS = 250;
 const DRAW_EVERY_MS = 40; // spares the battery of a phone
@@ -23,7 +26,9 @@ const orders = new Orders(link);
 const model = new Model({answered: fields => orders.answered(fields), missionChanged: askMission});
 const editor = new MissionEditor(orders);
 const services = new ServicesTab({link, orders, selected, order, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question)});
-const panel = new Panel({services, link, orders, editor, model, selected, select});
+const book = new SeriesBook();
+const insight = new InsightTab({link, book, selected});
+const panel = new Panel({services, insight, link, orders, editor, model, selected, select});
 const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
 const tools = new MapTools({map, extent: () => (selected() ? extent(selected(), editor.route(selected())) : [])});
 
@@ -45,6 +50,8 @@ function select(id) {
 
 function received(system, channel, type, fields) {
   model.message(system, channel, type, fields);
+  if (system === selectedId) book.message(system, channel, fields);
+  if (type === 'CameraImage') insight.picture(model.vehicles.get(system), fields).catch(error => panel.tell(texts.noPicture(error.message), true));
   if (!selectedId && model.vehicles.has(system)) select(system);
   map.touch();
 }

@@ -8,7 +8,7 @@ const SLOW_MS = 500;
 const DEG = 180 / Math.PI;
 const LINK_NAMES = {off: 'not connected', connecting: 'connecting', up: 'link', lost: 'LINK LOST', refused: 'log-in refused'};
 
-/** `parts`: link, orders, editor, model, services, selected(), select(id). */
+/** `parts`: link, orders, editor, model, services, insight, selected(), select(id). */
 export class Panel {
   constructor(parts) {
     Object.assign(this, parts);
@@ -70,6 +70,7 @@ export class Panel {
     if (!byId('operate').hidden) this.showOperate(vehicle);
     if (!byId('mission').hidden) this.showMission(vehicle);
     if (!byId('services').hidden) this.services.show(vehicle);
+    if (!byId('insight').hidden) this.insight.show(vehicle);
     if (!byId('log').hidden) showLog(vehicle);
   }
 

@@ -2,6 +2,7 @@
 
 import {ConfigurationForm} from './configuration.js';
 import {age, buttonRow, byId, element, fill, setText} from './dom.js';
+import {drawGraph} from './graph.js';
 import {texts} from './texts.js';
 
 const ASK_EVERY_MS = 5000;
@@ -49,6 +50,7 @@ export class ServicesTab {
       this.orders.askDirectory(vehicle).catch(() => undefined); // the list stays empty
     }
     fill(byId('service-rows'), [...vehicle.services.keys()].sort(), name => this.row(vehicle, name));
+    if (byId('flow').open) drawGraph(vehicle, this.chosen, name => this.choose(vehicle, name));
     byId('service').hidden = !vehicle.services.has(this.chosen);
     byId('service-list').hidden = !byId('service').hidden;
     if (!byId('service').hidden) this.showChosen(vehicle);
