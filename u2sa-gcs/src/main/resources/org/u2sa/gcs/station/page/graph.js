@@ -4,8 +4,9 @@ import {byId} from './dom.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const ROW = 26;
-const COLUMNS = [4, 138, 250]; // left ends of the columns, of 372
-const LENGTHS = [16, 12, 16];
+const WIDTH = 470;
+const COLUMNS = [0, 180, 340]; // left ends of the columns
+const LENGTHS = [18, 15, 18];
 const EVERYWHERE = ['health', 'discovery', 'functionality', 'configuration', 'stop'];
 
 /** Draws the answers to a FunctionalityRequest. */
@@ -21,13 +22,13 @@ export function drawGraph(vehicle, chosen, choose) {
   const columns = [unique(flows.filter(flow => flow.isOut), 'serviceName'), unique(flows, 'channel'), unique(flows.filter(flow => !flow.isOut), 'serviceName')];
   const height = ROW * Math.max(1, ...columns.map(column => column.length));
   const y = (column, name) => (columns[column].indexOf(name) + 0.5) * height / columns[column].length;
-  graph.setAttribute('viewBox', `0 0 372 ${height}`);
+  graph.setAttribute('viewBox', `0 0 ${WIDTH} ${height}`);
   graph.replaceChildren(
     ...flows.map(({serviceName, channel, isOut}) => {
       const [from, to] = isOut ? [[0, serviceName], [1, channel]] : [[1, channel], [2, serviceName]];
       const [x1, x2] = [COLUMNS[from[0]] + 7 * LENGTHS[from[0]], COLUMNS[to[0]] - 3];
       const [y1, y2] = [y(...from), y(...to)];
-      return shape('path', {d: `M${x1} ${y1}C${x1 + 14} ${y1} ${x2 - 14} ${y2} ${x2} ${y2}`, class: serviceName === chosen ? 'chosen' : ''});
+      return shape('path', {d: `M${x1} ${y1}C${x1 + 25} ${y1} ${x2 - 25} ${y2} ${x2} ${y2}`, class: serviceName === chosen ? 'chosen' : ''});
     }),
     ...columns.flatMap((column, i) => column.map(name => label(name, COLUMNS[i], y(i, name), LENGTHS[i], i === 1 ? null : () => choose(name), name === chosen))),
   );
