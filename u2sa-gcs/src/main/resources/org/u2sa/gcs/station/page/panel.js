@@ -166,7 +166,7 @@ function instruments(vehicle, route) {
   const {pose} = vehicle.place;
   const heading = pose && pose.heading;
   add('Speed', s.xDot === undefined || s.yDot === undefined ? undefined : Math.hypot(s.xDot, s.yDot), 1, 'm/s', vehicle.stateAt);
-  add('Heading', heading === undefined ? undefined : (heading * DEG % 360 + 360) % 360, 0, '°', vehicle.stateAt);
+  add('Heading', heading === undefined ? undefined : Math.round(heading * DEG % 360 + 360) % 360, 0, '°', vehicle.stateAt);
   add('Altitude', s.z, 1, 'm', vehicle.stateAt);
   add('Climb', s.zDot, 1, 'm/s', vehicle.stateAt);
   add('Roll', s.phi === undefined ? undefined : s.phi * DEG, 0, '°', vehicle.stateAt);
