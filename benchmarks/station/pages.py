@@ -76,6 +76,10 @@ def play(publisher, count, stop):
         time.sleep(max(0.0, begun + 0.1 * tick - time.time()))
 
 
+def busy(inspector):
+    return next(each["value"] for each in inspector.send("Performance.getMetrics")["metrics"] if each["name"] == "TaskDuration")
+
+
 def vehicles(web_port, broker_port, user, token, count=50, seconds=60):
     from playwright.sync_api import sync_playwright
 
@@ -90,15 +94,20 @@ def vehicles(web_port, broker_port, user, token, count=50, seconds=60):
         page.wait_for_timeout(5000)
         page.click("#fit")
         page.select_option("#vehicle", "v00")
+        inspector = page.context.new_cdp_session(page)
+        inspector.send("Performance.enable", {"timeDomain": "threadTicks"})  # processor time of the page's thread
+        before = busy(inspector)
         page.evaluate("lags.length = 0; frames.length = 0; received = 0")
         page.wait_for_timeout(1000 * seconds)
+        worked = busy(inspector) - before
         lags, frames, received, heap = page.evaluate("[lags, frames, received, performance.memory.usedJSHeapSize]")
         page.screenshot(path=os.environ.get("U2SA_PICTURE", "vehicles.png"))
         browser.close()
     stop.set()
-    print(f"{count} vehicles at 10 Hz, {seconds} s, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores: {received / seconds:.0f} states/s arrived")
+    print(f"{count} vehicles at 10 Hz, {seconds} s, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores: {received / seconds:.0f} messages/s arrived")
     print(f"time between pictures: p50 {share(frames, 0.5):.0f} ms, p95 {share(frames, 0.95):.0f} ms, p99 {share(frames, 0.99):.0f} ms")
     print(f"lag until the next picture: p50 {share(lags, 0.5):.0f} ms, p95 {share(lags, 0.95):.0f} ms, p99 {share(lags, 0.99):.0f} ms; heap {heap / 1e6:.1f} MB")
+    print(f"processor time of the page's thread: {100 * worked / seconds:.0f} % of a core")
 
 
 CHANNELS = ["mission", "service-orders", "arming-state", "failsafe", "emergency-stop", "goals", "conditions", "configuration",
