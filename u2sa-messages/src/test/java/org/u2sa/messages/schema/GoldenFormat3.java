@@ -12,7 +12,6 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
-import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
@@ -184,8 +183,7 @@ final class GoldenFormat3 {
             .status(ServiceStatus.RUNNING)
             .className("org.u2sa.planning.PathPlanner")
             .choices(
-                List.of(
-                    "org.u2sa.planning.PathPlanner", "org.u2sa.planning.VectorFieldPlanner")));
+                List.of("org.u2sa.planning.PathPlanner", "org.u2sa.planning.VectorFieldPlanner")));
     golden.add("GoalList-elapsed", new GoalList().elapsed(62.5));
     golden.add(
         "MissionReport-paused",

@@ -95,7 +95,8 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   }
 
   String attribute(String id, String name) {
-    return evaluate("document.getElementById('%s').getAttribute('%s')".formatted(id, name)).asText();
+    return evaluate("document.getElementById('%s').getAttribute('%s')".formatted(id, name))
+        .asText();
   }
 
   void awaitText(String id, String part) {
