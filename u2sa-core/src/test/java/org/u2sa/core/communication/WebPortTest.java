@@ -183,7 +183,7 @@ class WebPortTest {
   }
 
   @Test
-  void webSocket_ofAPageThatStopsReading_isEndedAndOthersAreServed() throws Exception {
+  void webSocket_ofAPageThatStopsReading_isEndedAndOthersAreServed() {
     WebSocketClient deaf = page();
     deaf.send(MqttPacketBytes.connect("deaf", 0));
     soon().until(() -> deaf.connectCode() == 0);
@@ -202,14 +202,12 @@ class WebPortTest {
               for (int i = 0; i < 50; i++) {
                 vehicle.publish(channel, large);
               }
-              return log.stream().anyMatch(line -> line.contains("it does not read"));
+              return log.stream().anyMatch(line -> line.contains("disconnected: it is too slow"));
             });
 
     WebSocketClient other = page();
     other.send(MqttPacketBytes.connect("other", 0));
     soon().until(() -> other.connectCode() == 0);
-    deaf.readOn();
-    deaf.ended.get(30, TimeUnit.SECONDS);
     vehicle.close();
   }
 

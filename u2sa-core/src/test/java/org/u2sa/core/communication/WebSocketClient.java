@@ -56,11 +56,6 @@ final class WebSocketClient implements WebSocket.Listener {
     isDeaf = true;
   }
 
-  void readOn() {
-    isDeaf = false;
-    socket.request(1);
-  }
-
   WebSocket socket() {
     return socket;
   }

@@ -4,6 +4,7 @@ const KEPT_S = 600;
 const EVERY_MS = 50;
 const MAX_SERIES = 12;
 const MAX_FIELDS = 2000; // offered for choice
+const MAX_KEY = 200;
 const MAX_DEPTH = 3;
 
 /** Records the chosen fields of a vehicle's messages, and knows which fields there are. Times are the page's [ms]. */
@@ -27,6 +28,7 @@ export class SeriesBook {
     for (const name of Object.keys(fields).filter(each => each !== 'timestamp')) {
       const value = fields[name];
       const key = prefix + name;
+      if (key.length > MAX_KEY) continue;
       if (typeof value === 'number' || typeof value === 'boolean') this.number(key, Number(value), now);
       else if (Array.isArray(value) && value.length === 3 && value.every(each => typeof each === 'number')) value.forEach((each, i) => this.number(`${key}.${'xyz'[i]}`, each, now));
       else if (value && typeof value === 'object' && !Array.isArray(value) && !ArrayBuffer.isView(value) && depth < MAX_DEPTH) this.numbers(key + '.', value, depth + 1, now);
