@@ -2,7 +2,6 @@
 
 import {byId} from './dom.js';
 
-const SVG = 'http://www.w3.org/2000/svg';
 const ROW = 26;
 const WIDTH = 470;
 const COLUMNS = [0, 180, 340]; // left ends of the columns
@@ -63,7 +62,7 @@ function label(name, x, y, length, action, isChosen) {
 }
 
 function shape(name, attributes) {
-  const made = document.createElementNS(SVG, name);
+  const made = document.createElementNS(byId('graph').namespaceURI, name);
   for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
   return made;
 }
