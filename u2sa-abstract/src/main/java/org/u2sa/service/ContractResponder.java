@@ -11,6 +11,7 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.handover.SwapChoices;
 
 /**
  * Answers the requests of the {@linkplain ServiceContract service contract} on the service's
@@ -43,6 +44,10 @@ record ContractResponder(
             .version(version())
             .className(service.getClass().getName());
     connection.instance().ifPresent(response::instance);
+    List<String> choices = SwapChoices.ofRole(service.role().name());
+    if (!choices.isEmpty()) {
+      response.choices(choices);
+    }
     return response;
   }
 

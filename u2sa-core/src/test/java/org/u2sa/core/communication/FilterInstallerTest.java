@@ -24,6 +24,7 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.TcpRelay;
 
 /**
  * What a client meets in the moment in which Moquette listens and the connection filter does not

@@ -14,6 +14,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.testkit.TcpRelay;
 
 /** What is published just before the embedded broker ends. */
 @Timeout(120)

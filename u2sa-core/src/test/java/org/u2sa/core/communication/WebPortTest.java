@@ -2,6 +2,7 @@ package org.u2sa.core.communication;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.u2sa.core.communication.BrokerTraffic.frozen;
 import static org.u2sa.core.communication.BrokerTraffic.soon;
 
 import java.io.IOException;
@@ -9,6 +10,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,8 +30,11 @@ import org.u2sa.core.communication.limit.BrokerLimits;
 import org.u2sa.core.communication.web.SameOrigin;
 import org.u2sa.core.communication.web.WebResponses;
 import org.u2sa.core.communication.web.WebSite;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.testkit.FreePort;
@@ -39,6 +44,9 @@ import org.u2sa.testkit.FreePort;
 class WebPortTest {
   private static final byte[] SCRIPT = "let a = 1;\n".getBytes(StandardCharsets.US_ASCII);
 
+  private static final double PATIENCE_S = 2.0;
+
+  private final LocalBus bus = new LocalBus("cessna");
   private final List<String> log = new CopyOnWriteArrayList<>();
   private final InetSocketAddress address = new InetSocketAddress("127.0.0.1", FreePort.find());
   private final int port = FreePort.find();
@@ -50,12 +58,14 @@ class WebPortTest {
   void start() {
     broker =
         EmbeddedBroker.start(
-            new LocalBus("cessna"),
+            bus,
             new MessageCodec(StandardTypes.registry()),
             address,
             Optional.of(web(port, false)),
             new BrokerSecurity(null, null),
-            XmlConfiguration.inMemory("test", Map.of()).settings(BrokerLimits.class).get(),
+            XmlConfiguration.inMemory("test", Map.of("CLIENT PATIENCE", PATIENCE_S))
+                .settings(BrokerLimits.class)
+                .get(),
             log::add,
             () -> {});
   }
@@ -170,6 +180,35 @@ class WebPortTest {
 
     soon().until(() -> page.received().endsWith("d000")); // PINGRESP
     assertThat(log).noneMatch(line -> line.contains("malformed"));
+  }
+
+  @Test
+  void webSocket_ofAPageThatStopsReading_isEndedAndOthersAreServed() {
+    WebSocketClient deaf = page();
+    deaf.send(MqttPacketBytes.connect("deaf", 0));
+    soon().until(() -> deaf.connectCode() == 0);
+    deaf.stopReading();
+    deaf.send(MqttPacketBytes.subscribe("u2sa/#"));
+    FunctionalityResponse large = new FunctionalityResponse().serviceName("Local");
+    large.publishes(Collections.nCopies(20, "x".repeat(5_000))).subscribes(List.of());
+    frozen(large);
+    Connection vehicle = bus.connect("Local", new RecordingReceiver());
+    Channel<FunctionalityResponse> channel =
+        Channel.latest("large", FunctionalityResponse.TYPE, message -> "all");
+
+    soon()
+        .until(
+            () -> {
+              for (int i = 0; i < 50; i++) {
+                vehicle.publish(channel, large);
+              }
+              return log.stream().anyMatch(line -> line.contains("disconnected: it is too slow"));
+            });
+
+    WebSocketClient other = page();
+    other.send(MqttPacketBytes.connect("other", 0));
+    soon().until(() -> other.connectCode() == 0);
+    vehicle.close();
   }
 
   static Stream<Consumer<java.net.http.WebSocket>> framesThatNoPageSends() {

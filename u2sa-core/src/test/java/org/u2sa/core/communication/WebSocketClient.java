@@ -18,6 +18,7 @@ final class WebSocketClient implements WebSocket.Listener {
 
   private final ByteArrayOutputStream received = new ByteArrayOutputStream(); // guarded by itself
   final CompletableFuture<Void> ended = new CompletableFuture<>();
+  private volatile boolean isDeaf;
   private WebSocket socket;
 
   /** Opens a WebSocket as a page of an origin. */
@@ -50,6 +51,11 @@ final class WebSocketClient implements WebSocket.Listener {
     send(packet, packet.length);
   }
 
+  /** Takes one more frame at most. */
+  void stopReading() {
+    isDeaf = true;
+  }
+
   WebSocket socket() {
     return socket;
   }
@@ -75,7 +81,9 @@ final class WebSocketClient implements WebSocket.Listener {
         received.write(data.get());
       }
     }
-    from.request(1);
+    if (!isDeaf) {
+      from.request(1);
+    }
     return null;
   }
 

@@ -2,6 +2,7 @@ package org.u2sa.core.communication;
 
 import java.io.IOException;
 import org.junit.jupiter.api.AfterEach;
+import org.u2sa.testkit.TcpRelay;
 
 /** Tests in which the remote client's wire can be cut. */
 abstract class WiredClients extends TwoClients {

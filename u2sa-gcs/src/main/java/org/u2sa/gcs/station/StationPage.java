@@ -18,21 +18,34 @@ public final class StationPage implements WebSite {
           "style.css",
           "icon.svg",
           "app.js",
+          "canvas.js",
           "cbor.js",
+          "chart.js",
+          "coast.js",
+          "configuration.js",
+          "dom.js",
           "editor.js",
+          "graph.js",
+          "insight.js",
+          "land.json",
           "layers.js",
           "link.js",
           "map.js",
+          "maptools.js",
           "model.js",
           "mqtt.js",
           "orders.js",
           "panel.js",
-          "place.js");
+          "place.js",
+          "series.js",
+          "services.js",
+          "texts.js");
 
   private static final Map<String, String> MEDIA_TYPES =
       Map.of(
           "html", "text/html; charset=utf-8",
           "css", "text/css; charset=utf-8",
+          "json", "application/json",
           "js", "text/javascript; charset=utf-8",
           "svg", "image/svg+xml");
 

@@ -27,7 +27,7 @@ import org.u2sa.testkit.FreePort;
 class StationPageFilesTest {
   private static final int MAX_BYTES = 250_000; // compressed
   private static final Pattern REFERENCE =
-      Pattern.compile("(?:from '\\.|(?:src|href)=\")(/[^'\"]*)['\"]");
+      Pattern.compile("(?:from '\\.|fetch\\('|(?:src|href)=\")(/[^'\"]*)['\"]");
 
   private final Map<String, WebSite.File> files = new StationPage().files();
 

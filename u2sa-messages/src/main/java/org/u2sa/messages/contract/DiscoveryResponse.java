@@ -1,5 +1,6 @@
 package org.u2sa.messages.contract;
 
+import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
@@ -24,6 +25,8 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
       SCHEMA.since(2).optionalName("instance");
   private static final ValueField<DiscoveryResponse, String> CLASS_NAME =
       SCHEMA.optionalName("className");
+  private static final ValueField<DiscoveryResponse, List<String>> CHOICES =
+      SCHEMA.since(3).optionalTexts("choices");
 
   public static final MessageType<DiscoveryResponse> TYPE = SCHEMA.build();
 
@@ -93,5 +96,15 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
 
   public DiscoveryResponse className(String value) {
     return put(CLASS_NAME, value);
+  }
+
+  /** Full names of the classes that its process knows for its role, to swap it for. */
+  public List<String> choices() {
+    List<String> some = get(CHOICES);
+    return some == null ? List.of() : some;
+  }
+
+  public DiscoveryResponse choices(List<String> value) {
+    return put(CHOICES, List.copyOf(value));
   }
 }

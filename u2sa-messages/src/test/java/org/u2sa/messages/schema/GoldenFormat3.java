@@ -8,6 +8,7 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ConnectionLost;
+import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
@@ -174,6 +175,15 @@ final class GoldenFormat3 {
             .accepted(true)
             .outcome("goal \"2\" inserted after \"gate\""));
     golden.add("GoalList-paused", new GoalList().paused(true));
+    golden.add(
+        "DiscoveryResponse-choices",
+        new DiscoveryResponse()
+            .serviceName("PathPlanner")
+            .serviceType("PATH_PLANNER")
+            .status(ServiceStatus.RUNNING)
+            .className("org.u2sa.planning.PathPlanner")
+            .choices(
+                List.of("org.u2sa.planning.PathPlanner", "org.u2sa.planning.VectorFieldPlanner")));
     golden.add("GoalList-elapsed", new GoalList().elapsed(62.5));
     golden.add(
         "MissionReport-paused",

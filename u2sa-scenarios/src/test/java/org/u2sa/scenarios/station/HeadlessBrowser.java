@@ -94,6 +94,11 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
     return evaluate("document.getElementById('" + id + "')?.textContent ?? ''").asText();
   }
 
+  String attribute(String id, String name) {
+    return evaluate("document.getElementById('%s').getAttribute('%s')".formatted(id, name))
+        .asText();
+  }
+
   void awaitText(String id, String part) {
     Awaitility.await()
         .atMost(LONG)
@@ -102,7 +107,32 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   }
 
   void press(String id) {
-    evaluate("document.getElementById('" + id + "').click()");
+    evaluate(click(id));
+  }
+
+  private static String click(String id) {
+    return "document.getElementById('" + id + "').click()";
+  }
+
+  /** Presses a button that may not be there, such as the answer to a question. */
+  void pressIfShown(String id) {
+    evaluate("document.getElementById('" + id + "')?.checkVisibility() && " + click(id));
+  }
+
+  /** Presses the button with a text in an element. */
+  void choose(String id, String text) {
+    evaluate(
+        "[...document.querySelectorAll('#%s button')].find(each => each.textContent === '%s').click()"
+            .formatted(id, text));
+  }
+
+  /** Types a value into the form of a configuration. */
+  void set(String variable, String value) {
+    evaluate(
+        ("(() => { const input = [...document.querySelectorAll('.variable')].find(each =>"
+                + " each.firstChild.textContent === '%s').querySelector('input, select');"
+                + " input.value = '%s'; input.dispatchEvent(new Event('input')); })()")
+            .formatted(variable, value));
   }
 
   void key(String name) {

@@ -19,6 +19,7 @@ import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 import org.u2sa.testkit.Repository;
+import org.u2sa.testkit.TcpRelay;
 
 /** An operator at the page of a ground vehicle that drives, in Chromium. */
 @Tag("browser")
@@ -28,6 +29,8 @@ class StationPageTest {
   private static final Duration LONG = Duration.ofSeconds(90);
   private static final int WIDTH = 1400;
   private static final int HEIGHT = 900;
+  private static final double MAP_CENTRE_X = (WIDTH - 400) / 2.0; // of the page beside its panel
+  private static final double MAP_CENTRE_Y = 450.0;
 
   @TempDir private Path folder;
 
@@ -114,6 +117,84 @@ class StationPageTest {
   }
 
   @Test
+  void operator_movesAGoalAndChangesServicesInMotion_theVehicleFollowsAndSaysWhy() {
+    browser.open(page + "#" + token());
+    browser.awaitText("doing", "to ");
+
+    browser.awaitText("instruments", "To goal"); // the map shows the whole mission then
+    await().atMost(LONG).until(() -> browser.attribute("follow", "aria-pressed").equals("false"));
+    browser.press("follow"); // its centre is the vehicle
+    List.of(1, 2, 3).forEach(each -> browser.press("zoom-in")); // no goal is close by
+    browser.press("tab-mission");
+    browser.press("add");
+    browser.clickAt(MAP_CENTRE_X + 150.0, MAP_CENTRE_Y);
+    browser.awaitText("goals", "w1");
+    browser.press("add");
+    browser.dragRight(MAP_CENTRE_X + 150.0, MAP_CENTRE_Y, 3);
+    browser.press("upload");
+    browser.awaitText("outcome", "inserted \"w1\"");
+    browser.press("goto");
+    browser.awaitText("doing", "to w1");
+
+    browser.press("tab-services");
+    browser.awaitText("service-rows", "Control");
+    browser.choose("service-rows", "Control");
+    browser.awaitText("variables", "TURN GAIN");
+    browser.set("TURN GAIN", "-3");
+    browser.press("configuration-apply");
+    browser.awaitText("outcome", "variable \"TURN GAIN\": -3");
+    browser.set("TURN GAIN", "2.5");
+    browser.press("configuration-apply");
+    browser.awaitText("outcome", "→ 2.5; revision 1");
+    browser.press("configuration-undo");
+    browser.awaitText("outcome", "2.5 →");
+    browser.press("service-back");
+
+    browser.choose("service-rows", "PathPlanner");
+    browser.awaitText("service-class", "VectorFieldPlanner");
+    browser.press("service-swap");
+    browser.press("confirm-yes");
+    browser.awaitText("outcome", "PathPlanner: swapped");
+    browser.awaitText("service-facts", "org.u2sa.planning.VectorFieldPlanner");
+    browser.press("tab-log");
+    browser.awaitText("events", "goal w1 reached");
+
+    browser.press("tab-services");
+    browser.press("service-back");
+    browser.choose("service-rows", "ImuSensor");
+    browser.press("service-stop");
+    browser.press("confirm-yes");
+    browser.awaitText("outcome", "ImuSensor has stopped");
+    browser.press("estop");
+    browser.awaitText("alert", "Emergency stop confirmed by");
+    assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
+    assertThat(browser.errors).isEmpty();
+  }
+
+  @Test
+  void link_goesDeadAndComesBack_isAnnouncedAndRecoversByItself() throws IOException {
+    try (TcpRelay wire = new TcpRelay(webPort)) {
+      browser.open("http://127.0.0.1:" + wire.port() + "/#" + token());
+      browser.awaitText("instruments", "m/s");
+      browser.awaitText("doing", "to ");
+      assertThat(staleInstruments()).isZero();
+
+      wire.goDead();
+      await().atMost(LONG).until(() -> staleInstruments() > 0);
+      browser.awaitText("alert", "Link lost");
+
+      wire.restore();
+      browser.awaitText("link", "link ");
+      await().atMost(LONG).until(() -> staleInstruments() == 0);
+      assertThat(browser.attribute("alert", "hidden")).isEmpty(); // present
+    }
+  }
+
+  private int staleInstruments() {
+    return browser.evaluate("document.querySelectorAll('#instruments .stale').length").asInt();
+  }
+
+  @Test
   void observer_pressesEverything_theVehicleDoesNotObey() {
     browser.open(page);
     browser.awaitText("link", "not connected"); // the script runs
@@ -125,6 +206,21 @@ class StationPageTest {
     browser.press("estop");
 
     browser.awaitText("alert", "Emergency stop NOT CONFIRMED");
+    browser.press("tab-services");
+    browser.choose("service-rows", "PathPlanner");
+    browser.awaitText("variables", "LOOK AHEAD"); // it may read
+    browser.set("LOOK AHEAD", "2");
+    for (String order : List.of("configuration-apply", "configuration-undo", "service-stop")) {
+      browser.evaluate("document.getElementById('outcome').textContent = ''");
+      browser.press(order);
+      browser.pressIfShown("confirm-yes");
+      browser.awaitText("outcome", "no answer from the vehicle");
+    }
+    browser.press("service-swap");
+    browser.press("confirm-yes");
+    browser.awaitText("service-facts", "org.u2sa.planning.PathPlanner ");
+    assertThat(browser.text("service-rows")).doesNotContain("stopped");
+    assertThat(browser.text("configuration-revision")).isEqualTo("revision 0");
     assertThat(browser.text("doing")).contains("to ");
     assertThat(browser.errors).isEmpty();
   }

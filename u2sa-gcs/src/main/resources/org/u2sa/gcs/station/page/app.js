@@ -1,12 +1,19 @@
 // Joins the parts: messages go into the model, the model onto the screen, buttons become orders.
 
+import {land} from './coast.js';
+import {byId} from './dom.js';
 import {MissionEditor} from './editor.js';
 import {drawVehicle, extent} from './layers.js';
+import {InsightTab} from './insight.js';
 import {Link} from './link.js';
 import {MapView} from './map.js';
+import {MapTools} from './maptools.js';
 import {Model} from './model.js';
 import {Orders} from './orders.js';
-import {Panel, byId} from './panel.js';
+import {Panel} from './panel.js';
+import {SeriesBook} from './series.js';
+import {ServicesTab} from './services.js';
+import {texts} from './texts.js';
 
 const PANEL_EVERY_MS = 250;
 const DRAW_EVERY_MS = 40; // spares the battery of a phone
@@ -18,8 +25,12 @@ const link = new Link({changed: () => panel.showLink(), up: linkUp, message: rec
 const orders = new Orders(link);
 const model = new Model({answered: fields => orders.answered(fields), missionChanged: askMission});
 const editor = new MissionEditor(orders);
-const panel = new Panel({link, orders, editor, model, selected, select});
+const services = new ServicesTab({link, orders, selected, order, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question)});
+const book = new SeriesBook();
+const insight = new InsightTab({link, book, selected});
+const panel = new Panel({services, insight, link, orders, editor, model, selected, select});
 const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
+const tools = new MapTools({map, extent: () => (selected() ? extent(selected(), editor.route(selected())) : [])});
 
 let selectedId = '';
 let wasFitted = false;
@@ -39,6 +50,8 @@ function select(id) {
 
 function received(system, channel, type, fields) {
   model.message(system, channel, type, fields);
+  if (system === selectedId) book.message(system, channel, fields);
+  if (type === 'CameraImage') insight.picture(model.vehicles.get(system), fields).catch(error => panel.tell(texts.noPicture(error.message), true));
   if (!selectedId && model.vehicles.has(system)) select(system);
   map.touch();
 }
@@ -97,13 +110,6 @@ onClick('remove', vehicle => {
 onClick('undo', () => editor.undo());
 onClick('discard', () => editor.discard());
 onClick('upload', vehicle => order(editor.upload(vehicle).finally(() => askMission(vehicle))));
-byId('zoom-in').onclick = () => map.zoom(1.5);
-byId('zoom-out').onclick = () => map.zoom(1 / 1.5);
-byId('fit').onclick = () => selected() && map.fit(extent(selected(), editor.route(selected())));
-byId('follow').onclick = () => {
-  map.follows = !map.follows;
-  map.touch();
-};
 
 document.addEventListener('keydown', event => {
   if (event.key !== 'Escape' || event.repeat) return;
@@ -114,7 +120,7 @@ document.addEventListener('keydown', event => {
 
 function tapped(at) {
   const vehicle = selected();
-  if (!vehicle) return;
+  if (!vehicle || tools.tapped(at)) return;
   const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
   if (editor.isAdding && !hit && vehicle.place.origin) editor.add(vehicle, at);
   else editor.selected = hit ? hit.uid : null;
@@ -150,17 +156,20 @@ function frame() {
   map.isDirty = false;
   drawnAt = now;
   const vehicle = selected();
-  if (vehicle && vehicle.place.pose && map.follows) map.centre = {x: vehicle.place.pose.x, y: vehicle.place.pose.y};
+  if (vehicle && vehicle.place.pose) tools.follow(vehicle.place.pose);
   map.clear();
+  const coast = vehicle && tools.layers.coast && land(vehicle.place, () => map.touch());
+  if (coast) map.shape(coast, map.colours.land, map.colours.dim);
   map.drawGrid();
   for (const other of model.vehicles.values()) {
-    if (other !== vehicle) drawVehicle(map, seenFrom(vehicle, other), [], false);
+    if (other !== vehicle) drawVehicle(map, seenFrom(vehicle, other), [], false, tools.layers);
   }
   if (!vehicle) return;
   const route = editor.route(vehicle);
   const moving = dragging && route.find(goal => goal.uid === dragging.uid);
   if (moving) moving.at = dragging.at;
-  drawVehicle(map, vehicle, route, true);
+  drawVehicle(map, vehicle, route, true, tools.layers);
+  tools.draw();
   if (!wasFitted && vehicle.report && vehicle.place.pose) {
     wasFitted = true;
     map.fit(extent(vehicle, route));
@@ -176,7 +185,7 @@ function seenFrom(vehicle, other) {
 
 setInterval(() => {
   const vehicle = selected();
-  byId('follow').setAttribute('aria-pressed', map.follows);
+  tools.show();
   panel.show(vehicle);
   map.touch(); // what is stale turns grey without a message
   if (vehicle && link.isUp && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);

@@ -103,16 +103,20 @@ class Reader {
   }
 }
 
-/** Writes a map of texts, booleans, numbers (as float64) and lists of texts. */
+/** Writes a map of texts, booleans, numbers (as float64), bigints (as integers, not negative), lists and maps. */
 export function encode(fields) {
   const out = [];
+  map(out, fields);
+  return Uint8Array.from(out);
+}
+
+function map(out, fields) {
   const names = Object.keys(fields).filter(name => fields[name] !== undefined);
   head(out, 5, names.length);
   for (const name of names) {
     write(out, name);
     write(out, fields[name]);
   }
-  return Uint8Array.from(out);
 }
 
 function write(out, value) {
@@ -123,9 +127,13 @@ function write(out, value) {
     const bytes = new Uint8Array(8);
     new DataView(bytes.buffer).setFloat64(0, value);
     out.push(...bytes);
+  } else if (typeof value === 'bigint') {
+    head(out, 0, Number(value));
   } else if (Array.isArray(value)) {
     head(out, 4, value.length);
     value.forEach(each => write(out, each));
+  } else if (typeof value === 'object') {
+    map(out, value);
   } else {
     const bytes = new TextEncoder().encode(value);
     head(out, 3, bytes.length);

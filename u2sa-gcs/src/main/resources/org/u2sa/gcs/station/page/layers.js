@@ -3,24 +3,30 @@
 const OCCUPIED = 0; // log odds above are more likely occupied
 const UNKNOWN = -128;
 const SIGMAS = 2;
+const AHEAD_S = 10; // how far the line ahead of a moving object reaches
 
 /** Draws one vehicle. `route` is the mission as the editor has it. */
-export function drawVehicle(map, vehicle, route, isSelected) {
+export function drawVehicle(map, vehicle, route, isSelected, layers) {
   const {colours} = map;
   if (isSelected) {
-    drawCells(map, vehicle);
-    vehicle.objects.forEach(object => drawObject(map, vehicle.place, object));
-    for (const plan of vehicle.plans.values()) {
+    if (layers.cells) drawCells(map, vehicle);
+    if (layers.areas) drawAreas(map, vehicle.place, vehicle.report ? vehicle.report.goals : []);
+    for (const object of vehicle.objects) {
+      const isMoving = object.xDot !== undefined || (object.type || []).includes('MovingSphere');
+      if (isMoving && layers.traffic) drawTraffic(map, vehicle.place, object);
+      else if (!isMoving && layers.objects) drawObject(map, vehicle.place, object);
+    }
+    for (const plan of layers.plan ? vehicle.plans.values() : []) {
       map.line(placed(vehicle.place, plan.referenceFrame, plan.points || []), plan.status === 'FOLLOWED' ? colours.plan : colours.warn, 2, [6, 4]);
     }
-    drawRoute(map, route);
+    if (layers.route) drawRoute(map, route);
   }
   const {pose} = vehicle.place;
   if (!pose) return;
-  map.line([...vehicle.trail, pose], isSelected ? colours.accent : colours.dim, 2);
+  if (layers.trail) map.line([...vehicle.trail, pose], isSelected ? colours.accent : colours.dim, 2);
   if (isSelected) drawNavigation(map, vehicle, pose);
   const {state} = vehicle;
-  if (isSelected && state.xSigma !== undefined && state.ySigma !== undefined) {
+  if (isSelected && layers.uncertainty && state.xSigma !== undefined && state.ySigma !== undefined) {
     const [east, north] = state.referenceFrame === 'LOCAL_NED' ? [state.ySigma, state.xSigma] : [state.xSigma, state.ySigma];
     map.ellipse(pose, SIGMAS * east, SIGMAS * north, colours.accent, {dash: [3, 3]});
   }
@@ -84,6 +90,36 @@ function drawObject(map, place, object) {
   else if (object.length !== undefined && object.width !== undefined) map.area(corners(place, at, object), colour);
   else map.ellipse(at, object.radius || 0, object.radius || 0, colour, {isFilled: true, minPx: 3});
   if (map.scale > 4 && object.objectType) map.label(object.objectType, offset(map.toScreen(at), 8), colour);
+}
+
+/** A moving object: its separation, its 2σ, and where it will be. */
+function drawTraffic(map, place, object) {
+  const frame = object.referenceFrame || 'GLOBAL';
+  const at = place.of(frame, object.x, object.y);
+  if (!at) return;
+  const {xDot = 0, yDot = 0, xSigma, ySigma} = object;
+  const colour = map.colours.bad;
+  if (object.radius) map.ellipse(at, object.radius, object.radius, colour, {dash: [6, 4]});
+  if (xSigma !== undefined && ySigma !== undefined) map.ellipse(at, SIGMAS * xSigma, SIGMAS * ySigma, colour, {dash: [2, 3]});
+  const speed = Math.hypot(xDot, yDot);
+  const isEastFirst = frame === 'GLOBAL' || frame.startsWith('UTM');
+  const course = isEastFirst ? Math.atan2(xDot, yDot) : place.heading(frame, Math.atan2(yDot, xDot));
+  if (speed > 0 && course !== undefined) {
+    const reach = speed * AHEAD_S;
+    map.line([at, {x: at.x + reach * Math.sin(course), y: at.y + reach * Math.cos(course)}], colour, 1.5);
+  }
+  map.arrow(at, speed > 0 ? course : undefined, colour);
+  map.label([object.objectType || object.uid, speed > 0 ? speed.toFixed(1) + ' m/s' : ''].filter(Boolean).join(' '), offset(map.toScreen(at), 14), colour);
+}
+
+/** Goals of any class with points are areas or lines to be covered. */
+function drawAreas(map, place, goals) {
+  for (const goal of goals) {
+    const points = placed(place, goal.referenceFrame, goal.points || []);
+    const colour = goal.result ? map.colours.dim : map.colours.goal;
+    if (points.length > 2) map.area(points, colour);
+    else map.line(points, colour, 2);
+  }
 }
 
 function corners(place, at, {length, width, psi = 0, referenceFrame = 'GLOBAL'}) {

@@ -7,7 +7,7 @@ const KEEP_ALIVE_S = 60; // a hidden page may be woken once a minute only
 const PING_EVERY_MS = 1000;
 const LOST_AFTER_MS = 3000; // three pings
 const RETRY_MS = [500, 1000, 2000, 5000];
-const QOS_1 = ['mission', 'service-orders', 'arming-state', 'failsafe', 'emergency-stop', 'goals', 'conditions'];
+const QOS_1 = ['mission', 'service-orders', 'arming-state', 'failsafe', 'emergency-stop', 'goals', 'conditions', 'configuration', 'discovery', 'functionality'];
 const QOS_0 = ['state', 'objects', 'grid', 'plans', 'navigation', 'power', 'health', 'goal-reports'];
 const REFUSALS = {
   1: 'the broker wants another version of MQTT',
@@ -29,6 +29,7 @@ export class Link {
     this.connection = null;
     this.login = null;
     this.attempts = 0;
+    this.extra = new Set(); // channels heard on demand
     setInterval(() => this.watch(), PING_EVERY_MS);
   }
 
@@ -80,10 +81,21 @@ export class Link {
     this.set('up', '');
     this.connection.subscribe([
       ...QOS_1.map(channel => [`u2sa/+/${channel}/#`, 1]),
-      ...QOS_0.map(channel => [`u2sa/+/${channel}/#`, 0]),
+      ...[...QOS_0, ...this.extra].map(channel => [`u2sa/+/${channel}/#`, 0]),
     ]);
     this.connection.ping();
     if (this.events.up) this.events.up();
+  }
+
+  /** Receives one more channel from now on. */
+  hear(channel) {
+    if (QOS_1.includes(channel) || QOS_0.includes(channel) || this.extra.has(channel)) return;
+    this.extra.add(channel);
+    if (this.isUp) this.connection.subscribe([[`u2sa/+/${channel}/#`, 0]]);
+  }
+
+  unhear(channel) {
+    if (this.extra.delete(channel) && this.isUp) this.connection.unsubscribe(`u2sa/+/${channel}/#`);
   }
 
   closed(connection) {

@@ -5,6 +5,7 @@ import {Place} from './place.js';
 export const STALE_MS = 1000;
 const MAX_VEHICLES = 64; // names come from messages
 const MAX_NAMES = 256; // services, batteries and path planners of one vehicle
+const MAX_ELEMENTS = 1000; // of a list in an answer
 const TRAIL_POINTS = 3000;
 const EVENTS = 500;
 
@@ -29,6 +30,9 @@ export class Vehicle {
     this.power = new Map();
     this.services = new Map(); // name -> {report, at}
     this.conditions = new Map();
+    this.directory = new Map(); // name -> DiscoveryResponse
+    this.functions = new Map(); // name -> FunctionalityResponse
+    this.configurations = new Map(); // name -> ConfigurationResponse
     this.arming = null;
     this.failsafe = null;
     this.lastStop = '';
@@ -81,6 +85,14 @@ function put(map, name, value) {
   if (map.has(name) || map.size < MAX_NAMES) map.set(name, value);
 }
 
+const isText = value => typeof value === 'string';
+const text = value => (isText(value) ? value : '');
+
+/** The elements of a list that are as expected; a service may send anything. */
+function list(value, isExpected) {
+  return Array.isArray(value) ? value.slice(0, MAX_ELEMENTS).filter(isExpected) : [];
+}
+
 const HANDLERS = {
   state(vehicle, fields) {
     vehicle.state = fields;
@@ -128,7 +140,7 @@ const HANDLERS = {
   power: (vehicle, fields) => put(vehicle.power, fields.sensorName, {...fields, at: performance.now()}),
 
   health(vehicle, fields, type) {
-    if (!fields.serviceName || type !== 'HealthReport') return;
+    if (!fields.serviceName || type !== 'HealthReport' || !isText(fields.status)) return;
     const before = vehicle.services.get(fields.serviceName);
     if (before && before.report.status !== fields.status) vehicle.log(`${fields.serviceName}: ${fields.status.toLowerCase()}`);
     if (fields.lastError && (!before || before.report.lastError !== fields.lastError)) {
@@ -144,6 +156,33 @@ const HANDLERS = {
       const level = ['ALIVE', 'STOPPED', 'UNWATCHED'].includes(fields.condition) ? 'info' : 'error';
       vehicle.log(`${fields.serviceName}: ${[fields.condition.toLowerCase(), fields.reason, fields.action].filter(Boolean).join(', ')}`, level);
     }
+  },
+
+  discovery(vehicle, fields, type) {
+    if (type === 'DiscoveryResponse') put(vehicle.directory, text(fields.serviceName), {className: text(fields.className), host: text(fields.host), choices: list(fields.choices, isText)});
+  },
+
+  functionality(vehicle, fields, type) {
+    const {serviceName, publishes, subscribes} = fields;
+    if (type === 'FunctionalityResponse') put(vehicle.functions, text(serviceName), {serviceName: text(serviceName), publishes: list(publishes, isText), subscribes: list(subscribes, isText)});
+  },
+
+  configuration(vehicle, fields, type, answers) {
+    if (type === 'ConfigurationResponse') {
+      const variables = list(fields.variables, each => each && isText(each.name) && isText(each.value)).map(each => ({...each, choices: list(each.choices, isText)}));
+      put(vehicle.configurations, text(fields.serviceName), {serviceName: text(fields.serviceName), revision: Number(fields.revision || 0), variables});
+    }
+    if (type !== 'ConfigurationTransactionResult') return;
+    const changes = list(fields.assignments, Boolean).map(each => `${each.variableName} = ${each.value}`).join(', ');
+    vehicle.log(`${fields.serviceName}: ${changes} by ${fields.author}${fields.accepted ? '' : ' refused: ' + fields.reason}`, fields.accepted ? 'important' : 'warn');
+    answers.answered(fields);
+  },
+
+  'service-orders'(vehicle, fields, type, answers) {
+    if (type === 'ServiceOrder') vehicle.log(`${fields.action} ${fields.serviceName} ordered by ${fields.operator}`, 'important');
+    if (type !== 'ServiceOrderResult') return;
+    if (!fields.accepted) vehicle.log(`${fields.serviceName}: not done: ${fields.reason}`, 'warn');
+    answers.answered(fields);
   },
 
   'arming-state'(vehicle, fields, type, answers) {

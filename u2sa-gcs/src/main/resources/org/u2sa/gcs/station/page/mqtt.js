@@ -1,6 +1,6 @@
 // MQTT 3.1.1 over WebSocket, as much as the page needs: QoS 0 and 1, no sessions.
 
-const CONNECT = 1, CONNACK = 2, PUBLISH = 3, PUBACK = 4, SUBSCRIBE = 8, SUBACK = 9;
+const CONNECT = 1, CONNACK = 2, PUBLISH = 3, PUBACK = 4, SUBSCRIBE = 8, SUBACK = 9, UNSUBSCRIBE = 10;
 const PINGREQ = 12, PINGRESP = 13, DISCONNECT = 14;
 const LONGEST_FRAME = 16 * 1024; // the broker's limit; a packet may span several frames
 const LONGEST_PACKET = 4 << 20;
@@ -36,6 +36,10 @@ export class MqttConnection {
     const body = [...this.nextId()];
     for (const [filter, qos] of filters) body.push(...text(filter), qos);
     this.send(SUBSCRIBE << 4 | 2, body);
+  }
+
+  unsubscribe(filter) {
+    this.send(UNSUBSCRIBE << 4 | 2, [...this.nextId(), ...text(filter)]);
   }
 
   /** Resolves when the broker has the message. */

@@ -1,8 +1,10 @@
 // Orders to a vehicle: each ends with the vehicle's own answer, or with the reason why there is none.
 
+import {texts} from './texts.js';
+
 const ANSWER_WITHIN_MS = 5000;
 const REPEAT_WITHIN_MS = 30000;
-const NO_ANSWER = 'no answer from the vehicle within 5 s: this user may lack the role operator, or nobody there handles it';
+const SWAP_WITHIN_MS = 15000; // a restart first tries the service out
 
 export class Orders {
   constructor(link) {
@@ -18,11 +20,11 @@ export class Orders {
     if (resolve) resolve(fields);
   }
 
-  async ask(vehicle, channel, type, fields) {
+  async ask(vehicle, channel, type, fields, withinMs = ANSWER_WITHIN_MS) {
     const requestId = randomId();
     const answer = new Promise((resolve, reject) => {
       this.pending.set(requestId, resolve);
-      setTimeout(() => reject(new Error(NO_ANSWER)), ANSWER_WITHIN_MS);
+      setTimeout(() => reject(new Error(texts.noAnswer)), withinMs);
     });
     answer.catch(() => undefined); // awaited below unless publishing fails
     try {
@@ -48,6 +50,57 @@ export class Orders {
     const state = await this.ask(vehicle, 'arming', 'ArmCommand', {arm, operator: this.operator});
     if (state.armed !== arm) throw new Error(arm ? 'cannot arm: ' + (state.reasons || []).join('; ') : 'still armed');
     return arm ? 'armed' : 'disarmed';
+  }
+
+  /** Orders a service's launcher to start, restart or swap it. */
+  async service(vehicle, serviceName, action, fields = {}) {
+    const result = await this.ask(vehicle, 'service-orders', 'ServiceOrder', {serviceName, action, operator: this.operator, ...fields}, SWAP_WITHIN_MS);
+    if (!result.accepted) throw new Error(result.reason);
+    await this.askDirectory(vehicle).catch(() => undefined); // its class may be another
+    return texts.ordered(serviceName, action);
+  }
+
+  /** Ends a service; resolves when it reports so. */
+  async stopService(vehicle, serviceName) {
+    await this.link.publish(vehicle.id, 'stop', 'StopCommand', {serviceName, stopAll: false});
+    await this.until(() => ['STOPPED', 'FAILED'].includes((vehicle.services.get(serviceName) || {report: {}}).report.status));
+    return texts.stopped(serviceName);
+  }
+
+  /** Asks what a service's variables are; the answer goes into the model. */
+  async askConfiguration(vehicle, serviceName) {
+    const before = vehicle.configurations.get(serviceName);
+    await this.link.publish(vehicle.id, 'configuration', 'ConfigurationRequest', {serviceName});
+    await this.until(() => vehicle.configurations.get(serviceName) !== before);
+  }
+
+  async askDirectory(vehicle) {
+    await this.link.publish(vehicle.id, 'discovery', 'DiscoveryRequest', {});
+    await this.link.publish(vehicle.id, 'functionality', 'FunctionalityRequest', {serviceName: ''});
+  }
+
+  configure(vehicle, serviceName, assignments, revision) {
+    return this.changed(vehicle, 'ConfigurationTransaction', {serviceName, author: this.operator, assignments, revision: revision === undefined ? undefined : BigInt(revision)});
+  }
+
+  undoConfiguration(vehicle, serviceName) {
+    return this.changed(vehicle, 'ConfigurationUndo', {serviceName, author: this.operator});
+  }
+
+  async changed(vehicle, type, fields) {
+    const result = await this.ask(vehicle, 'configuration', type, fields);
+    await this.askConfiguration(vehicle, fields.serviceName).catch(() => undefined); // shows the values in force
+    if (!result.accepted) throw new Error(result.reason);
+    return result;
+  }
+
+  /** Waits for what only the model shows. */
+  async until(condition) {
+    const end = performance.now() + ANSWER_WITHIN_MS;
+    while (!condition()) {
+      if (performance.now() > end) throw new Error(texts.noAnswer);
+      await new Promise(resolve => setTimeout(resolve, 50));
+    }
   }
 
   /** Stops the vehicle at once; without a link, as soon as there is one. */
@@ -92,12 +145,8 @@ export class Orders {
     const lifts = vehicle.stops().inForce;
     this.stop = null;
     await this.link.publish(vehicle.id, 'emergency-stop', 'EmergencyStop', {active: false, operator: this.operator, reason: 'cleared on the web page', lifts}, true);
-    const end = performance.now() + ANSWER_WITHIN_MS;
-    while (performance.now() < end) {
-      if (!vehicle.stops().inForce.some(id => lifts.includes(id))) return 'emergency stop cleared';
-      await new Promise(resolve => setTimeout(resolve, 100));
-    }
-    throw new Error('the stop is still in force: ' + NO_ANSWER);
+    await this.until(() => !vehicle.stops().inForce.some(id => lifts.includes(id)));
+    return 'emergency stop cleared';
   }
 }
 

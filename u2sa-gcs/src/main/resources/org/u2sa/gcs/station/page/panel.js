@@ -1,14 +1,14 @@
 // The texts, tables and chips around the map. Everything from a vehicle is set as text, never as markup.
 
+import {age, buttonRow, byId, element, fill, row, setText} from './dom.js';
 import {STALE_MS} from './model.js';
+import {distance} from './texts.js';
 
 const SLOW_MS = 500;
 const DEG = 180 / Math.PI;
 const LINK_NAMES = {off: 'not connected', connecting: 'connecting', up: 'link', lost: 'LINK LOST', refused: 'log-in refused'};
 
-export const byId = id => document.getElementById(id);
-
-/** `parts`: link, orders, editor, model, selected(), select(id). */
+/** `parts`: link, orders, editor, model, services, insight, selected(), select(id). */
 export class Panel {
   constructor(parts) {
     Object.assign(this, parts);
@@ -69,7 +69,8 @@ export class Panel {
     chip('doing', report ? doing(report) : '');
     if (!byId('operate').hidden) this.showOperate(vehicle);
     if (!byId('mission').hidden) this.showMission(vehicle);
-    if (!byId('services').hidden) showServices(vehicle);
+    if (!byId('services').hidden) this.services.show(vehicle);
+    if (!byId('insight').hidden) this.insight.show(vehicle);
     if (!byId('log').hidden) showLog(vehicle);
   }
 
@@ -138,19 +139,14 @@ export class Panel {
   }
 
   goalRow(vehicle, item) {
-    const button = element('button', item.uid);
-    button.type = 'button';
-    button.setAttribute('aria-pressed', item.isSelected);
-    button.onclick = () => {
+    const {pose} = vehicle.place;
+    const apart = item.at && pose ? distance(Math.hypot(item.at.x - pose.x, item.at.y - pose.y)) : '';
+    const state = item.isRemoved ? 'to be removed' : item.isChanged ? 'changed' : item.isCurrent ? 'current' : (item.goal.result || 'open').toLowerCase().replace('_', ' ');
+    const line = {cells: [item.uid, item.goal.type ? item.goal.type[item.goal.type.length - 1] : 'Waypoint', state, apart], state: item.isChanged ? 'warn' : item.isCurrent ? 'good' : ''};
+    return buttonRow(line, item.isSelected, () => {
       this.editor.selected = item.uid;
       this.showMission(vehicle);
-    };
-    const {pose} = vehicle.place;
-    const distance = item.at && pose ? metres(Math.hypot(item.at.x - pose.x, item.at.y - pose.y)) : '';
-    const state = item.isRemoved ? 'to be removed' : item.isChanged ? 'changed' : item.isCurrent ? 'current' : (item.goal.result || 'open').toLowerCase().replace('_', ' ');
-    const line = row({cells: ['', item.goal.type ? item.goal.type[item.goal.type.length - 1] : 'Waypoint', state, distance], state: item.isChanged ? 'warn' : item.isCurrent ? 'good' : ''});
-    line.firstChild.append(button);
-    return line;
+    });
   }
 }
 
@@ -170,7 +166,7 @@ function instruments(vehicle, route) {
   const {pose} = vehicle.place;
   const heading = pose && pose.heading;
   add('Speed', s.xDot === undefined || s.yDot === undefined ? undefined : Math.hypot(s.xDot, s.yDot), 1, 'm/s', vehicle.stateAt);
-  add('Heading', heading === undefined ? undefined : (heading * DEG % 360 + 360) % 360, 0, '°', vehicle.stateAt);
+  add('Heading', heading === undefined ? undefined : Math.round(heading * DEG % 360 + 360) % 360, 0, '°', vehicle.stateAt);
   add('Altitude', s.z, 1, 'm', vehicle.stateAt);
   add('Climb', s.zDot, 1, 'm/s', vehicle.stateAt);
   add('Roll', s.phi === undefined ? undefined : s.phi * DEG, 0, '°', vehicle.stateAt);
@@ -188,21 +184,6 @@ function instruments(vehicle, route) {
   return rows;
 }
 
-function showServices(vehicle) {
-  const names = [...vehicle.services.keys()].sort();
-  fill(byId('service-rows'), names, name => {
-    const {report, at} = vehicle.services.get(name);
-    const condition = vehicle.conditions.get(name);
-    const late = performance.now() - at > 3000 * Math.max(0.2, report.interval || 1);
-    const status = condition && condition.condition !== 'ALIVE' ? condition.condition.toLowerCase() : late ? 'silent ' + age(at) : report.status.toLowerCase();
-    const isBad = report.status === 'FAILED' || condition && !['ALIVE', 'STOPPED', 'UNWATCHED'].includes(condition.condition);
-    const p99 = report.callbackP99 === undefined ? '' : (report.callbackP99 * 1000).toFixed(1) + ' ms';
-    const line = row({cells: [name, status, p99, String(report.dropped + (report.missed || 0)), String(report.exceptions)], state: isBad ? 'bad' : late ? 'stale' : ''});
-    line.title = [report.lastError, ...(report.remarks || [])].filter(Boolean).join('\n');
-    return line;
-  });
-}
-
 function showLog(vehicle) {
   const wanted = byId('search').value.toLowerCase();
   const events = vehicle.events.filter(event => event.text.toLowerCase().includes(wanted)).slice(-200).reverse();
@@ -218,36 +199,4 @@ function chip(id, text, state = '') {
   setText(item, text);
   item.className = state;
   item.hidden = !text;
-}
-
-function row({cells, state}) {
-  const line = element('tr', '');
-  line.className = state;
-  line.append(...cells.map(text => element('td', text)));
-  return line;
-}
-
-function element(name, text) {
-  return Object.assign(document.createElement(name), {textContent: text});
-}
-
-/** Sets a text only if it changes, so that screen readers repeat nothing. */
-function setText(target, text) {
-  if (target.textContent !== text) target.textContent = text;
-}
-
-/** Replaces the children if they differ; otherwise the focus would be lost. */
-function fill(parent, values, make) {
-  const children = values.map(make);
-  const isSame = children.length === parent.children.length && children.every((child, i) => child.outerHTML === parent.children[i].outerHTML);
-  if (!isSame) parent.replaceChildren(...children);
-}
-
-function metres(value) {
-  return value < 1000 ? value.toFixed(1) + ' m' : (value / 1000).toFixed(2) + ' km';
-}
-
-function age(at) {
-  const seconds = (performance.now() - at) / 1000;
-  return seconds < 10 ? seconds.toFixed(1) + ' s' : seconds < 1e6 ? Math.round(seconds) + ' s' : 'ever';
 }

@@ -1,4 +1,4 @@
-package org.u2sa.core.communication;
+package org.u2sa.testkit;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -12,7 +12,7 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
 /** A wire between a client and a broker that a test can cut, or let go dead without a word. */
-final class TcpRelay implements AutoCloseable {
+public final class TcpRelay implements AutoCloseable {
   private final int target;
   private final ServerSocket entry;
   private final List<Socket> sockets = new CopyOnWriteArrayList<>();
@@ -22,29 +22,33 @@ final class TcpRelay implements AutoCloseable {
   private volatile boolean cut;
   private final AtomicInteger connections = new AtomicInteger();
 
-  TcpRelay(int target) throws IOException {
+  /**
+   * @param target port of this host to which it leads
+   */
+  public TcpRelay(int target) throws IOException {
     this.target = target;
     entry = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
     daemon(this::accept);
   }
 
-  int port() {
+  /** The port that clients connect to. */
+  public int port() {
     return entry.getLocalPort();
   }
 
   /** How many connections have come. */
-  int connections() {
+  public int connections() {
     return connections.get();
   }
 
   /** Breaks all connections and lets none through. */
-  void cut() {
+  public void cut() {
     cut = true;
     breakAll();
   }
 
   /** Lets connections through again; what hung before is broken, as a router does that forgot. */
-  void restore() {
+  public void restore() {
     breakAll();
     cut = false;
     lock.lock();
@@ -57,7 +61,7 @@ final class TcpRelay implements AutoCloseable {
   }
 
   /** From now on nothing arrives, and nobody is told. */
-  void goDead() {
+  public void goDead() {
     lock.lock();
     dead = true;
     lock.unlock();
