@@ -24,6 +24,8 @@ import org.u2sa.planning.guidance.Vehicle;
 final class StraightApproach implements LandingState.Descent {
   private static final double LEAD_RADII = 4.0; // of turns, to settle on the line
   private static final double ROLL_OUT_M = 500.0; // line behind the position
+  private static final double PASSED_M = 50.0; // beyond the position …
+  private static final double HIGH_M = 10.0; // … so high, control refuses to land
   private static final int ATTEMPTS = 3;
 
   private enum Phase {
@@ -110,6 +112,9 @@ final class StraightApproach implements LandingState.Descent {
       }
       phase = Phase.DOWN;
     }
+    if (remainingM < -PASSED_M && to.z() > HIGH_M) {
+      return again(acrossM, to.z(), vehicle.body(toEntry));
+    }
     double aheadM = remainingM - lines.get().lookAheadM(vehicle.speedMps());
     double altitudeM =
         place.upM().orElseThrow() + slope * Math.max(0.0, Math.min(lengthM, aheadM));
@@ -146,7 +151,7 @@ final class StraightApproach implements LandingState.Descent {
     String off =
         String.format(
             Locale.ROOT,
-            "the approach begins %.0f m off the line and %.0f m above it",
+            "the approach is %.0f m off the line and %.0f m too high",
             acrossM,
             aboveM);
     if (attempts >= ATTEMPTS) {
