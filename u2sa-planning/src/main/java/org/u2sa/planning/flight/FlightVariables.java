@@ -9,7 +9,7 @@ record FlightVariables(
         @Description(
             "Altitude difference within which a take-off without verticalThreshold is completed.")
         double takeOffAccuracy,
-    @Variable(unit = "m", min = 10, max = 10000, ifAbsent = 300)
+    @Variable(unit = "m", min = 10, max = 10000, ifAbsent = 600)
         @Description("Length of the straight descent of a landing that specifies none.")
         double approachLength,
     @Variable(unit = "deg", min = 1, max = 45, ifAbsent = 5)
