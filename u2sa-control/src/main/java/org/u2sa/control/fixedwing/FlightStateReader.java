@@ -143,8 +143,7 @@ final class FlightStateReader {
     double timeS = Clock.seconds(state.timestamp().orElse(0L));
     double overGround = StrictMath.hypot(last.get(StateField.X_DOT), last.get(StateField.Y_DOT));
     ground.see(timeS, place.altitudeM(), overGround, settings.get().startHeight());
-    boolean fromStart =
-        settings.get().ground() == GroundReference.Source.START && ground.isKnown();
+    boolean fromStart = settings.get().ground() == GroundReference.Source.START && ground.isKnown();
     double heightM = fromStart ? ground.heightM(place.altitudeM()) : HIGH_M;
     return Optional.of(
         new FlightState(

@@ -5,8 +5,8 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Height above ground of an aeroplane whose state does not say it: above the place where it started.
- * The ground is taken as level from there to the landing.
+ * Height above ground of an aeroplane whose state does not say it: above the place where it
+ * started. The ground is taken as level from there to the landing.
  */
 final class GroundReference {
   /** Where an aeroplane gets its height from. */
@@ -46,9 +46,7 @@ final class GroundReference {
     }
     double seenM = altitudeM - startHeightM;
     groundM =
-        Double.isNaN(groundM)
-            ? seenM
-            : groundM + dtS / (TIME_CONSTANT_S + dtS) * (seenM - groundM);
+        Double.isNaN(groundM) ? seenM : groundM + dtS / (TIME_CONSTANT_S + dtS) * (seenM - groundM);
   }
 
   boolean isKnown() {

@@ -13,7 +13,8 @@ class FallTest {
   @Test
   void from_withoutDrag_isAParabola() {
     Fall fall =
-        Fall.from(50.0, Point.of(20.0, -5.0, -2.0), Point.of(9.0, 9.0, 0.0), OptionalDouble.empty());
+        Fall.from(
+            50.0, Point.of(20.0, -5.0, -2.0), Point.of(9.0, 9.0, 0.0), OptionalDouble.empty());
 
     double timeS = (2.0 + Math.sqrt(4.0 + 2.0 * G * 50.0)) / G; // −2 t + g t²/2 = 50
     assertThat(fall.timeS()).isCloseTo(timeS, within(0.01));
@@ -32,8 +33,7 @@ class FallTest {
 
   @Test
   void from_lightPayloadInWind_isCarriedAlong() {
-    Fall fall =
-        Fall.from(100.0, Point.ORIGIN, Point.of(0.0, 5.0, 0.0), OptionalDouble.of(2.0));
+    Fall fall = Fall.from(100.0, Point.ORIGIN, Point.of(0.0, 5.0, 0.0), OptionalDouble.of(2.0));
 
     assertThat(fall.way().y()).isCloseTo(5.0 * fall.timeS(), within(2.0));
     assertThat(fall.way().x()).isCloseTo(0.0, within(1e-9));

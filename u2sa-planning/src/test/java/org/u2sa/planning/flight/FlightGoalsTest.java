@@ -22,7 +22,9 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.PathPlanner;
 import org.u2sa.testkit.ServiceKit;
 
-/** Goals of aircraft on a local plane, by a kinematic vehicle that goes to its navigation points. */
+/**
+ * Goals of aircraft on a local plane, by a kinematic vehicle that goes to its navigation points.
+ */
 class FlightGoalsTest {
   private static final double STEP_S = 0.05;
 

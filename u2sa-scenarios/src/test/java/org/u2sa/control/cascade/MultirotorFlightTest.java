@@ -110,8 +110,8 @@ class MultirotorFlightTest {
   }
 
   /**
-   * With neighbours that turn the same way, rotors 1, 2 and 3, 4, four of six can be lost (Du et al.,
-   * Controllability Analysis for Multirotor Helicopters, 2015, configuration PPNNPN).
+   * With neighbours that turn the same way, rotors 1, 2 and 3, 4, four of six can be lost (Du et
+   * al., Controllability Analysis for Multirotor Helicopters, 2015, configuration PPNNPN).
    */
   @ParameterizedTest
   @ValueSource(ints = {2, 3, 4, 5})

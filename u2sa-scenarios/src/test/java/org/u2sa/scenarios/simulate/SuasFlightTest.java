@@ -29,7 +29,10 @@ class SuasFlightTest {
       Geodetic place =
           new Geodetic(Double.parseDouble(fields[1]), Double.parseDouble(fields[2]), 0.0);
       return new Row(
-          FIELD.nedOf(place), Double.parseDouble(fields[3]), Double.parseDouble(fields[5]), Integer.parseInt(fields[7]));
+          FIELD.nedOf(place),
+          Double.parseDouble(fields[3]),
+          Double.parseDouble(fields[5]),
+          Integer.parseInt(fields[7]));
     }
 
     double fromM(double north, double east) {
@@ -135,10 +138,7 @@ class SuasFlightTest {
 
     for (double[] corner : new double[][] {{-400, 500}, {600, 500}, {600, -500}, {-400, -500}}) {
       assertThat(
-              rows.stream()
-                  .mapToDouble(row -> row.fromM(corner[0], corner[1]))
-                  .min()
-                  .orElseThrow())
+              rows.stream().mapToDouble(row -> row.fromM(corner[0], corner[1])).min().orElseThrow())
           .as("waypoint at %s, %s", corner[0], corner[1])
           .isLessThan(15.2);
     }
@@ -146,7 +146,8 @@ class SuasFlightTest {
     assertThat(acrossRmsM(rows, 3, -350, 300, -500)).isLessThan(acrossM);
     Row end = rows.get(rows.size() - 1);
     double offRunwayM =
-        end.ned().y() * Math.cos(Math.toRadians(100)) - end.ned().x() * Math.sin(Math.toRadians(100));
+        end.ned().y() * Math.cos(Math.toRadians(100))
+            - end.ned().x() * Math.sin(Math.toRadians(100));
     assertThat(Math.abs(offRunwayM)).isLessThan(8.0);
     assertThat(end.fromM(0, 0)).isLessThan(200.0);
     assertThat(end.speedMps()).isLessThan(0.3);
@@ -161,7 +162,12 @@ class SuasFlightTest {
             "vehicle-belly.xml",
             "<takeOff><z>83</z></takeOff>"
                 + place("waypoint", 300, 500, 60, "")
-                + place("landing", 0, 0, 0, "<speed>18</speed><horizontalThreshold>30</horizontalThreshold>"),
+                + place(
+                    "landing",
+                    0,
+                    0,
+                    0,
+                    "<speed>18</speed><horizontalThreshold>30</horizontalThreshold>"),
             5.0,
             31,
             "--set",
