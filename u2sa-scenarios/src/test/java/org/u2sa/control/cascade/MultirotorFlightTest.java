@@ -109,6 +109,26 @@ class MultirotorFlightTest {
     }
   }
 
+  /**
+   * With neighbours that turn the same way, rotors 1, 2 and 3, 4, four of six can be lost (Du et
+   * al., Controllability Analysis for Multirotor Helicopters, 2015, configuration PPNNPN).
+   */
+  @ParameterizedTest
+  @ValueSource(ints = {2, 3, 4, 5})
+  void weaken_oneRotorOfSix_staysUpNearItsPlace(int rotor) {
+    try (RotorFlight flight =
+        new RotorFlight(new int[] {1, 1, -1, -1, 1, -1}, Wind.gusty(0.5, 5.0, rotor))) {
+      flight.target = Point.of(0.0, 0.0, -15.0);
+      flight.fly(15.0);
+
+      flight.aircraft.weaken("ROTOR " + rotor, 0.0);
+      flight.fly(20.0);
+
+      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.worstM(5.0)).isLessThan(2.0);
+    }
+  }
+
   @Test
   void disarmed_onTheGround_staysDownUntilArmedAndToldToRise() {
     try (RotorFlight flight = new RotorFlight(4, Wind.calm())) {

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.interfaces.communication.Channels;
@@ -46,12 +47,20 @@ final class RotorFlight implements AutoCloseable {
   Point target = Point.of(0.0, 0.0, -STANDS_M); // north, east, down [m]
 
   RotorFlight(int rotors, Wind wind) {
+    this(IntStream.range(0, rotors).map(i -> i % 2 == 0 ? 1 : -1).toArray(), wind);
+  }
+
+  /**
+   * @param spins 1 or −1 of each rotor, clockwise from ahead to the right
+   */
+  RotorFlight(int[] spins, Wind wind) {
+    int rotors = spins.length;
     World world = World.at(new Geodetic(9.0, 54.0, 0.0)).with(wind);
     List<Rotor> all = new ArrayList<>();
     for (int i = 0; i < rotors; i++) {
       double bearing = 2.0 * Math.PI * (i + 0.5) / rotors;
       Point hub = Point.of(ARM_M * Math.cos(bearing), ARM_M * Math.sin(bearing), -0.05);
-      all.add(rotor("ROTOR " + (i + 1), hub, i % 2 == 0 ? 1 : -1));
+      all.add(rotor("ROTOR " + (i + 1), hub, spins[i]));
     }
     aircraft =
         UnmannedAircraft.multirotor(

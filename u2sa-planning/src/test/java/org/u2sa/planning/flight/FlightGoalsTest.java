@@ -1,0 +1,207 @@
+package org.u2sa.planning.flight;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.TakeOff;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.planning.PathPlanner;
+import org.u2sa.testkit.ServiceKit;
+
+/**
+ * Goals of aircraft on a local plane, by a kinematic vehicle that goes to its navigation points.
+ */
+class FlightGoalsTest {
+  private static final double STEP_S = 0.05;
+
+  private final ServiceKit kit = new ServiceKit();
+  private Point ned = Point.ORIGIN;
+  private Point velocity = Point.ORIGIN;
+  private Point wind = Point.ORIGIN;
+  private double heading;
+  private boolean released;
+
+  private void pursue(Waypoint goal) {
+    goal.uid("G").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goal.horizontalThreshold(goal instanceof PayloadDrop ? 5.0 : 1.0);
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(goal)));
+  }
+
+  private void plane() {
+    kit.with("TURN ACCELERATION", 6.0);
+    kit.with("LOOK AHEAD", 50.0);
+    kit.with("LOITER RADIUS", 100.0);
+    kit.start(PathPlanner::new);
+  }
+
+  /** One state and the answer to it, north, east, down of the vehicle. */
+  private Point step(double speedMps) {
+    kit.advance(STEP_S);
+    Point through = new Attitude(0.0, 0.0, heading).bodyOf(velocity.minus(wind));
+    StateInformation state =
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(ned.x())
+            .y(ned.y())
+            .z(ned.z())
+            .xDot(velocity.x())
+            .yDot(velocity.y())
+            .zDot(velocity.z())
+            .phi(0.0)
+            .theta(0.0)
+            .psi(heading)
+            .fluidxDot(through.x())
+            .fluidyDot(through.y())
+            .fluidzDot(through.z());
+    state.timestamp(kit.clock().micros());
+    kit.publish(Channels.STATE, state);
+    Point to = Point.ORIGIN;
+    for (NavigationPoint point : kit.<NavigationPoint>published(Channels.NAVIGATION)) {
+      if (point.timestamp().orElse(0L) != kit.clock().micros()) {
+        continue;
+      }
+      if (point.subsystem().equals("VEHICLE")) {
+        to = new Attitude(0.0, 0.0, heading).nedOf(point.point());
+      } else {
+        released |= point.subsystem().equals("BOTTLE");
+      }
+    }
+    double level = Math.hypot(to.x(), to.y());
+    double sink = Math.max(-4.0, Math.min(4.0, to.z()));
+    double mps = Math.min(speedMps, level / STEP_S);
+    velocity =
+        level < 1e-6
+            ? Point.of(0.0, 0.0, sink)
+            : Point.of(mps * to.x() / level, mps * to.y() / level, sink);
+    if (mps > 1.0) {
+      heading = Math.atan2(velocity.y(), velocity.x());
+    }
+    ned = ned.plus(velocity.times(STEP_S));
+    return to;
+  }
+
+  private List<GoalInformation> reports() {
+    return kit.published(Channels.GOAL_REPORTS);
+  }
+
+  @Test
+  void takeOff_aeroplane_leadsAlongItsHeadingUntilTheAltitude() {
+    plane();
+    heading = 0.5;
+    pursue((Waypoint) new TakeOff().z(-60.0));
+
+    Point first = step(20.0);
+    assertThat(Math.atan2(first.y(), first.x())).isCloseTo(0.5, within(0.01));
+    assertThat(first.z()).isCloseTo(-60.0, within(0.1));
+    for (int i = 0; i < 600 && reports().isEmpty(); i++) {
+      step(20.0);
+    }
+
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(ned.z()).isBetween(-61.0, -56.5);
+    assertThat(Math.atan2(ned.y(), ned.x())).isCloseTo(0.5, within(0.02));
+  }
+
+  @Test
+  void takeOff_multirotor_risesWhereItStands() {
+    kit.start(PathPlanner::new);
+    pursue((Waypoint) new TakeOff().z(-20.0));
+    for (int i = 0; i < 300 && reports().isEmpty(); i++) {
+      step(5.0);
+    }
+
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(0.1);
+  }
+
+  /** A drop of which the wind blows across, scored by an integration of its own. */
+  @ParameterizedTest
+  @CsvSource({"0, 0, 20", "5, 0, 20", "-4, 6, 20", "3, -7, 8"})
+  void payloadDrop_aeroplaneInWind_fallsOntoThePosition(
+      double windNorth, double windEast, double terminalMps) {
+    plane();
+    wind = Point.of(windNorth, windEast, 0.0);
+    ned = Point.of(-600.0, 150.0, -40.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(
+        (Waypoint)
+            new PayloadDrop()
+                .payload("BOTTLE")
+                .height(40.0)
+                .terminalSpeed(terminalMps)
+                .z(0.0)
+                .x(0.0)
+                .y(0.0));
+    for (int i = 0; i < 2000 && !released; i++) {
+      step(20.0);
+    }
+    assertThat(released).isTrue();
+
+    Point falls = ned.plus(velocity.times(0.1)); // RELEASE DELAY
+    Point v = velocity;
+    for (double h = 0.001; falls.z() < 0.0; ) {
+      Point air = v.minus(wind);
+      v =
+          v.plus(
+              Point.of(0.0, 0.0, 9.80665)
+                  .minus(air.times(9.80665 * air.distance() / (terminalMps * terminalMps)))
+                  .times(h));
+      falls = falls.plus(v.times(h));
+    }
+    assertThat(Math.hypot(falls.x(), falls.y())).isLessThan(3.0);
+    for (int i = 0; i < 100 && reports().isEmpty(); i++) {
+      step(20.0);
+    }
+    assertThat(reports().get(0).completed()).isTrue();
+  }
+
+  @Test
+  void landing_aeroplane_descendsAlongItsLine() {
+    plane();
+    ned = Point.of(500.0, 800.0, -80.0);
+    pursue((Waypoint) new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
+    double lowestM = 80.0;
+    for (int i = 0; i < 4000 && ned.z() < -1.0; i++) {
+      step(20.0);
+      lowestM = Math.abs(ned.y()) > 20.0 ? Math.min(lowestM, -ned.z()) : lowestM;
+    }
+
+    assertThat(ned.z()).isGreaterThan(-1.0);
+    assertThat(Math.abs(ned.y())).isLessThan(3.0);
+    assertThat(ned.x()).isBetween(-60.0, 20.0);
+    assertThat(lowestM).isGreaterThan(25.0); // not below the approach anywhere else
+  }
+
+  @Test
+  void landing_multirotor_descendsAboveItsPositionAndIsCompletedOnceItStands() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(30.0, 0.0, -20.0);
+    pursue((Waypoint) new Landing().z(0.0).x(0.0).y(0.0));
+    for (int i = 0; i < 2000 && reports().isEmpty(); i++) {
+      step(5.0);
+      assertThat(ned.z() > -19.0 && Math.hypot(ned.x(), ned.y()) > 1.1).isFalse();
+      if (ned.z() > 0.0) {
+        ned = Point.of(ned.x(), ned.y(), 0.0); // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+
+    assertThat(reports()).isNotEmpty();
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(1.1);
+  }
+}
