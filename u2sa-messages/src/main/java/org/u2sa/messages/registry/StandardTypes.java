@@ -40,6 +40,7 @@ import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.marine.Bin;
@@ -67,7 +68,9 @@ import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.PointCloud;
@@ -135,6 +138,9 @@ public final class StandardTypes implements MessageTypeProvider {
           PlannedPath.TYPE,
           ObjectGoal.TYPE,
           Station.TYPE,
+          SearchArea.TYPE,
+          ImageFootprint.TYPE,
+          CoverageLedger.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,
