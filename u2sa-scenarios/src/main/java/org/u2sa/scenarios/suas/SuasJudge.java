@@ -1,0 +1,184 @@
+package org.u2sa.scenarios.suas;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import org.u2sa.interfaces.communication.Channel;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.report.ReportFile;
+import org.u2sa.report.score.RunOutcome;
+import org.u2sa.scenarios.run.TruthObserver;
+import org.u2sa.scenarios.suas.score.BoundaryCount;
+import org.u2sa.scenarios.suas.score.ScoreSheet;
+import org.u2sa.scenarios.suas.score.Telemetry;
+import org.u2sa.scenarios.suas.score.WaypointScore;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.ScriptedMover;
+
+/**
+ * Scores a flight: waypoints by the telemetry that the aircraft sends, all else by the truth.
+ * Everything that the rules forbid is a violation.
+ */
+final class SuasJudge implements TruthObserver.Scorer {
+  /** Time limit of a flight [s]. */
+  static final double RUN_S = 30.0 * 60.0;
+
+  private static final double REPORTS_S = 0.5; // between two reports of the telemetry
+  private static final double MAP_SHARE = 0.99;
+  private static final double PASS_M = 15.24; // 50 ft
+
+  private final SuasField field;
+  private final SeenCells cells;
+  private final Path directory;
+  private final List<ScriptedMover> movers;
+  private final Telemetry telemetry = new Telemetry();
+  private final BoundaryCount boundary = new BoundaryCount();
+  private final BoundaryCount ceiling = new BoundaryCount();
+  private final Set<String> hit = new LinkedHashSet<>();
+  private final double[] nearestM; // true distance from each waypoint
+  private final List<String> log = new ArrayList<>();
+  private double nowS;
+  private double reportedS = Double.NEGATIVE_INFINITY;
+  private volatile boolean over;
+
+  SuasJudge(SuasField field, SeenCells cells, Path directory) {
+    this.field = field;
+    this.cells = cells;
+    this.directory = directory;
+    movers = field.movers();
+    nearestM = new double[field.waypoints().size()];
+    java.util.Arrays.fill(nearestM, Double.POSITIVE_INFINITY);
+  }
+
+  @Override
+  public List<Channel<?>> listensTo() {
+    return List.of(Channels.STATE);
+  }
+
+  @Override
+  public boolean heard(U2SAData data) {
+    if (!(data instanceof StateInformation state)) {
+      return false;
+    }
+    boolean isPlaced =
+        state.referenceFrame().equals(ReferenceFrame.GLOBAL)
+            && state.x().isPresent()
+            && state.y().isPresent()
+            && state.z().isPresent();
+    if (isPlaced && nowS - reportedS >= REPORTS_S) {
+      reportedS = nowS;
+      Point at =
+          SuasField.plane()
+              .point(
+                  new Geodetic(
+                      state.x().getAsDouble(),
+                      state.y().getAsDouble(),
+                      state.z().getAsDouble()));
+      telemetry.add(new Telemetry.Sample(nowS, at.x(), at.y(), at.z()));
+    }
+    return true;
+  }
+
+  @Override
+  public void see(VehicleTruth truth) {
+    nowS = truth.timeS();
+    Point at = truth.position();
+    boolean isInside = SuasField.isInside(field.boundary(), at.x(), at.y());
+    if (boundary.see(nowS, isInside)) {
+      say("leaves the boundary");
+    }
+    if (ceiling.see(nowS, at.z() <= field.ceilingM())) {
+      say(String.format(Locale.ROOT, "higher than allowed: %.1f m", at.z()));
+    }
+    for (int i = 0; i < field.pillars().size(); i++) {
+      SuasField.Pillar pillar = field.pillars().get(i);
+      boolean inside =
+          at.z() < pillar.heightM()
+              && Math.hypot(at.x() - pillar.eastM(), at.y() - pillar.northM()) < pillar.radiusM();
+      enter(inside, "pillar " + (i + 1));
+    }
+    for (ScriptedMover mover : movers) {
+      double away = mover.at(nowS).position().distanceTo(at);
+      enter(away < SuasField.SEPARATION_M, mover.uid());
+    }
+    for (int i = 0; i < nearestM.length; i++) {
+      nearestM[i] = Math.min(nearestM[i], field.waypoints().get(i).distanceTo(at));
+    }
+    over |= nowS >= RUN_S;
+  }
+
+  private void enter(boolean isInside, String name) {
+    if (isInside && hit.add(name)) {
+      say("enters " + name);
+    }
+  }
+
+  private void say(String line) {
+    log.add(String.format(Locale.ROOT, "%6.1f s  %s", nowS, line));
+  }
+
+  @Override
+  public boolean isOver() {
+    return over;
+  }
+
+  @Override
+  public String phase(boolean moves) {
+    return moves ? "FLIES" : "STANDS";
+  }
+
+  @Override
+  public RunOutcome outcome() {
+    List<Double> scores = WaypointScore.scores(field.waypoints(), telemetry.interpolated());
+    int obstacles = field.pillars().size() + movers.size();
+    ScoreSheet sheet =
+        new ScoreSheet(
+            nowS < RUN_S ? 1.0 : 0.0,
+            scores.stream().mapToDouble(Double::doubleValue).average().orElse(0.0),
+            telemetry.meanGapS(),
+            0,
+            boundary.count() + ceiling.count(),
+            false,
+            obstacles - hit.size(),
+            obstacles,
+            0.0,
+            cells.share() >= MAP_SHARE ? 1.0 : cells.share(),
+            0.0,
+            1.0);
+    List<String> violations = new ArrayList<>();
+    if (boundary.count() > 0) {
+      violations.add("left the boundary " + boundary.count() + " times");
+    }
+    if (ceiling.count() > 0) {
+      violations.add("above the ceiling " + ceiling.count() + " times");
+    }
+    hit.forEach(each -> violations.add("entered " + each));
+    if (cells.share() < MAP_SHARE) {
+      violations.add(
+          String.format(Locale.ROOT, "%.1f %% of the search area seen", 100.0 * cells.share()));
+    }
+    int passed = 0;
+    for (double each : nearestM) {
+      passed += each <= PASS_M ? 1 : 0;
+    }
+    Map<String, Integer> counts = new LinkedHashMap<>();
+    counts.put("waypointsPassed", passed);
+    counts.put("obstaclesHit", hit.size());
+    counts.put("boundaryLeft", boundary.count());
+    Map<String, Double> figures = new LinkedHashMap<>(sheet.figures());
+    figures.put("areaSeen", cells.share());
+    ReportFile.writeText(
+        directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
+    return new RunOutcome(0, false, violations, counts, figures);
+  }
+}
