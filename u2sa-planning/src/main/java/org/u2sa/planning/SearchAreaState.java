@@ -110,10 +110,7 @@ final class SearchAreaState implements PlannerState {
             ? ended(area, vehicle, Plan.Progress.ABANDONED, "nothing records what is seen", 0.0)
             : Plan.underWay(List.of(straightOn(area, vehicle)));
       }
-      Optional<Plan> end = look(area, ledger.get(), vehicle, pursuit.state());
-      if (end.isPresent()) {
-        return end.get();
-      }
+      return look(area, ledger.get(), vehicle, pursuit.state());
     }
     if (legs.isEmpty()) {
       return Plan.underWay(List.of(straightOn(area, vehicle)));
@@ -122,21 +119,25 @@ final class SearchAreaState implements PlannerState {
   }
 
   /** Ends the pursuit, or lays lanes over what is missing. */
-  private Optional<Plan> look(
+  private Plan look(
       SearchArea area, CoverageLedger ledger, Vehicle vehicle, StateInformation state) {
     double share = ledger.share(area.resolution());
     if (share >= area.share().orElse(1.0)) {
-      return Optional.of(ended(area, vehicle, Plan.Progress.COMPLETED, "seen", share));
+      return ended(area, vehicle, Plan.Progress.COMPLETED, "seen", share);
     }
     if (passes >= survey.get().surveyPasses()) {
-      return Optional.of(ended(area, vehicle, Plan.Progress.ABANDONED, "given up", share));
+      return ended(area, vehicle, Plan.Progress.ABANDONED, "given up", share);
     }
     passes++;
     Point at = vehicle.on(plane);
     Pose pose = new Pose(at.x(), at.y(), vehicle.courseRad());
     legs.addAll(LaneLegs.over(area, ledger, plane, pose, flight(area, state, vehicle), survey.get()));
     begin();
-    return Optional.empty();
+    String remark =
+        String.format(
+            Locale.ROOT, "pass %d: %d lanes, %.1f %% seen", passes, legs.size(), 100.0 * share);
+    NavigationPoint on = straightOn(area, vehicle);
+    return new Plan(List.of(on), Plan.Progress.UNDER_WAY, remark);
   }
 
   private LaneLegs.Wind flight(SearchArea area, StateInformation state, Vehicle vehicle) {
