@@ -5,6 +5,9 @@ import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Constraints on a mission's waypoints beyond single fields' bounds. */
@@ -49,7 +52,15 @@ final class WaypointRules {
     if (!hasX && !hasY && waypoint.z().isEmpty()) {
       throw goal.element().error("has no coordinates; expected at least one of x, y, z");
     }
-    if (frame.isUtm() && !(hasX && hasY)) {
+    boolean needsZ = waypoint instanceof TakeOff;
+    if (needsZ && waypoint.z().isEmpty()) {
+      throw goal.element().error("lacks z; expected the altitude to which it climbs");
+    }
+    boolean needsPlace = waypoint instanceof Landing || waypoint instanceof PayloadDrop;
+    if (needsPlace && !(hasX && hasY && waypoint.z().isPresent())) {
+      throw goal.element().error("lacks x, y or z; expected a position on the ground");
+    }
+    if (frame.isUtm() && !(hasX && hasY) && !needsZ) {
       throw goal.element().error("lacks x or y; UTM needs both");
     }
     if (frame.equals(ReferenceFrame.GLOBAL)) {
@@ -72,7 +83,8 @@ final class WaypointRules {
       throw element(goal, "verticalThreshold")
           .error("has nothing to compare with: the goal has no <z>");
     }
-    if (!vertical && waypoint.x().isEmpty() && waypoint.y().isEmpty()) {
+    boolean onlyZ = waypoint.x().isEmpty() && waypoint.y().isEmpty();
+    if (!vertical && onlyZ && !(waypoint instanceof TakeOff)) {
       throw element(goal, "z")
           .error("is the only coordinate; expected a <verticalThreshold> as well");
     }

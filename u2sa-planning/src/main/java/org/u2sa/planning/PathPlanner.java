@@ -19,6 +19,7 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
+import org.u2sa.planning.flight.FlightStates;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
@@ -93,6 +94,7 @@ public class PathPlanner extends EventDrivenService {
                 new StationState(guidance, settings(StationVariables.class)),
                 new SearchAreaState(
                     avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines)));
+    states.add(FlightStates.of(this, this::lines, () -> settings.get().loiterRadius()));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);

@@ -40,12 +40,12 @@ record AutopilotVariables(
       @Variable(unit = "1/s", min = 0.05, max = 5, ifAbsent = 0.3)
           @Description("Take-off throttle rate.")
           double throttleOpeningRate,
-      @Variable(unit = "deg", min = 5, max = 13, ifAbsent = 10) @Description("Pitch at rotation.")
+      @Variable(unit = "deg", min = 5, max = 20, ifAbsent = 10) @Description("Pitch at rotation.")
           double rotationPitch,
       @Variable(unit = "deg/s", min = 1, max = 10, ifAbsent = 5)
           @Description("Pitch rate at rotation.")
           double rotationRate,
-      @Variable(unit = "kt", min = 60, max = 100, ifAbsent = 74)
+      @Variable(unit = "kt", min = 10, max = 100, ifAbsent = 74)
           @Description("Calibrated airspeed of the climb-out.")
           double climbOutSpeed,
       @Variable(unit = "deg", min = 0, max = 10, ifAbsent = 6)
@@ -54,7 +54,7 @@ record AutopilotVariables(
       @Variable(unit = "deg", min = 0, max = 30, ifAbsent = 10)
           @Description("Maximum climb-out bank.")
           double climbOutBankLimit,
-      @Variable(unit = "m", min = 50, max = 2000, ifAbsent = 250)
+      @Variable(unit = "m", min = 20, max = 2000, ifAbsent = 250)
           @Description("Distance to the aim point on the extended centreline.")
           double climbOutLookAhead) {}
 

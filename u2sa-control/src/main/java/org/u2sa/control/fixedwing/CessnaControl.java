@@ -41,7 +41,8 @@ public final class CessnaControl extends ControlSystem {
 
   private final Settings<Outputs> outputs = settings(Outputs.class);
   private final Supplier<AutopilotVariables> tuning = AutopilotVariables.in(this);
-  private final FlightStateReader reader = new FlightStateReader();
+  private final FlightStateReader reader =
+      new FlightStateReader(settings(GroundReference.Variables.class));
   private final ActuatorRoster roster = new ActuatorRoster();
   private SurfaceMixing mixing = SurfaceMixing.SOUND;
   private Autopilot autopilot;

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateField;
@@ -44,11 +45,26 @@ final class FlightStateReader {
   private static final double HIGH_M = 1_000.0; // height of an aircraft with unknown height
   private static final double SLOWEST_MPS = 1.0; // below this, airflow has no direction
 
+  private static final double ELECTRIC_RPM = 10_000.0; // reported for a motor that needs no start
+
+  private final Supplier<GroundReference.Variables> settings;
+  private final GroundReference ground = new GroundReference();
   private Geodetic origin; // of north and east
   private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // may be lost
 
+  FlightStateReader() {
+    this(() -> new GroundReference.Variables(GroundReference.Source.STATE, 0.0));
+  }
+
+  FlightStateReader(Supplier<GroundReference.Variables> settings) {
+    this.settings = settings;
+  }
+
   /** Saves the origin of north and east. */
   void handOver(HandOver state) {
+    if (ground.isKnown()) {
+      ground.handOver(state);
+    }
     if (origin != null) {
       state
           .number("ORIGIN LONGITUDE", origin.longitudeDeg())
@@ -60,6 +76,7 @@ final class FlightStateReader {
 
   /** Adopts the predecessor's origin. */
   void takeOver(HandOver state) {
+    ground.takeOver(state);
     if (state.number("ORIGIN LONGITUDE").isPresent()) {
       origin =
           new Geodetic(
@@ -88,7 +105,8 @@ final class FlightStateReader {
 
   /**
    * Converts a state for the laws; empty if something they need is {@linkplain #missing missing}. A
-   * message that is not an {@link AircraftState} counts as airborne.
+   * message that is not an {@link AircraftState} has its height above ground from the start, if
+   * configured so, and else counts as airborne.
    */
   Optional<FlightState> read(StateInformation state) {
     if (!missing(state).isEmpty()) {
@@ -122,13 +140,19 @@ final class FlightStateReader {
     AircraftState aircraft = state instanceof AircraftState known ? known : null;
     OptionalDouble calibrated =
         aircraft == null ? OptionalDouble.empty() : aircraft.calibratedAirspeed();
+    double timeS = Clock.seconds(state.timestamp().orElse(0L));
+    double overGround = StrictMath.hypot(last.get(StateField.X_DOT), last.get(StateField.Y_DOT));
+    ground.see(timeS, place.altitudeM(), overGround, settings.get().startHeight());
+    boolean fromStart =
+        settings.get().ground() == GroundReference.Source.START && ground.isKnown();
+    double heightM = fromStart ? ground.heightM(place.altitudeM()) : HIGH_M;
     return Optional.of(
         new FlightState(
-            Clock.seconds(state.timestamp().orElse(0L)),
+            timeS,
             ned.x(),
             ned.y(),
             place.altitudeM(),
-            aircraft == null ? HIGH_M : aircraft.heightAboveGround().orElse(HIGH_M),
+            aircraft == null ? heightM : aircraft.heightAboveGround().orElse(heightM),
             roll,
             pitch,
             heading,
@@ -142,8 +166,10 @@ final class FlightStateReader {
             calibrated.orElse(speed * rootDensityRatio(place.altitudeM())),
             moving ? StrictMath.atan2(down, forward) : 0.0,
             moving ? StrictMath.asin(Limit.symmetric(right / speed, 1.0)) : 0.0,
-            aircraft != null && aircraft.weightOnWheels(),
-            aircraft == null ? 0.0 : aircraft.engineRpm().orElse(0.0),
+            aircraft == null
+                ? fromStart && ground.isOnGround(place.altitudeM())
+                : aircraft.weightOnWheels(),
+            aircraft == null ? (fromStart ? ELECTRIC_RPM : 0.0) : aircraft.engineRpm().orElse(0.0),
             aircraft != null && aircraft.engineStarting()));
   }
 

@@ -18,10 +18,10 @@ final class TakeOffSequence {
       @Variable(min = 0.1, max = 1, ifAbsent = 0.5)
           @Description("Throttle that releases the brakes.")
           double releaseThrottle,
-      @Variable(unit = "kt", min = 40, max = 80, ifAbsent = 55)
+      @Variable(unit = "kt", min = 10, max = 80, ifAbsent = 55)
           @Description("Calibrated rotation speed.")
           double rotationSpeed,
-      @Variable(unit = "m", min = 20, max = 500, ifAbsent = 100)
+      @Variable(unit = "m", min = 5, max = 500, ifAbsent = 100)
           @Description("Height above ground at which the climb-out ends.")
           double safeHeight) {}
 

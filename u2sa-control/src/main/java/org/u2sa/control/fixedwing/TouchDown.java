@@ -20,7 +20,7 @@ final class TouchDown {
       @Variable(unit = "deg", min = 0, max = 12, ifAbsent = 8)
           @Description("Maximum bank in the flare.")
           double flareBankLimit,
-      @Variable(unit = "m", min = 50, max = 500, ifAbsent = 120)
+      @Variable(unit = "m", min = 20, max = 500, ifAbsent = 120)
           @Description("Distance to the aim point on the runway centreline in the flare.")
           double flareLookAhead,
       @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.6)

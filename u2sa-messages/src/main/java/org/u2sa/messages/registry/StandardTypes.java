@@ -39,9 +39,12 @@ import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.marine.Bin;
 import org.u2sa.messages.marine.Buoy;
@@ -141,6 +144,9 @@ public final class StandardTypes implements MessageTypeProvider {
           SearchArea.TYPE,
           ImageFootprint.TYPE,
           CoverageLedger.TYPE,
+          TakeOff.TYPE,
+          Landing.TYPE,
+          PayloadDrop.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,

@@ -6,8 +6,11 @@ import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 
 /** What the planners that see brought. */
 final class GoldenPlans {
@@ -48,5 +51,30 @@ final class GoldenPlans {
             .y(-33.5)
             .psi(1.5)
             .horizontalThreshold(0.25));
+    golden.add(
+        "TakeOff", new TakeOff().uid("9").z(80.0).psi(1.5).verticalThreshold(5.0).horizontalThreshold(15.0));
+    golden.add(
+        "Landing",
+        new Landing()
+            .approach(400.0)
+            .slope(0.0625)
+            .uid("10")
+            .x(151.25)
+            .y(-33.5)
+            .z(43.25)
+            .psi(1.5)
+            .speed(17.0)
+            .horizontalThreshold(15.0));
+    golden.add(
+        "PayloadDrop",
+        new PayloadDrop()
+            .payload("BOTTLE")
+            .height(30.0)
+            .terminalSpeed(25.0)
+            .uid("11")
+            .x(151.25)
+            .y(-33.5)
+            .z(43.25)
+            .horizontalThreshold(5.0));
   }
 }

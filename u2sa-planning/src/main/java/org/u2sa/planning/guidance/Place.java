@@ -3,6 +3,7 @@ package org.u2sa.planning.guidance;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Waypoint;
@@ -90,6 +91,27 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
                 state.number(name + " Y"),
                 state.number(name + " UP")))
         : Optional.empty();
+  }
+
+  /** Copy at an altitude [m]. */
+  public Place at(double altitudeM) {
+    return new Place(onEarth, x, y, OptionalDouble.of(altitudeM));
+  }
+
+  /** A horizontal position away from this one, at the same altitude. */
+  public Place moved(double northM, double eastM) {
+    if (!onEarth) {
+      return new Place(
+          false,
+          OptionalDouble.of(x.orElseThrow() + eastM),
+          OptionalDouble.of(y.orElseThrow() + northM),
+          upM);
+    }
+    Geodetic to =
+        new Geodetic(x.orElseThrow(), y.orElseThrow(), 0.0)
+            .fromNed(Point.of(northM, eastM, 0.0));
+    return new Place(
+        true, OptionalDouble.of(to.longitudeDeg()), OptionalDouble.of(to.latitudeDeg()), upM);
   }
 
   /** Copy with the altitude of another position if this one has none. */

@@ -1,0 +1,75 @@
+package org.u2sa.control.fixedwing;
+
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Height above ground of an aeroplane whose state does not say it: above the place where it started.
+ * The ground is taken as level from there to the landing.
+ */
+final class GroundReference {
+  /** Where an aeroplane gets its height from. */
+  enum Source {
+    /** The state; one that lacks it counts as flying high. */
+    STATE,
+    /** The altitude at which the aircraft stood. */
+    START
+  }
+
+  /** Variables of the height above ground. */
+  record Variables(
+      @Variable(ifAbsentText = "STATE")
+          @Description(
+              "Source of the height above ground: the STATE, or the altitude at the START, for aircraft without sensors of height and weight on wheels.")
+          Source ground,
+      @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
+          @Description(
+              "Height at the start above where the aircraft rests after landing, as on a catapult or in a hand.")
+          double startHeight) {}
+
+  private static final double STANDS_MPS = 2.0; // slower over ground: it is not flying
+  private static final double TIME_CONSTANT_S = 5.0;
+  private static final double LIFTED_M = 0.5;
+
+  private double groundM = Double.NaN; // altitude of the aircraft at rest on the ground
+  private double lastS = Double.NaN;
+  private boolean flown;
+
+  /** Learns the ground's altitude while the aircraft waits for its first flight. */
+  void see(double timeS, double altitudeM, double groundSpeedMps, double startHeightM) {
+    double dtS = Double.isNaN(lastS) ? 0.0 : Math.max(0.0, timeS - lastS);
+    lastS = timeS;
+    flown |= groundSpeedMps > STANDS_MPS;
+    if (flown) {
+      return; // started in flight: unknown
+    }
+    double seenM = altitudeM - startHeightM;
+    groundM =
+        Double.isNaN(groundM)
+            ? seenM
+            : groundM + dtS / (TIME_CONSTANT_S + dtS) * (seenM - groundM);
+  }
+
+  boolean isKnown() {
+    return !Double.isNaN(groundM);
+  }
+
+  /** Height above the position at rest [m]. */
+  double heightM(double altitudeM) {
+    return altitudeM - groundM;
+  }
+
+  boolean isOnGround(double altitudeM) {
+    return heightM(altitudeM) < LIFTED_M;
+  }
+
+  void handOver(HandOver state) {
+    state.number("GROUND ALTITUDE", groundM).flag("HAS FLOWN", flown);
+  }
+
+  void takeOver(HandOver state) {
+    groundM = state.number("GROUND ALTITUDE").orElse(groundM);
+    flown = state.number("GROUND ALTITUDE").isPresent() && state.flag("HAS FLOWN");
+  }
+}

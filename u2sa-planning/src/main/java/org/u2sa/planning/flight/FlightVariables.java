@@ -1,0 +1,27 @@
+package org.u2sa.planning.flight;
+
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
+
+/** Variables of take-off, landing and drops. */
+record FlightVariables(
+    @Variable(unit = "m", min = 0.1, max = 100, ifAbsent = 3)
+        @Description(
+            "Altitude difference within which a take-off without verticalThreshold is completed.")
+        double takeOffAccuracy,
+    @Variable(unit = "m", min = 10, max = 10000, ifAbsent = 300)
+        @Description("Length of the straight descent of a landing that specifies none.")
+        double approachLength,
+    @Variable(unit = "deg", min = 1, max = 45, ifAbsent = 5)
+        @Description("Angle of the descent of a landing that specifies none.")
+        double approachSlope,
+    @Variable(unit = "m", min = 1, max = 200, ifAbsent = 15)
+        @Description(
+            "Cross-track and altitude error at the start of the descent beyond which the approach is flown again.")
+        double approachAccuracy,
+    @Variable(unit = "m/s", min = 0.1, max = 5, ifAbsent = 0.5)
+        @Description("Sink rate at which a multirotor touches down.")
+        double touchDownSink,
+    @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0.1)
+        @Description("Time from the decision to drop a payload until it falls.")
+        double releaseDelay) {}

@@ -1,0 +1,86 @@
+package org.u2sa.planning.flight;
+
+import java.util.List;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+
+/**
+ * {@link Landing}: down a straight approach, or vertically; completed when the vehicle has stood
+ * for a while.
+ */
+final class LandingState implements PlannerState {
+  private static final double STILL_MPS = 0.25;
+  private static final double STANDS_S = 2.0;
+  private static final double LOW_M = 3.0; // above the ground as the goal has it
+
+  /** One way to land. */
+  interface Descent {
+    void begin(Landing goal, StateInformation state, Vehicle vehicle);
+
+    Plan plan(Landing goal, Vehicle vehicle);
+  }
+
+  private final Supplier<LineSettings> lines;
+  private final Descent straight;
+  private final Descent vertical;
+  private long sinceMicros = Long.MIN_VALUE; // it stands
+
+  LandingState(
+      Supplier<LineSettings> lines, Supplier<Double> loiter, Supplier<FlightVariables> settings) {
+    this.lines = lines;
+    straight = new StraightApproach(lines, loiter, settings);
+    vertical = new VerticalDescent(lines, settings);
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return Landing.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    Point ned = Vehicle.of(state).orElseThrow().nedOf(Place.of((Landing) goal));
+    return Math.hypot(ned.x(), ned.y());
+  }
+
+  private Descent descent() {
+    return lines.get().turns().accelerationMps2() > 0.0 ? straight : vertical;
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    sinceMicros = Long.MIN_VALUE;
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    descent().begin((Landing) pursuit.goal(), pursuit.state(), vehicle);
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    Landing goal = (Landing) pursuit.goal();
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    Plan plan = descent().plan(goal, vehicle);
+    boolean isLow = vehicle.nedOf(Place.of(goal)).z() < LOW_M;
+    double climbMps = pursuit.state().zDot().orElse(0.0);
+    if (!isLow || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
+      sinceMicros = Long.MIN_VALUE;
+      return plan;
+    }
+    long now = vehicle.timestampMicros();
+    if (sinceMicros == Long.MIN_VALUE) {
+      sinceMicros = now;
+    }
+    return Clock.seconds(now - sinceMicros) < STANDS_S
+        ? plan
+        : new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
+  }
+}

@@ -1,0 +1,140 @@
+package org.u2sa.planning.flight;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.guidance.LineGuidance;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+
+/**
+ * {@link PayloadDrop}: flies so that the computed fall ends at the position, upwind of it in a
+ * crosswind, and releases where it does. A multirotor hovers upwind of it.
+ */
+final class PayloadDropState implements PlannerState {
+  private static final int ATTEMPTS = 3;
+  private static final double RELEASING_S = 1.0; // the release is asked for that long
+  private static final double HOVERS_MPS = 0.5;
+  private static final double HOVER_SHARE = 0.5; // of the threshold, before a hovering release
+
+  private final Supplier<LineSettings> lines;
+  private final Supplier<FlightVariables> settings;
+  private final LineGuidance guidance;
+  private double altitudeM; // on the way there
+  private int attempts;
+  private double beforeM; // way that the fall ends short of the position, at the last state
+  private long releasedMicros;
+  private String remark = "";
+
+  PayloadDropState(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+    this.lines = lines;
+    this.settings = settings;
+    guidance = new LineGuidance(lines);
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return PayloadDrop.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    Point ned = Vehicle.of(state).orElseThrow().nedOf(Place.of((PayloadDrop) goal));
+    return Math.hypot(ned.x(), ned.y());
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    altitudeM = Vehicle.of(pursuit.state()).orElseThrow().place().upM().orElse(0.0);
+    attempts = 1;
+    releasedMicros = Long.MIN_VALUE;
+    approach();
+  }
+
+  private void approach() {
+    guidance.begin(Optional.empty());
+    beforeM = Double.NEGATIVE_INFINITY;
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    PayloadDrop goal = (PayloadDrop) pursuit.goal();
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    Place place = Place.of(goal);
+    Point to = vehicle.nedOf(place);
+    boolean hovers = lines.get().turns().accelerationMps2() == 0.0;
+    Point velocity =
+        Point.of(
+            vehicle.northMps(), vehicle.eastMps(), -pursuit.state().zDot().orElse(0.0));
+    Point wind = AirMass.wind(pursuit.state(), vehicle).orElse(Point.ORIGIN);
+    Fall fall = Fall.from(Math.max(0.0, to.z()), velocity, wind, goal.terminalSpeed());
+    Point impact = fall.way().plus(velocity.times(settings.get().releaseDelay()));
+    Point miss = Point.of(to.x() - impact.x(), to.y() - impact.y(), 0.0);
+    double course = vehicle.courseRad();
+    double shortM = miss.x() * Math.cos(course) + miss.y() * Math.sin(course);
+    double across = miss.y() * Math.cos(course) - miss.x() * Math.sin(course);
+
+    double upM = place.upM().orElseThrow();
+    double flyAtM = goal.height().isPresent() ? upM + goal.height().getAsDouble() : altitudeM;
+    Point aside = hovers ? impact : sideways(impact, course);
+    Place aim = place.moved(-aside.x(), -aside.y()).at(flyAtM);
+    NavigationPoint point =
+        NavigationPoint.at(guidance.towards(vehicle, aim, 1.0, Optional.empty()));
+    goal.speed().ifPresent(point::speed);
+
+    boolean isNow =
+        hovers
+            ? vehicle.speedMps() < HOVERS_MPS
+                && miss.distance() <= HOVER_SHARE * goal.horizontalThreshold()
+            : beforeM > 0.0 && shortM <= 0.0 && Math.abs(across) <= goal.horizontalThreshold();
+    beforeM = shortM;
+    if (releasedMicros == Long.MIN_VALUE && isNow) {
+      releasedMicros = vehicle.timestampMicros();
+      remark =
+          String.format(
+              Locale.ROOT,
+              "released %.0f m before it, wind %.1f m/s, falls for %.1f s",
+              Math.hypot(to.x(), to.y()),
+              wind.distance(),
+              fall.timeS());
+    }
+    if (releasedMicros != Long.MIN_VALUE) {
+      return released(goal, vehicle, point, to);
+    }
+    return !hovers && guidance.hasPassed() ? missed(point, across) : Plan.underWay(List.of(point));
+  }
+
+  private static Point sideways(Point way, double course) {
+    double right = way.y() * Math.cos(course) - way.x() * Math.sin(course);
+    return Point.of(-right * Math.sin(course), right * Math.cos(course), 0.0);
+  }
+
+  private Plan released(PayloadDrop goal, Vehicle vehicle, NavigationPoint point, Point to) {
+    if (Clock.seconds(vehicle.timestampMicros() - releasedMicros) >= RELEASING_S) {
+      return new Plan(List.of(point), Plan.Progress.COMPLETED, remark);
+    }
+    NavigationPoint release = NavigationPoint.at(vehicle.body(to)).subsystem(goal.payload());
+    return Plan.underWay(List.of(point, release));
+  }
+
+  private Plan missed(NavigationPoint point, double across) {
+    String off = String.format(Locale.ROOT, "would have missed by %.0f m", Math.abs(across));
+    if (attempts >= ATTEMPTS) {
+      return new Plan(List.of(point), Plan.Progress.ABANDONED, "given up: " + off);
+    }
+    attempts++;
+    approach();
+    return new Plan(List.of(point), Plan.Progress.UNDER_WAY, off + ": once more");
+  }
+}

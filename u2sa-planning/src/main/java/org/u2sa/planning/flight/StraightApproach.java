@@ -1,0 +1,170 @@
+package org.u2sa.planning.flight;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.guidance.LineGuidance;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
+import org.u2sa.planning.guidance.LoiterCircle;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+
+/**
+ * Landing of an aeroplane: to a place on the extended centreline, circling there down or up to the
+ * altitude of the approach, level along the line, then down the slope and along the runway. Control
+ * flares. An approach that is off at the start of the descent is flown again.
+ */
+final class StraightApproach implements LandingState.Descent {
+  private static final double LEAD_RADII = 4.0; // of turns, to settle on the line
+  private static final double ROLL_OUT_M = 500.0; // line behind the position
+  private static final double PASSED_M = 50.0; // beyond the position …
+  private static final double HIGH_M = 10.0; // … so high, control refuses to land
+  private static final int ATTEMPTS = 3;
+
+  private enum Phase {
+    /** To the place on the extended centreline. */
+    JOIN,
+    /** Circles there. */
+    CIRCLE,
+    /** Level along the line. */
+    LEVEL,
+    /** Down the slope, and on the ground. */
+    DOWN
+  }
+
+  private final Supplier<LineSettings> lines;
+  private final Supplier<Double> loiterRadiusM;
+  private final Supplier<FlightVariables> settings;
+  private final LineGuidance guidance;
+  private Phase phase = Phase.JOIN;
+  private int attempts;
+  private double courseRad;
+  private double leadM;
+  private Optional<LoiterCircle> circle = Optional.empty();
+
+  StraightApproach(
+      Supplier<LineSettings> lines, Supplier<Double> loiter, Supplier<FlightVariables> settings) {
+    this.lines = lines;
+    loiterRadiusM = loiter;
+    this.settings = settings;
+    guidance = new LineGuidance(this::level);
+  }
+
+  private LineSettings level() {
+    LineSettings now = lines.get();
+    return new LineSettings(
+        now.leastLookAheadM(), now.lookAheadS(), now.turns(), AltitudeProfile.IMMEDIATE);
+  }
+
+  @Override
+  public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
+    attempts = 1;
+    Point to = vehicle.nedOf(Place.of(goal));
+    courseRad =
+        goal.psi()
+            .orElseGet(
+                () ->
+                    AirMass.wind(state, vehicle)
+                        .map(wind -> Math.atan2(-wind.y(), -wind.x()))
+                        .orElse(Math.atan2(to.y(), to.x())));
+    leadM = LEAD_RADII * lines.get().turns().radiusM(vehicle.speedMps());
+    join();
+  }
+
+  private void join() {
+    phase = Phase.JOIN;
+    circle = Optional.empty();
+    guidance.begin(Optional.empty());
+  }
+
+  @Override
+  public Plan plan(Landing goal, Vehicle vehicle) {
+    Place place = Place.of(goal);
+    double lengthM = goal.approach().orElse(settings.get().approachLength());
+    double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
+    double highM = place.upM().orElseThrow() + lengthM * slope;
+    Place entry = onLine(place, -lengthM - leadM).at(highM);
+    Place end = onLine(place, ROLL_OUT_M);
+    Point to = vehicle.nedOf(place);
+    double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
+    Point toEntry = vehicle.nedOf(entry);
+    proceed(vehicle, entry, toEntry);
+    if (phase == Phase.JOIN) {
+      return underWay(
+          guidance.towards(vehicle, entry, settings.get().approachAccuracy(), Optional.of(end)));
+    }
+    if (phase == Phase.CIRCLE) {
+      double aheadM = lines.get().lookAheadM(vehicle.speedMps());
+      return underWay(vehicle.body(circle.orElseThrow().ahead(vehicle, aheadM)));
+    }
+    double acrossM = to.x() * Math.sin(courseRad) - to.y() * Math.cos(courseRad);
+    if (phase == Phase.LEVEL && remainingM <= lengthM) {
+      double most = settings.get().approachAccuracy();
+      if (Math.abs(acrossM) > most || Math.abs(toEntry.z()) > most) {
+        return again(acrossM, -toEntry.z(), vehicle.body(toEntry));
+      }
+      phase = Phase.DOWN;
+    }
+    if (remainingM < -PASSED_M && to.z() > HIGH_M) {
+      return again(acrossM, to.z(), vehicle.body(toEntry));
+    }
+    double aheadM = remainingM - lines.get().lookAheadM(vehicle.speedMps());
+    double altitudeM =
+        place.upM().orElseThrow() + slope * Math.max(0.0, Math.min(lengthM, aheadM));
+    Point body = guidance.towards(vehicle, end.at(altitudeM), 1.0, Optional.empty());
+    NavigationPoint point = NavigationPoint.at(body);
+    goal.speed().ifPresent(point::speed);
+    return Plan.underWay(List.of(point));
+  }
+
+  /** A place on the centreline, a distance behind the position. */
+  private Place onLine(Place place, double behindM) {
+    return place.moved(behindM * Math.cos(courseRad), behindM * Math.sin(courseRad));
+  }
+
+  /** Changes the phase on the way to the entry and there. */
+  private void proceed(Vehicle vehicle, Place entry, Point toEntry) {
+    double accuracyM = settings.get().approachAccuracy();
+    boolean isThere =
+        guidance.isApproaching() && guidance.hasPassed()
+            || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
+    boolean isLevel = Math.abs(toEntry.z()) < accuracyM / 2.0;
+    if (phase == Phase.JOIN && isThere && !isLevel && loiterRadiusM.get() > 0.0) {
+      phase = Phase.CIRCLE;
+      circle = Optional.of(new LoiterCircle(entry, loiterRadiusM.get(), vehicle));
+    } else if (phase == Phase.JOIN && isThere) {
+      phase = Phase.LEVEL;
+      guidance.begin(Optional.of(entry));
+    } else if (phase == Phase.CIRCLE && isLevel) {
+      join();
+    }
+  }
+
+  private Plan again(double acrossM, double aboveM, Point body) {
+    String off =
+        String.format(
+            Locale.ROOT,
+            "the approach is %.0f m off the line and %.0f m too high",
+            acrossM,
+            aboveM);
+    if (attempts >= ATTEMPTS) {
+      return new Plan(
+          List.of(NavigationPoint.at(body)), Plan.Progress.ABANDONED, "given up: " + off);
+    }
+    attempts++;
+    join();
+    return new Plan(
+        List.of(NavigationPoint.at(body)), Plan.Progress.UNDER_WAY, off + ": once more");
+  }
+
+  private static Plan underWay(Point body) {
+    return Plan.underWay(List.of(NavigationPoint.at(body)));
+  }
+}

@@ -1,0 +1,94 @@
+package org.u2sa.planning.flight;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.TakeOff;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.PlannerState;
+import org.u2sa.planning.Pursuit;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
+
+/** {@link TakeOff}: along the runway and its extension, or straight up, to the altitude. */
+final class TakeOffState implements PlannerState {
+  private final Supplier<LineSettings> lines;
+  private final Supplier<FlightVariables> settings;
+  private Optional<Place> from = Optional.empty();
+  private double headingRad;
+
+  TakeOffState(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+    this.lines = lines;
+    this.settings = settings;
+  }
+
+  @Override
+  public Class<? extends GoalInformation> goalClass() {
+    return TakeOff.class;
+  }
+
+  @Override
+  public double distanceM(GoalInformation goal, StateInformation state) {
+    return 0.0; // it begins where the vehicle is
+  }
+
+  @Override
+  public void enter(Pursuit pursuit) {
+    begin((TakeOff) pursuit.goal(), Vehicle.of(pursuit.state()).orElseThrow());
+  }
+
+  private void begin(TakeOff goal, Vehicle vehicle) {
+    from = Optional.of(vehicle.place());
+    headingRad = goal.psi().orElse(vehicle.headingRad());
+  }
+
+  @Override
+  public void handOver(HandOver state) {
+    from.ifPresent(place -> place.handOver(state, "TAKE OFF"));
+    state.number("TAKE OFF HEADING", headingRad);
+  }
+
+  @Override
+  public boolean takeOver(HandOver state) {
+    from = Place.takenOver(state, "TAKE OFF");
+    OptionalDouble heading = state.number("TAKE OFF HEADING");
+    heading.ifPresent(known -> headingRad = known);
+    return from.isPresent() && heading.isPresent();
+  }
+
+  @Override
+  public Plan plan(Pursuit pursuit) {
+    TakeOff goal = (TakeOff) pursuit.goal();
+    Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
+    double downM = vehicle.nedOf(Place.of(goal)).z();
+    Point start = vehicle.nedOf(from.orElseThrow());
+    double aheadM = 0.0;
+    if (lines.get().turns().accelerationMps2() > 0.0) {
+      double cos = Math.cos(headingRad);
+      double sin = Math.sin(headingRad);
+      double alongM = -(start.x() * cos + start.y() * sin);
+      aheadM = alongM + lines.get().lookAheadM(vehicle.speedMps());
+    }
+    Point ned =
+        Point.of(
+            start.x() + aheadM * Math.cos(headingRad),
+            start.y() + aheadM * Math.sin(headingRad),
+            downM);
+    NavigationPoint point = NavigationPoint.at(vehicle.body(ned));
+    goal.speed().ifPresent(point::speed);
+    List<NavigationPoint> points = List.of(point);
+    if (-downM > goal.verticalThreshold().orElse(settings.get().takeOffAccuracy())) {
+      return Plan.underWay(points);
+    }
+    String remark = String.format(Locale.ROOT, "in the air, %.1f m above it", downM);
+    return new Plan(points, Plan.Progress.COMPLETED, remark);
+  }
+}

@@ -1,0 +1,54 @@
+package org.u2sa.planning.flight;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.planning.Plan;
+import org.u2sa.planning.guidance.LineGuidance;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+
+/** Landing of a multirotor: level to above the position, then down. */
+final class VerticalDescent implements LandingState.Descent {
+  private static final double SLOW_BELOW_M = 4.0; // above the ground as the goal has it
+
+  private final Supplier<FlightVariables> settings;
+  private final LineGuidance guidance;
+  private boolean above;
+  private double altitudeM; // of the way there
+
+  VerticalDescent(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+    this.settings = settings;
+    guidance = new LineGuidance(lines);
+  }
+
+  @Override
+  public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
+    guidance.begin(Optional.empty());
+    above = false;
+    altitudeM = vehicle.place().upM().orElse(0.0);
+  }
+
+  @Override
+  public Plan plan(Landing goal, Vehicle vehicle) {
+    Place place = Place.of(goal);
+    Point to = vehicle.nedOf(place);
+    above |= Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
+    if (!above) {
+      Point body =
+          guidance.towards(
+              vehicle, place.at(altitudeM), goal.horizontalThreshold(), Optional.empty());
+      NavigationPoint point = NavigationPoint.at(body);
+      goal.speed().ifPresent(point::speed);
+      return Plan.underWay(List.of(point));
+    }
+    // Near the ground the position below moves along: control sinks in proportion to its distance.
+    double downM = Math.max(to.z() - SLOW_BELOW_M, settings.get().touchDownSink());
+    return Plan.underWay(List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
+  }
+}
