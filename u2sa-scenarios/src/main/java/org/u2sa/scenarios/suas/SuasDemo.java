@@ -8,11 +8,13 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
+import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
+import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
@@ -41,10 +43,21 @@ final class SuasDemo implements Callable<Integer>, Demo {
       description = "Steady wind, with the matching gusts; 5 m/s if absent.")
   private double windMps = 5.0;
 
+  @Option(
+      names = "--train-targets",
+      paramLabel = "FILE",
+      description = "Write a new model of shapes and letters from painted images, and end.")
+  private Path model;
+
   private SuasField field; // of the newest run
 
   @Override
   public Integer call() throws InterruptedException, IOException {
+    if (model != null) {
+      String text = TargetLessons.model();
+      ReportFile.writeText(model, out -> out.write(text));
+      return 0;
+    }
     return frame.run(this);
   }
 
@@ -71,7 +84,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
   /** {@inheritDoc} Only the waypoints, which have numbers for names. */
   @Override
   public RunPlan plan(Mission mission) {
-    RunPlan all = Demo.super.plan(mission);
+    RunPlan all =
+        RunPlans.placed(profile().domain(), mission, start(mission), SuasField.plane());
     List<RunPlan.Waypoint> numbered =
         all.waypoints().stream()
             .filter(each -> Character.isDigit(each.name().charAt(0)))
@@ -83,7 +97,10 @@ final class SuasDemo implements Callable<Integer>, Demo {
   public Surroundings surroundings() {
     return field == null
         ? Surroundings.none()
-        : SimulatedWorld.surroundings(field.world(), SuasJudge.RUN_S);
+        : new Surroundings(
+            SimulatedWorld.surroundings(field.world(), SuasJudge.RUN_S).objects(),
+            0.0,
+            field.areas());
   }
 
   @Override
@@ -92,14 +109,14 @@ final class SuasDemo implements Callable<Integer>, Demo {
     field = drawn;
     Mission mission =
         frame.isOwnMission()
-            ? SuasMission.write(drawn, false, directory.resolve("mission.xml"))
+            ? SuasMission.write(drawn, directory.resolve("mission.xml"))
             : given;
     Path world = SuasMission.world(drawn, directory.resolve("world.xml"));
     Path fence = SuasMission.fence(drawn, directory.resolve("fence.xml"));
     Point start = drawn.start();
     VehicleTrial placed =
         VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle-belly.xml")),
+            changes.load(system().resolveSibling("vehicle.xml")),
             drawn.world(),
             start,
             drawn.runwayRad(),
@@ -107,7 +124,10 @@ final class SuasDemo implements Callable<Integer>, Demo {
     SeenCells cells = new SeenCells(drawn, SurveyPictures.USUAL);
     SurveyPictures camera =
         new SurveyPictures(
-            SurveyPictures.USUAL, placed.run(), new FieldPainter(), cells::see);
+            SurveyPictures.USUAL,
+            placed.run(),
+            new FieldPainter(drawn.targets(), SurveyPictures.USUAL, seed),
+            cells::see);
     return placed.trial(
         mission,
         placed.name(),

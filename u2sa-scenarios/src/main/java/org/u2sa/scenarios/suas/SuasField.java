@@ -2,13 +2,12 @@ package org.u2sa.scenarios.suas;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
-import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.Polygon;
 import org.u2sa.messages.shape.Sphere;
+import org.u2sa.report.score.Surroundings;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.ScriptedMover;
@@ -56,6 +55,7 @@ record SuasField(
   static final double SEPARATION_M = 50.0;
 
   private static final double BODY_M = 2.0; // of other aircraft
+  private static final int CORNERS = 24; // of a pillar on the map
 
   /** A cylinder from the ground up [m]. */
   record Pillar(double eastM, double northM, double radiusM, double heightM) {}
@@ -78,27 +78,37 @@ record SuasField(
         -RUNWAY_HALF_M * Math.sin(runwayRad), -RUNWAY_HALF_M * Math.cos(runwayRad), 0.0);
   }
 
-  /** The pillars as objects that are known before the flight. */
-  List<ObjectDescription> obstacles() {
-    List<ObjectDescription> objects = new ArrayList<>();
+  /** Boundary, search area and pillars, for the map. */
+  List<Surroundings.Area> areas() {
+    List<Surroundings.Area> areas = new ArrayList<>();
+    areas.add(new Surroundings.Area(outline("boundary", boundary), false));
+    areas.add(new Surroundings.Area(outline("search area", searchArea), false));
     for (int i = 0; i < pillars.size(); i++) {
       Pillar pillar = pillars.get(i);
-      Geodetic place = plane().at(pillar.eastM(), pillar.northM(), 0.5 * pillar.heightM());
-      Cylinder object =
-          new Cylinder()
-              .radius(pillar.radiusM())
-              .height(pillar.heightM())
-              .uid("pillar " + (i + 1))
-              .objectType("pillar")
-              .referenceFrame(ReferenceFrame.GLOBAL)
-              .x(place.longitudeDeg())
-              .y(place.latitudeDeg())
-              .z(place.altitudeM())
-              .level(ObjectLevel.AVOID_ALWAYS);
-      object.freeze();
-      objects.add(object);
+      List<Point> round = new ArrayList<>();
+      for (int k = 0; k < CORNERS; k++) {
+        double angle = 2.0 * Math.PI * k / CORNERS;
+        round.add(
+            Point.of(
+                pillar.eastM() + pillar.radiusM() * Math.cos(angle),
+                pillar.northM() + pillar.radiusM() * Math.sin(angle),
+                0.0));
+      }
+      areas.add(new Surroundings.Area(outline("pillar " + (i + 1), round), true));
     }
-    return objects;
+    return areas;
+  }
+
+  private static Polygon outline(String name, List<Point> corners) {
+    List<Point> places = new ArrayList<>();
+    corners.forEach(each -> places.add(plane().at(each.x(), each.y(), 0.0).point()));
+    Geodetic first = Geodetic.of(places.get(0));
+    return new Polygon()
+        .points(places)
+        .uid(name)
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(first.longitudeDeg())
+        .y(first.latitudeDeg());
   }
 
   /** The other aircraft. */

@@ -20,9 +20,9 @@ final class SuasFieldGenerator {
   private static final double STRIP_LENGTH_M = 900.0;
   private static final double MAX_TURN_RAD = Math.toRadians(115.0);
   private static final int TRIES = 4000;
-  private static final String[] SHAPES = {"circle", "square", "triangle", "star", "cross", "pentagon"};
-  private static final String[] COLOURS = {"white", "black", "red", "blue", "yellow", "orange", "purple"};
-  private static final String LETTERS = "ABCDEFGHJKLNPRTUVXY2346789";
+  static final String[] SHAPES = {"circle", "square", "triangle", "star", "cross", "pentagon"};
+  static final String[] COLOURS = {"white", "black", "red", "blue", "yellow", "orange", "purple"};
+  private static final String LETTERS = BlockLetters.ALL;
 
   private final Random random;
   private final double runwayRad;

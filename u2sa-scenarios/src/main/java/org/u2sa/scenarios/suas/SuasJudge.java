@@ -2,6 +2,7 @@ package org.u2sa.scenarios.suas;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -19,11 +20,13 @@ import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.scenarios.suas.score.BoundaryCount;
+import org.u2sa.scenarios.suas.score.ObjectScore;
 import org.u2sa.scenarios.suas.score.ScoreSheet;
 import org.u2sa.scenarios.suas.score.Telemetry;
 import org.u2sa.scenarios.suas.score.WaypointScore;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.vision.survey.SurveyTarget;
 
 /**
  * Scores a flight: waypoints by the telemetry that the aircraft sends, all else by the truth.
@@ -35,6 +38,9 @@ final class SuasJudge implements TruthObserver.Scorer {
 
   private static final double REPORTS_S = 0.5; // between two reports of the telemetry
   private static final double MAP_SHARE = 0.99;
+  private static final double RUNWAY_SIDE_M = 12.0;
+  private static final double NEAR_M = 15.0; // of a report from its target, the sixth field
+  private static final int RIGHT_FIELDS = 3; // of the other five
   private static final double PASS_M = 15.24; // 50 ft
 
   private final SuasField field;
@@ -47,7 +53,9 @@ final class SuasJudge implements TruthObserver.Scorer {
   private final Set<String> hit = new LinkedHashSet<>();
   private final double[] nearestM; // true distance from each waypoint
   private final List<String> log = new ArrayList<>();
+  private final List<ObjectScore.Sheet> reports = new ArrayList<>();
   private double nowS;
+  private VehicleTruth last;
   private double reportedS = Double.NEGATIVE_INFINITY;
   private volatile boolean over;
 
@@ -57,16 +65,23 @@ final class SuasJudge implements TruthObserver.Scorer {
     this.directory = directory;
     movers = field.movers();
     nearestM = new double[field.waypoints().size()];
-    java.util.Arrays.fill(nearestM, Double.POSITIVE_INFINITY);
+    Arrays.fill(nearestM, Double.POSITIVE_INFINITY);
   }
 
   @Override
   public List<Channel<?>> listensTo() {
-    return List.of(Channels.STATE);
+    return List.of(Channels.STATE, SurveyTarget.CHANNEL);
   }
 
   @Override
   public boolean heard(U2SAData data) {
+    if (data instanceof SurveyTarget report) {
+      Point at =
+          SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
+      reports.add(new ObjectScore.Sheet(at.x(), at.y(), report.fields()));
+      say("report: " + String.join(", ", report.fields()));
+      return true;
+    }
     if (!(data instanceof StateInformation state)) {
       return false;
     }
@@ -92,6 +107,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   @Override
   public void see(VehicleTruth truth) {
     nowS = truth.timeS();
+    last = truth;
     Point at = truth.position();
     boolean isInside = SuasField.isInside(field.boundary(), at.x(), at.y());
     if (boundary.see(nowS, isInside)) {
@@ -117,6 +133,35 @@ final class SuasJudge implements TruthObserver.Scorer {
     over |= nowS >= RUN_S;
   }
 
+  /** Whether it stands on the runway. */
+  private boolean hasLanded() {
+    if (last == null || last.speedMps() > 0.5 || last.position().z() > 2.0) {
+      return false;
+    }
+    Point at = last.position();
+    double along = at.x() * Math.sin(field.runwayRad()) + at.y() * Math.cos(field.runwayRad());
+    double across = at.x() * Math.cos(field.runwayRad()) - at.y() * Math.sin(field.runwayRad());
+    return Math.abs(along) < SuasField.RUNWAY_HALF_M && Math.abs(across) < RUNWAY_SIDE_M;
+  }
+
+  private ObjectScore.Result objects() {
+    List<ObjectScore.Sheet> targets = new ArrayList<>();
+    for (SuasTarget each : field.targets()) {
+      say("target: " + each);
+      targets.add(
+          new ObjectScore.Sheet(
+              each.eastM(),
+              each.northM(),
+              List.of(
+                  each.shape(),
+                  each.colour(),
+                  each.letter(),
+                  each.letterColour(),
+                  each.orientation())));
+    }
+    return ObjectScore.of(targets, reports);
+  }
+
   private void enter(boolean isInside, String name) {
     if (isInside && hit.add(name)) {
       say("enters " + name);
@@ -140,7 +185,9 @@ final class SuasJudge implements TruthObserver.Scorer {
   @Override
   public RunOutcome outcome() {
     List<Double> scores = WaypointScore.scores(field.waypoints(), telemetry.interpolated());
+    boolean landed = hasLanded();
     int obstacles = field.pillars().size() + movers.size();
+    ObjectScore.Result objects = objects();
     ScoreSheet sheet =
         new ScoreSheet(
             nowS < RUN_S ? 1.0 : 0.0,
@@ -148,10 +195,10 @@ final class SuasJudge implements TruthObserver.Scorer {
             telemetry.meanGapS(),
             0,
             boundary.count() + ceiling.count(),
-            false,
+            !landed && last != null && last.position().z() < 2.0,
             obstacles - hit.size(),
             obstacles,
-            0.0,
+            objects.score(),
             cells.share() >= MAP_SHARE ? 1.0 : cells.share(),
             0.0,
             1.0);
@@ -167,12 +214,27 @@ final class SuasJudge implements TruthObserver.Scorer {
       violations.add(
           String.format(Locale.ROOT, "%.1f %% of the search area seen", 100.0 * cells.share()));
     }
+    long good =
+        objects.matches().stream()
+            .filter(each -> each.distanceM() <= NEAR_M && each.rightFields() >= RIGHT_FIELDS)
+            .count();
+    if (good < field.targets().size()) {
+      violations.add(good + " of " + field.targets().size() + " targets with four of six fields");
+    }
+    if (!landed) {
+      violations.add("does not stand on the runway at the end");
+    }
     int passed = 0;
     for (double each : nearestM) {
       passed += each <= PASS_M ? 1 : 0;
     }
     Map<String, Integer> counts = new LinkedHashMap<>();
     counts.put("waypointsPassed", passed);
+    counts.put("targets", field.targets().size());
+    counts.put("targetsFound", objects.matches().size());
+    counts.put("targetsRight", (int) good);
+    counts.put("falseReports", objects.falseReports());
+    counts.put("landedOnRunway", landed ? 1 : 0);
     counts.put("obstaclesHit", hit.size());
     counts.put("boundaryLeft", boundary.count());
     Map<String, Double> figures = new LinkedHashMap<>(sheet.figures());

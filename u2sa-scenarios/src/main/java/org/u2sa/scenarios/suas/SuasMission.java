@@ -23,8 +23,8 @@ final class SuasMission {
   }
 
   /** Writes the mission of a field. */
-  static Mission write(SuasField field, boolean lands, Path file) {
-    String text = new SuasMission(field).mission(lands);
+  static Mission write(SuasField field, Path file) {
+    String text = new SuasMission(field).mission();
     ReportFile.writeText(file, out -> out.write(text));
     return Mission.load(file);
   }
@@ -66,17 +66,15 @@ final class SuasMission {
     return file;
   }
 
-  private String mission(boolean lands) {
+  private String mission() {
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
     text.append("  <home>").append(place(field.start())).append(altitude(0.0));
     text.append(
         String.format(
             Locale.ROOT, "<psi>%.4f</psi></home>%n", Math.toDegrees(field.runwayRad())));
-    if (lands) {
-      Point end = field.start().times(-1.0);
-      text.append("  <takeOff><name>take-off</name>").append(place(end));
-      text.append(altitude(TAKE_OFF_M)).append("</takeOff>\n");
-    }
+    text.append("  <takeOff><name>take-off</name>").append(place(field.start().times(-1.0)));
+    text.append(altitude(TAKE_OFF_M));
+    text.append("<horizontalThreshold>60</horizontalThreshold></takeOff>\n");
     for (int i = 0; i < field.waypoints().size(); i++) {
       Point waypoint = field.waypoints().get(i);
       text.append("  <waypoint><name>").append(i + 1).append("</name>").append(place(waypoint));
@@ -96,14 +94,17 @@ final class SuasMission {
     text.append(
         String.format(
             Locale.ROOT,
-            "<resolution>%.3f</resolution><ground>%.2f</ground></searchArea>%n",
+            "<resolution>%.3f</resolution><ground>%.2f</ground><share>0.997</share></searchArea>%n",
             field.resolutionM(),
             SuasField.ORIGIN.altitudeM()));
-    if (lands) {
-      Point touch = field.start().times(0.8);
-      text.append("  <landing><name>landing</name>").append(place(touch)).append(altitude(0.0));
-      text.append(String.format(Locale.ROOT, "<psi>%.5f</psi></landing>%n", field.runwayRad()));
-    }
+    Point touch = field.start().times(0.8);
+    text.append("  <landing><name>landing</name>").append(place(touch)).append(altitude(0.0));
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "<psi>%.5f</psi><horizontalThreshold>60</horizontalThreshold>"
+                + "<speed>18</speed></landing>%n",
+            field.runwayRad()));
     return text.append("</mission>\n").toString();
   }
 

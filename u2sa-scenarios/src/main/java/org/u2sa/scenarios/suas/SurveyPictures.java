@@ -57,7 +57,7 @@ final class SurveyPictures extends SimulatedDevice<CameraFrame> implements Camer
         optics.width(),
         optics.height(),
         PixelFormat.RGB24,
-        painter.picture(optics, truth),
+        painter.picture(truth),
         Optional.of(optics.intrinsics()));
   }
 }
