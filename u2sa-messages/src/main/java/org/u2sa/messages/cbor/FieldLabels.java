@@ -50,7 +50,7 @@ public final class FieldLabels {
       engineStarting crashed phase navigating bank pitch altitude airspeed awaited landmarkX
       landmarkY range rangeSigma bearing bearingSigma colour thickness lying
       excessTemperature
-      turn duration approach
+      turn duration approach slope payload terminalSpeed
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -1,0 +1,195 @@
+package org.u2sa.scenarios.simulate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.run.CommandLineRun;
+import org.u2sa.testkit.Repository;
+
+/** The aircraft of config/suas in wind with Dryden gusts, scored by the track of the truth. */
+class SuasFlightTest {
+  private static final double TAKES_OFF_M = 43.28; // altitude of the field
+  private static final Geodetic FIELD = new Geodetic(-76.55578, 38.31633, 0.0);
+
+  @TempDir private Path folder;
+
+  private record Row(Point ned, double altitudeM, double speedMps) {
+    static Row of(String line) {
+      String[] fields = line.split(",", -1);
+      Geodetic place =
+          new Geodetic(Double.parseDouble(fields[1]), Double.parseDouble(fields[2]), 0.0);
+      return new Row(
+          FIELD.nedOf(place), Double.parseDouble(fields[3]), Double.parseDouble(fields[5]));
+    }
+
+    double fromM(double north, double east) {
+      return Math.hypot(ned.x() - north, ned.y() - east);
+    }
+  }
+
+  private List<Row> fly(
+      String aircraft, String vehicle, String goals, double windMps, long seed, String... more)
+      throws IOException {
+    Path world = folder.resolve("world.xml");
+    Files.writeString(
+        world,
+        "<world><environment><wind><speed>"
+            + windMps
+            + "</speed><from unit=\"deg\">150</from><shear>true</shear></wind></environment></world>");
+    Path mission = folder.resolve("mission.xml");
+    Files.writeString(
+        mission,
+        "<mission><home><x>-76.55578</x><y>38.31633</y><z>43.28</z><psi>100</psi></home>"
+            + goals
+            + "</mission>");
+    Path own = Repository.root().resolve("config/suas").resolve(aircraft);
+    List<String> arguments =
+        new ArrayList<>(
+            List.of(
+                "simulate",
+                own.resolve("system.xml").toString(),
+                "--vehicle",
+                own.resolve(vehicle).toString(),
+                "--mission",
+                mission.toString(),
+                "--world",
+                world.toString(),
+                "--seed",
+                Long.toString(seed),
+                "--limit",
+                "400",
+                "--port",
+                "0",
+                "--out",
+                folder.resolve("out").toString()));
+    arguments.addAll(List.of(more));
+    CommandLineRun run = CommandLineRun.of(arguments.toArray(new String[0]));
+    assertThat(run.exitCode()).as(run.out() + run.err()).isZero();
+    return Files.readAllLines(folder.resolve("out/track.csv")).stream()
+        .skip(1)
+        .map(Row::of)
+        .toList();
+  }
+
+  private static String place(String element, double north, double east, double up, String more) {
+    Geodetic at = FIELD.fromNed(Point.of(north, east, 0.0));
+    return "<"
+        + element
+        + "><x>"
+        + at.longitudeDeg()
+        + "</x><y>"
+        + at.latitudeDeg()
+        + "</y><z>"
+        + (TAKES_OFF_M + up)
+        + "</z>"
+        + more
+        + "</"
+        + element
+        + ">";
+  }
+
+  /** RMS distance of the rows between two norths from a north-south line, the way north or south. */
+  private static double acrossRmsM(List<Row> rows, double fromNorth, double toNorth, double east) {
+    return Math.sqrt(
+        rows.stream()
+            .filter(row -> row.ned().x() > fromNorth && row.ned().x() < toNorth)
+            .filter(row -> Math.abs(row.ned().y() - east) < 100.0 && row.altitudeM() > 80.0)
+            .mapToDouble(row -> Math.pow(row.ned().y() - east, 2))
+            .average()
+            .orElseThrow());
+  }
+
+  /** Take-off from the runway at 100 degrees, two long legs across and along the wind, landing. */
+  @ParameterizedTest
+  @CsvSource({"0, 21, 1.0", "5, 22, 5.0", "8, 23, 10.0"})
+  void plane_runwayWaypointsRunway_keepsToItsLines(double windMps, long seed, double acrossM)
+      throws IOException {
+    List<Row> rows =
+        fly(
+            "plane",
+            "vehicle.xml",
+            "<takeOff><z>83</z></takeOff>"
+                + place("waypoint", -400, 500, 80, "")
+                + place("waypoint", 600, 500, 80, "")
+                + place("waypoint", 600, -500, 80, "")
+                + place("waypoint", -400, -500, 80, "")
+                + place(
+                    "landing",
+                    0,
+                    0,
+                    0,
+                    "<psi unit=\"deg\">100</psi><speed>18</speed><horizontalThreshold>30</horizontalThreshold>"),
+            windMps,
+            seed);
+
+    for (double[] corner : new double[][] {{-400, 500}, {600, 500}, {600, -500}, {-400, -500}}) {
+      assertThat(
+              rows.stream()
+                  .mapToDouble(row -> row.fromM(corner[0], corner[1]))
+                  .min()
+                  .orElseThrow())
+          .as("waypoint at %s, %s", corner[0], corner[1])
+          .isLessThan(15.2);
+    }
+    assertThat(acrossRmsM(rows, -100, 550, 500)).isLessThan(acrossM);
+    assertThat(acrossRmsM(rows, -350, 300, -500)).isLessThan(acrossM);
+    Row end = rows.get(rows.size() - 1);
+    double offRunwayM =
+        end.ned().y() * Math.cos(Math.toRadians(100)) - end.ned().x() * Math.sin(Math.toRadians(100));
+    assertThat(Math.abs(offRunwayM)).isLessThan(8.0);
+    assertThat(end.fromM(0, 0)).isLessThan(200.0);
+    assertThat(end.speedMps()).isLessThan(0.3);
+    assertThat(end.altitudeM()).isLessThan(TAKES_OFF_M + 0.5);
+  }
+
+  @Test
+  void plane_thrownWithoutLandingGear_landsOnItsBellyAgainstTheWind() throws IOException {
+    List<Row> rows =
+        fly(
+            "plane",
+            "vehicle-belly.xml",
+            "<takeOff><z>83</z></takeOff>"
+                + place("waypoint", 300, 500, 60, "")
+                + place("landing", 0, 0, 0, "<speed>18</speed><horizontalThreshold>30</horizontalThreshold>"),
+            5.0,
+            31,
+            "--set",
+            "CessnaControl:START HEIGHT=1.2");
+
+    Row end = rows.get(rows.size() - 1);
+    assertThat(end.fromM(0, 0)).isLessThan(80.0);
+    assertThat(end.speedMps()).isLessThan(0.3);
+    assertThat(end.altitudeM()).isLessThan(TAKES_OFF_M + 0.5);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"hexacopter, 41", "quadcopter, 42"})
+  void multirotor_takeOffWaypointsLanding_keepsToItsLines(String aircraft, long seed)
+      throws IOException {
+    List<Row> rows =
+        fly(
+            aircraft,
+            "vehicle.xml",
+            "<takeOff><z>93</z></takeOff>"
+                + place("waypoint", 0, 60, 50, "")
+                + place("waypoint", 150, 60, 50, "")
+                + place("landing", 20, 0, 0, ""),
+            5.0,
+            seed);
+
+    assertThat(acrossRmsM(rows, 5, 145, 60)).isLessThan(0.5);
+    Row end = rows.get(rows.size() - 1);
+    assertThat(end.fromM(20, 0)).isLessThan(1.0);
+    assertThat(end.altitudeM()).isLessThan(TAKES_OFF_M + 0.5);
+  }
+}
