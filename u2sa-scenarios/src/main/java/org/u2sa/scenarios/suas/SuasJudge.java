@@ -49,7 +49,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   private final List<ScriptedMover> movers;
   private final Telemetry telemetry = new Telemetry();
   private final BoundaryCount boundary = new BoundaryCount();
-  private final BoundaryCount ceiling = new BoundaryCount();
+  private final List<Double> outS = new ArrayList<>();
   private final Set<String> hit = new LinkedHashSet<>();
   private final double[] nearestM; // true distance from each waypoint
   private final List<String> log = new ArrayList<>();
@@ -110,11 +110,11 @@ final class SuasJudge implements TruthObserver.Scorer {
     last = truth;
     Point at = truth.position();
     boolean isInside = SuasField.isInside(field.boundary(), at.x(), at.y());
-    if (boundary.see(nowS, isInside)) {
-      say("leaves the boundary");
+    if (!isInside || at.z() > field.ceilingM()) {
+      outS.add(nowS);
     }
-    if (ceiling.see(nowS, at.z() <= field.ceilingM())) {
-      say(String.format(Locale.ROOT, "higher than allowed: %.1f m", at.z()));
+    if (boundary.see(nowS, isInside && at.z() <= field.ceilingM())) {
+      say(String.format(Locale.ROOT, "out of bounds, %.1f m high", at.z()));
     }
     for (int i = 0; i < field.pillars().size(); i++) {
       SuasField.Pillar pillar = field.pillars().get(i);
@@ -144,7 +144,7 @@ final class SuasJudge implements TruthObserver.Scorer {
     return Math.abs(along) < SuasField.RUNWAY_HALF_M && Math.abs(across) < RUNWAY_SIDE_M;
   }
 
-  private ObjectScore.Result objects() {
+  private List<ObjectScore.Sheet> targets() {
     List<ObjectScore.Sheet> targets = new ArrayList<>();
     for (SuasTarget each : field.targets()) {
       say("target: " + each);
@@ -159,7 +159,17 @@ final class SuasJudge implements TruthObserver.Scorer {
                   each.letterColour(),
                   each.orientation())));
     }
-    return ObjectScore.of(targets, reports);
+    return targets;
+  }
+
+  /** For each obstacle, 1 if it was hit. */
+  private List<Integer> hits() {
+    List<Integer> hits = new ArrayList<>();
+    for (int i = 0; i < field.pillars().size(); i++) {
+      hits.add(hit.contains("pillar " + (i + 1)) ? 1 : 0);
+    }
+    movers.forEach(mover -> hits.add(hit.contains(mover.uid()) ? 1 : 0));
+    return hits;
   }
 
   private void enter(boolean isInside, String name) {
@@ -187,14 +197,23 @@ final class SuasJudge implements TruthObserver.Scorer {
     List<Double> scores = WaypointScore.scores(field.waypoints(), telemetry.interpolated());
     boolean landed = hasLanded();
     int obstacles = field.pillars().size() + movers.size();
-    ObjectScore.Result objects = objects();
+    List<ObjectScore.Sheet> targets = targets();
+    ObjectScore.Result objects = ObjectScore.of(targets, reports);
+    ScoreInput.write(
+        field,
+        telemetry.reports(),
+        reports,
+        targets,
+        outS,
+        hits(),
+        directory.resolve("score-input.csv"));
     ScoreSheet sheet =
         new ScoreSheet(
             nowS < RUN_S ? 1.0 : 0.0,
             scores.stream().mapToDouble(Double::doubleValue).average().orElse(0.0),
             telemetry.meanGapS(),
             0,
-            boundary.count() + ceiling.count(),
+            boundary.count(),
             !landed && last != null && last.position().z() < 2.0,
             obstacles - hit.size(),
             obstacles,
@@ -204,10 +223,7 @@ final class SuasJudge implements TruthObserver.Scorer {
             1.0);
     List<String> violations = new ArrayList<>();
     if (boundary.count() > 0) {
-      violations.add("left the boundary " + boundary.count() + " times");
-    }
-    if (ceiling.count() > 0) {
-      violations.add("above the ceiling " + ceiling.count() + " times");
+      violations.add("out of bounds " + boundary.count() + " times");
     }
     hit.forEach(each -> violations.add("entered " + each));
     if (cells.share() < MAP_SHARE) {

@@ -126,7 +126,7 @@ public final class SurveyCamera extends CameraSensor {
       return;
     }
     ImageFootprint footprint = shown.get();
-    footprint.sensorName(sensorName());
+    footprint.uid("image " + images).objectType("image").sensorName(sensorName());
     footprint.level(ObjectLevel.HINDRANCE);
     footprint.timestamp(frame.measuredAtMicros());
     publish(Channels.SENSED_OBJECTS, footprint);
