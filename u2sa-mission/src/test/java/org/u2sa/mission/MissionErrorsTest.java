@@ -18,9 +18,9 @@ class MissionErrorsTest {
           """
           `` | m.xml, line 1, <mission>: contains no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>
           <home><x>8</x><y>50</y></home> | m.xml, line 1, <mission>: contains no goals; expected at least one, such as <waypoint><x>…</x><y>…</y></waypoint>
-          <wayoint><x>1</x></wayoint> | m.xml, line 2, <wayoint>: unknown element in <mission>; expected home or a class of goals: waypoint, objectGoal, station, takeOff, landing, payloadDrop; did you mean "waypoint"?
-          <circle><x>1</x></circle> | m.xml, line 2, <circle>: is not a class of goals; expected one of waypoint, objectGoal, station, takeOff, landing, payloadDrop
-          <goalInformation><uid>1</uid></goalInformation> | m.xml, line 2, <goalInformation>: is abstract: no goal can be of this class; expected one of waypoint, objectGoal, station, takeOff, landing, payloadDrop
+          <wayoint><x>1</x></wayoint> | m.xml, line 2, <wayoint>: unknown element in <mission>; expected home or a class of goals: waypoint, objectGoal, station, takeOff, landing, payloadDrop, searchArea; did you mean "waypoint"?
+          <circle><x>1</x></circle> | m.xml, line 2, <circle>: is not a class of goals; expected one of waypoint, objectGoal, station, takeOff, landing, payloadDrop, searchArea
+          <goalInformation><uid>1</uid></goalInformation> | m.xml, line 2, <goalInformation>: is abstract: no goal can be of this class; expected one of waypoint, objectGoal, station, takeOff, landing, payloadDrop, searchArea
           <objectGoal><name>1</name></objectGoal> | m.xml, line 2, <objectGoal>: lacks <objectType>; expected a value
           <objectGoal><objectType>barrel</objectType></objectGoal> | m.xml, line 2, <objectGoal>: lacks <within>; expected a number of m
           <waypoint><name>1</name></waypoint> | m.xml, line 2, <waypoint>: has no coordinates; expected at least one of x, y, z

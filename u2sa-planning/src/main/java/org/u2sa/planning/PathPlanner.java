@@ -28,6 +28,7 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.rightofway.RightOfWayVariables;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
+import org.u2sa.planning.survey.SurveyVariables;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.ServiceContext;
@@ -90,7 +91,9 @@ public class PathPlanner extends EventDrivenService {
             List.of(
                 new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
-                new StationState(guidance, settings(StationVariables.class))));
+                new StationState(guidance, settings(StationVariables.class)),
+                new SearchAreaState(
+                    avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines)));
     states.add(FlightStates.of(this, this::lines, () -> settings.get().loiterRadius()));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);

@@ -12,6 +12,7 @@ import java.util.function.Function;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.service.handover.HandOver;
 import org.u2sa.world.bearing.BearingModeller;
+import org.u2sa.world.coverage.CoverageModeller;
 import org.u2sa.world.egocentric.EgocentricModeller;
 import org.u2sa.world.grid.GridModeller;
 import org.u2sa.world.landmark.LandmarkModeller;
@@ -31,6 +32,7 @@ final class ChosenModellers {
   static final String LANDMARKS = "LANDMARKS";
   static final String EGOCENTRIC = "EGOCENTRIC";
   static final String BEARINGS = "BEARINGS";
+  static final String COVERAGE = "COVERAGE";
 
   private final Map<String, Modeller> all = new LinkedHashMap<>();
   private Map<String, Modeller> chosen = new LinkedHashMap<>();
@@ -50,6 +52,7 @@ final class ChosenModellers {
     all.put(LANDMARKS, new LandmarkModeller(configuration));
     all.put(EGOCENTRIC, new EgocentricModeller(configuration));
     all.put(BEARINGS, new BearingModeller(configuration));
+    all.put(COVERAGE, new CoverageModeller(configuration));
     for (ModellerProvider provider : ServiceLoader.load(ModellerProvider.class)) {
       all.putIfAbsent(provider.name(), provider.modeller(configuration));
     }

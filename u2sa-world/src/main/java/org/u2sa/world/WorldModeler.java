@@ -21,6 +21,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.PeriodicService;
@@ -218,6 +219,10 @@ public final class WorldModeler extends PeriodicService {
   }
 
   private void onArrival(U2SAData measured) {
+    if (measured instanceof ImageFootprint seen) {
+      working().forEach(modeller -> modeller.footprint(seen));
+      return;
+    }
     if (measured.timestamp().isEmpty()) {
       count.untimed++;
     } else if (measured.timestamp().getAsLong() - clock().micros() > FUTURE_MICROS) {
@@ -229,6 +234,7 @@ public final class WorldModeler extends PeriodicService {
 
   private void onGoals(GoalList goals) {
     relevance.of(goals);
+    working().forEach(modeller -> modeller.goals(goals));
   }
 
   @Override

@@ -51,6 +51,7 @@ public final class FieldLabels {
       landmarkY range rangeSigma bearing bearingSigma colour thickness lying
       excessTemperature
       turn duration approach slope payload terminalSpeed
+      corners ground lowest highest share seen image area corner cell resolutions images
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -42,6 +42,7 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
@@ -70,7 +71,9 @@ import org.u2sa.messages.schema.MessageTypeProvider;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Circle;
+import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.messages.shape.Cylinder;
+import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.messages.shape.Line;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.PointCloud;
@@ -141,6 +144,9 @@ public final class StandardTypes implements MessageTypeProvider {
           TakeOff.TYPE,
           Landing.TYPE,
           PayloadDrop.TYPE,
+          SearchArea.TYPE,
+          ImageFootprint.TYPE,
+          CoverageLedger.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
           MissionOrder.TYPE,

@@ -9,8 +9,11 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.ObjectGoal;
 import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
+import org.u2sa.messages.shape.CoverageLedger;
+import org.u2sa.messages.shape.ImageFootprint;
 
 /** What the planners that see brought. */
 final class GoldenPlans {
@@ -77,5 +80,44 @@ final class GoldenPlans {
             .y(-33.5)
             .z(43.25)
             .horizontalThreshold(5.0));
+    addSearch(golden);
+  }
+
+  private static void addSearch(GoldenMessages golden) {
+    List<Point> corners =
+        List.of(
+            Point.of(151.25, -33.5, 0.0),
+            Point.of(151.5, -33.5, 0.0),
+            Point.of(151.5, -33.25, 0.0));
+    golden.add(
+        "SearchArea",
+        new SearchArea()
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .corners(corners)
+            .resolution(0.05)
+            .ground(43.25)
+            .lowest(80.0)
+            .highest(120.0)
+            .speed(22.0)
+            .share(0.99)
+            .seen(0.5)
+            .uid("12"));
+    golden.add(
+        "ImageFootprint",
+        GoldenWorld.seen(
+            new ImageFootprint().image(7).resolution(0.0625).angle(0.5).points(corners)));
+    golden.add(
+        "CoverageLedger",
+        GoldenWorld.seen(
+            new CoverageLedger()
+                .points(corners)
+                .area("12")
+                .cells(
+                    Point.of(151.25, -33.5, 0.0),
+                    5.0,
+                    2,
+                    new byte[] {10, 0, 12, 0},
+                    new byte[] {3, 0, 30, (byte) CoverageLedger.OUTSIDE},
+                    new byte[] {0, 7, 0, 0, 1, 2, 0, 0})));
   }
 }

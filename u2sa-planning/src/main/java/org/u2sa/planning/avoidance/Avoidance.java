@@ -27,6 +27,7 @@ import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 
@@ -144,6 +145,35 @@ public final class Avoidance {
     obstacles.forgetGaps();
     passages.widen();
     news.begin();
+  }
+
+  /**
+   * Whether something is in the way of a vehicle that flies straight on to a place: an obstacle near
+   * the line, or traffic that comes near within the horizon.
+   */
+  public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
+    AvoidanceVariables now = settings.get();
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    Point way = vehicle.nedOf(to);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
+    double keptM = body(now).circleM() + now.clearance();
+    for (PlanarShape shape : world.shapes()) {
+      double stepM = Math.max(1.0, 0.5 * keptM);
+      int steps = (int) Math.ceil(Math.hypot(way.x(), way.y()) / stepM);
+      for (int i = 0; i <= steps; i++) {
+        double share = steps == 0 ? 0.0 : (double) i / steps;
+        if (shape.distanceM(at.x() + share * way.x(), at.y() + share * way.y()) < keptM) {
+          return true;
+        }
+      }
+    }
+    return TrafficHold.comesNear(
+        world.movers(),
+        vehicle,
+        at,
+        body(now).circleM() + 2.0 * now.trafficClearance(),
+        now.trafficHorizon());
   }
 
   /** Called when a waypoint was reached: blocks the way back. */

@@ -4,10 +4,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.avoidance.Behaviour.BackingOut;
 import org.u2sa.planning.avoidance.Behaviour.Following;
 import org.u2sa.planning.avoidance.Behaviour.Searching;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
@@ -157,6 +159,25 @@ final class GoalAttempt {
       long held = holds ? since : 0L;
       heldMicros += held;
       return held;
+    }
+
+    /** Whether traffic comes near a vehicle that moves straight on, within a time. */
+    static boolean comesNear(
+        List<Mover> movers, Vehicle vehicle, Point at, double keptM, double withinS) {
+      for (Mover mover : movers) {
+        double age = mover.ageS(vehicle.timestampMicros());
+        double north = mover.northAfterM(age) - at.x();
+        double east = mover.eastAfterM(age) - at.y();
+        double northMps = mover.northMps() - vehicle.northMps();
+        double eastMps = mover.eastMps() - vehicle.eastMps();
+        double square = northMps * northMps + eastMps * eastMps;
+        double nearestS = square == 0.0 ? 0.0 : -(north * northMps + east * eastMps) / square;
+        double then = Math.max(0.0, Math.min(withinS, nearestS));
+        if (Math.hypot(north + then * northMps, east + then * eastMps) < mover.radiusM() + keptM) {
+          return true;
+        }
+      }
+      return false;
     }
 
     /**

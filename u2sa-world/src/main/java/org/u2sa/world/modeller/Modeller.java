@@ -6,6 +6,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -22,6 +24,12 @@ public interface Modeller {
   default void objects(List<ObjectDescription> seen, Sighting sighting) {}
 
   default void scan(RangeScan scan, ScanPoses poses) {}
+
+  /** Processes the ground that one image shows, in the frame of its message. */
+  default void footprint(ImageFootprint seen) {}
+
+  /** Processes the goals of the mission, current and upcoming. */
+  default void goals(GoalList goals) {}
 
   /**
    * Replaces the a priori objects. Objects with a velocity move from the sighting's time on, which

@@ -1,0 +1,132 @@
+package org.u2sa.messages.goal;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.ValueField;
+
+/**
+ * An area of which every part is to be seen from above at a ground resolution (thesis 4.4.1.3). The
+ * World Modeler records what was seen, the Path Planner flies over what is missing.
+ */
+public class SearchArea extends GoalInformation {
+  private static final double MAX_RESOLUTION_M = 1.27; // of the coverage ledger
+
+  private static final Schema<SearchArea> SCHEMA =
+      Schema.of(SearchArea.class, SearchArea::new, GoalInformation.TYPE).since(3);
+  private static final ValueField<SearchArea, ReferenceFrame> FRAME =
+      SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
+  private static final ValueField<SearchArea, List<Point>> CORNERS = SCHEMA.points("corners", "m");
+  private static final NumberField<SearchArea> RESOLUTION =
+      SCHEMA.requiredNumber("resolution", "m", 0.005, MAX_RESOLUTION_M);
+  private static final NumberField<SearchArea> GROUND = SCHEMA.number("ground", "m", 0.0);
+  private static final NumberField<SearchArea> LOWEST = SCHEMA.optionalNumber("lowest", "m");
+  private static final NumberField<SearchArea> HIGHEST = SCHEMA.optionalNumber("highest", "m");
+  private static final NumberField<SearchArea> SPEED =
+      SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final NumberField<SearchArea> SHARE =
+      SCHEMA.optionalNumber("share", "1", 0.0, 1.0);
+  private static final NumberField<SearchArea> SEEN = SCHEMA.optionalNumber("seen", "1", 0.0, 1.0);
+
+  public static final MessageType<SearchArea> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<? extends SearchArea> type() {
+    return TYPE;
+  }
+
+  /** Frame of the corners. */
+  public ReferenceFrame referenceFrame() {
+    return get(FRAME);
+  }
+
+  public SearchArea referenceFrame(ReferenceFrame frame) {
+    return put(FRAME, frame);
+  }
+
+  /** Corners of the outline in order, at least three, either way round; it may be concave. */
+  public List<Point> corners() {
+    return require(CORNERS);
+  }
+
+  public SearchArea corners(List<Point> points) {
+    return put(CORNERS, points);
+  }
+
+  /** Required ground resolution: length on the ground that a pixel covers, at most [m]. */
+  public double resolution() {
+    return require(RESOLUTION);
+  }
+
+  public SearchArea resolution(double metres) {
+    return put(RESOLUTION, metres);
+  }
+
+  /** Altitude of the ground above mean sea level [m]; defaults to 0. */
+  public double ground() {
+    return get(GROUND).orElse(0.0);
+  }
+
+  public SearchArea ground(double metres) {
+    return put(GROUND, metres);
+  }
+
+  /** Minimum altitude above mean sea level [m]. */
+  public OptionalDouble lowest() {
+    return get(LOWEST);
+  }
+
+  public SearchArea lowest(double metres) {
+    return put(LOWEST, metres);
+  }
+
+  /** Maximum altitude above mean sea level [m]. */
+  public OptionalDouble highest() {
+    return get(HIGHEST);
+  }
+
+  public SearchArea highest(double metres) {
+    return put(HIGHEST, metres);
+  }
+
+  /** Airspeed [m/s]; empty: the vehicle chooses. */
+  public OptionalDouble speed() {
+    return get(SPEED);
+  }
+
+  public SearchArea speed(double metresPerSecond) {
+    return put(SPEED, metresPerSecond);
+  }
+
+  /** Share of the area that is enough, 0…1; empty: all of it. */
+  public OptionalDouble share() {
+    return get(SHARE);
+  }
+
+  public SearchArea share(double value) {
+    return put(SHARE, value);
+  }
+
+  /** Share of the area seen at the resolution, 0…1, reported back. */
+  public OptionalDouble seen() {
+    return get(SEEN);
+  }
+
+  public SearchArea seen(double value) {
+    return put(SEEN, value);
+  }
+
+  @Override
+  public SearchArea uid(String uid) {
+    return (SearchArea) super.uid(uid);
+  }
+
+  @Override
+  public SearchArea copy() {
+    return (SearchArea) super.copy();
+  }
+}

@@ -1,0 +1,125 @@
+package org.u2sa.planning.survey;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.shape.CoverageLedger;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.seen.PlanningPlane;
+
+/** The lanes over a search area in the order of flight, each with a straight way before it. */
+public final class LaneLegs {
+  private static final double ACROSS_M = 10.0; // off its line where a lane may begin
+  private static final double TURNED_RAD = Math.toRadians(30.0); // likewise of the course
+
+  private LaneLegs() {}
+
+  /**
+   * How the vehicle flies.
+   *
+   * @param airspeedMps airspeed
+   * @param radiusM radius of turns [m]
+   * @param northMps where the wind blows to, north
+   * @param eastMps east
+   */
+  public record Wind(double airspeedMps, double radiusM, double northMps, double eastMps) {}
+
+  /** A lane, and the way before it. */
+  public static final class Leg {
+    private final Lane lane;
+    private final double leadInM;
+
+    private Leg(Lane lane, double leadInM) {
+      this.lane = lane;
+      this.leadInM = leadInM;
+    }
+
+    /** Where the way before the lane begins. */
+    public Pose entry() {
+      return lane.entry(leadInM);
+    }
+
+    public Pose end() {
+      return lane.end();
+    }
+
+    /** Whether the vehicle flies along the lane's line, on the way before it or on it. */
+    public boolean isEntered(double northM, double eastM, double courseRad) {
+      double along = lane.alongM(northM, eastM);
+      double turn = Math.abs(Math.IEEEremainder(courseRad - lane.courseRad(), 2.0 * Math.PI));
+      return along > -leadInM - ACROSS_M
+          && along < 0.0
+          && turn < TURNED_RAD
+          && Math.abs(lane.acrossM(northM, eastM)) < ACROSS_M;
+    }
+
+    public boolean isPassed(double northM, double eastM) {
+      return lane.alongM(northM, eastM) >= lane.lengthM();
+    }
+
+    /** A point on the lane's line ahead of the vehicle, perhaps beyond its end. */
+    public Pose ahead(double northM, double eastM, double aheadM) {
+      double along = lane.alongM(northM, eastM) + aheadM;
+      return new Pose(lane.northAt(along), lane.eastAt(along), lane.courseRad());
+    }
+
+    /** Whether all cells that the lane is for have been seen. */
+    public boolean isSeen(CoverageLedger ledger, double resolutionM) {
+      for (int cell : lane.cells()) {
+        if (!ledger.isSeen(cell, resolutionM)) {
+          return false;
+        }
+      }
+      return true;
+    }
+  }
+
+  /** The record of an area. */
+  public static Optional<CoverageLedger> ledger(SearchArea area, List<ObjectDescription> objects) {
+    return LedgerCells.of(area, objects);
+  }
+
+  /** Altitude at which an area is flown over [m above mean sea level]. */
+  public static double altitudeM(SearchArea area, SurveyVariables survey) {
+    double height = survey.surveyHeight() * area.resolution() * survey.surveyFocalLength();
+    double highest = area.highest().orElse(Double.POSITIVE_INFINITY);
+    double lowest = area.lowest().orElse(Double.NEGATIVE_INFINITY);
+    return Math.max(lowest, Math.min(highest, area.ground() + height));
+  }
+
+  /** Lanes over what the record lacks. */
+  public static List<Leg> over(
+      SearchArea area,
+      CoverageLedger ledger,
+      PlanningPlane plane,
+      Pose from,
+      Wind wind,
+      SurveyVariables survey) {
+    double height = altitudeM(area, survey) - area.ground();
+    double shown = height * survey.surveyPixels() / survey.surveyFocalLength();
+    LaneLayout.Flight flight =
+        new LaneLayout.Flight(
+            shown * (1.0 - survey.surveyOverlap()),
+            wind.radiusM(),
+            wind.airspeedMps(),
+            wind.northMps(),
+            wind.eastMps());
+    List<Lane> lanes = LaneLayout.best(LedgerCells.missing(ledger, area, plane), flight);
+    List<Leg> legs = new ArrayList<>();
+    for (Lane lane : LaneOrder.of(lanes, from, wind.radiusM(), survey.surveyLeadIn())) {
+      legs.add(new Leg(lane, survey.surveyLeadIn()));
+    }
+    return legs;
+  }
+
+  /** A point at the altitude of an area, in the frame of the plane. */
+  public static Point point(
+      SearchArea area, SurveyVariables survey, PlanningPlane plane, Pose pose) {
+    double altitude = altitudeM(area, survey);
+    Point at = plane.point(pose.northM(), pose.eastM(), -altitude);
+    return plane.onEarth() ? Point.of(at.x(), at.y(), altitude) : at;
+  }
+}

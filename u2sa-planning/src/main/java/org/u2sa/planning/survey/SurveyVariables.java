@@ -1,0 +1,26 @@
+package org.u2sa.planning.survey;
+
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
+
+/** The camera as the planner of search areas knows it, and how lanes are laid. */
+public record SurveyVariables(
+    @Variable(min = 10, max = 100_000, ifAbsent = 1000)
+        @Description("Focal length of the camera that looks down, in pixels.")
+        double surveyFocalLength,
+    @Variable(min = 10, max = 100_000, ifAbsent = 1000)
+        @Description("Pixels across the direction of flight.")
+        double surveyPixels,
+    @Variable(min = 0, max = 0.9, ifAbsent = 0.3)
+        @Description("Overlap of neighbouring lanes, as a share of the width that an image shows.")
+        double surveyOverlap,
+    @Variable(min = 0.1, max = 1, ifAbsent = 0.8)
+        @Description(
+            "Height of flight, as a share of the height at which a level image has the required resolution.")
+        double surveyHeight,
+    @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 40)
+        @Description("Straight way before each lane, to become level and settle on its line.")
+        double surveyLeadIn,
+    @Variable(min = 1, max = 50, ifAbsent = 8)
+        @Description("Number of times that what is missing is flown over before the goal is given up.")
+        int surveyPasses) {}

@@ -1,0 +1,110 @@
+package org.u2sa.scenarios.suas;
+
+import java.util.List;
+import java.util.Random;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/**
+ * Paints what the camera sees of the field: grass with patches and noise of the pixels, and the
+ * targets, each pixel as the mean of four rays. The grass is a part of one large picture, another
+ * one in each image, and not fixed to the ground: nothing is to be recognised in it.
+ */
+final class FieldPainter {
+  private static final int[] GRASS = {92, 118, 62};
+  private static final int PATCH_PX = 37;
+  private static final int PATCH = 9; // brightness
+  private static final double NOISE = 4.0; // standard deviation
+  private static final int ROWS = 509; // by which images differ
+  private static final double REACH = 0.75; // of a target's side, around its middle
+
+  private final List<SuasTarget> targets;
+  private final SurveyPictures.Optics optics;
+  private final byte[] grass;
+
+  FieldPainter(List<SuasTarget> targets, SurveyPictures.Optics optics, long seed) {
+    this.targets = targets;
+    this.optics = optics;
+    Random random = new Random(seed ^ 0x5DEECE66DL);
+    int wide = optics.width();
+    int high = optics.height() + ROWS;
+    grass = new byte[3 * wide * high];
+    int[] patches = new int[(wide / PATCH_PX + 1) * (high / PATCH_PX + 1)];
+    for (int i = 0; i < patches.length; i++) {
+      patches[i] = random.nextInt(2 * PATCH + 1) - PATCH;
+    }
+    for (int i = 0; i < wide * high; i++) {
+      int patch = i / wide / PATCH_PX * (wide / PATCH_PX + 1) + i % wide / PATCH_PX;
+      for (int c = 0; c < 3; c++) {
+        double value = GRASS[c] + patches[patch] + NOISE * random.nextGaussian();
+        grass[3 * i + c] = (byte) Math.max(0, Math.min(255, Math.round(value)));
+      }
+    }
+  }
+
+  byte[] picture(VehicleTruth truth) {
+    byte[] pixels = new byte[3 * optics.width() * optics.height()];
+    int row = (int) Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
+    System.arraycopy(grass, 3 * row * optics.width(), pixels, 0, pixels.length);
+    Rotation nedFromFrd = truth.attitude().nedFromFrd();
+    for (SuasTarget target : targets) {
+      paint(target, nedFromFrd, truth.position(), pixels);
+    }
+    return pixels;
+  }
+
+  private void paint(SuasTarget target, Rotation nedFromFrd, Point at, byte[] pixels) {
+    Point way = Point.of(target.northM() - at.y(), target.eastM() - at.x(), at.z());
+    Point frd = nedFromFrd.transposed().times(way);
+    double reachPx = optics.focalPx() * REACH * target.sideM() / at.z() + 3.0;
+    double column = 0.5 * (optics.width() - 1) + optics.focalPx() * frd.y() / frd.z();
+    double row = 0.5 * (optics.height() - 1) - optics.focalPx() * frd.x() / frd.z();
+    if (frd.z() < 1.0 || !(reachPx < optics.width())) {
+      return;
+    }
+    int top = (int) Math.max(0, row - reachPx);
+    int bottom = (int) Math.min(optics.height() - 1, row + reachPx);
+    int left = (int) Math.max(0, column - reachPx);
+    int end = (int) Math.min(optics.width() - 1, column + reachPx);
+    for (int y = top; y <= bottom; y++) {
+      for (int x = left; x <= end; x++) {
+        mix(target, nedFromFrd, at, x, y, pixels);
+      }
+    }
+  }
+
+  private void mix(
+      SuasTarget target,
+      Rotation nedFromFrd,
+      Point at,
+      int x,
+      int y,
+      byte[] pixels) {
+    int i = 3 * (y * optics.width() + x);
+    double[] sum = new double[3];
+    for (int k = 0; k < 4; k++) {
+      double u = x + 0.5 * (k % 2) - 0.25 - 0.5 * (optics.width() - 1);
+      double v = y + 0.5 * (k / 2) - 0.25 - 0.5 * (optics.height() - 1);
+      Point ray =
+          nedFromFrd.times(Point.of(-v / optics.focalPx(), u / optics.focalPx(), 1.0));
+      double north = at.y() + at.z() / ray.z() * ray.x() - target.northM();
+      double east = at.x() + at.z() / ray.z() * ray.y() - target.eastM();
+      double cos = Math.cos(target.headingRad());
+      double sin = Math.sin(target.headingRad());
+      double up = (north * cos + east * sin) / target.sideM();
+      double right = (east * cos - north * sin) / target.sideM();
+      int[] paint = null;
+      if (TargetLook.isOn(target.shape(), right, up)) {
+        boolean ink = BlockLetters.isInk(target.letter(), right, up);
+        paint = TargetLook.rgb(ink ? target.letterColour() : target.colour());
+      }
+      for (int c = 0; c < 3; c++) {
+        sum[c] += paint == null ? pixels[i + c] & 0xff : paint[c];
+      }
+    }
+    for (int c = 0; c < 3; c++) {
+      pixels[i + c] = (byte) Math.min(255, Math.round(sum[c] / 4.0));
+    }
+  }
+}

@@ -1,0 +1,79 @@
+package org.u2sa.scenarios.suas;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.vehicle.VehicleTruth;
+
+/**
+ * The judge's own record of what was truly seen: cells of 5 m of which all corners were in one image
+ * at the required resolution, by the true pose of the camera, which looks straight down from the
+ * aircraft's reference point.
+ */
+final class SeenCells {
+  private static final double CELL_M = 5.0;
+
+  /** A cell's corner, and how it is named. */
+  private record Cell(double eastM, double northM) {}
+
+  private final SurveyPictures.Optics optics;
+  private final double resolutionM;
+  private final List<Cell> missing = new ArrayList<>();
+  private final int all;
+
+  SeenCells(SuasField field, SurveyPictures.Optics optics) {
+    this.optics = optics;
+    resolutionM = field.resolutionM();
+    List<Point> area = field.searchArea();
+    double west = area.stream().mapToDouble(Point::x).min().orElseThrow();
+    double east = area.stream().mapToDouble(Point::x).max().orElseThrow();
+    double south = area.stream().mapToDouble(Point::y).min().orElseThrow();
+    double north = area.stream().mapToDouble(Point::y).max().orElseThrow();
+    for (double y = south; y < north; y += CELL_M) {
+      for (double x = west; x < east; x += CELL_M) {
+        if (SuasField.isInside(area, x + 0.5 * CELL_M, y + 0.5 * CELL_M)) {
+          missing.add(new Cell(x, y));
+        }
+      }
+    }
+    all = missing.size();
+  }
+
+  /** Records an image. */
+  void see(VehicleTruth truth) {
+    Rotation frdFromNed = truth.attitude().nedFromFrd().transposed();
+    Point at = truth.position();
+    double reach = 3.0 * at.z();
+    missing.removeIf(
+        cell ->
+            Math.abs(cell.eastM() - at.x()) < reach
+                && Math.abs(cell.northM() - at.y()) < reach
+                && isSeen(frdFromNed, at, cell.eastM(), cell.northM())
+                && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM())
+                && isSeen(frdFromNed, at, cell.eastM(), cell.northM() + CELL_M)
+                && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM() + CELL_M));
+  }
+
+  private boolean isSeen(Rotation frdFromNed, Point at, double east, double north) {
+    Point frd = frdFromNed.times(Point.of(north - at.y(), east - at.x(), at.z()));
+    double focal = optics.focalPx();
+    if (frd.z() <= 0.0
+        || Math.abs(frd.y() / frd.z()) > 0.5 * (optics.width() - 1) / focal
+        || Math.abs(frd.x() / frd.z()) > 0.5 * (optics.height() - 1) / focal) {
+      return false;
+    }
+    // A pixel is 1 / focal wide at depth 1: rays of neighbouring pixels, by finite differences.
+    double away = frd.distance();
+    double offAxis = frd.z() / away; // cosine
+    double incidence = at.z() / away; // cosine of the angle on the ground
+    double stretched = away * offAxis * offAxis / focal / incidence;
+    double flat = away * offAxis / focal;
+    return Math.max(stretched, flat) <= resolutionM;
+  }
+
+  /** Share of the cells that were seen, 0…1. */
+  double share() {
+    return 1.0 - (double) missing.size() / all;
+  }
+}

@@ -1,0 +1,182 @@
+package org.u2sa.scenarios.suas;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.shape.Polygon;
+import org.u2sa.messages.shape.Sphere;
+import org.u2sa.report.score.Surroundings;
+import org.u2sa.sim.atmosphere.Wind;
+import org.u2sa.sim.world.LocalPlane;
+import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.sim.world.World;
+
+/**
+ * A field of the competition. Places are east, north, up of the middle of the runway [m]; the ground
+ * is level.
+ *
+ * @param runwayRad direction of take-off and landing, clockwise from north [rad]
+ * @param boundary corners of the area that may not be left
+ * @param floorM minimum height away from the runway
+ * @param ceilingM maximum height
+ * @param waypoints in order
+ * @param pillars to be flown around, on the ground
+ * @param searchArea its corners
+ * @param resolutionM ground resolution required there
+ * @param targets in the search area
+ * @param traffic other aircraft
+ * @param windMps steady wind
+ * @param windFromRad direction it blows from
+ * @param seed of gusts
+ */
+record SuasField(
+    double runwayRad,
+    List<Point> boundary,
+    double floorM,
+    double ceilingM,
+    List<Point> waypoints,
+    List<Pillar> pillars,
+    List<Point> searchArea,
+    double resolutionM,
+    List<SuasTarget> targets,
+    List<Traffic> traffic,
+    double windMps,
+    double windFromRad,
+    long seed) {
+  /** Place of the competition of 2025: St. Mary's County airport, Maryland. */
+  static final Geodetic ORIGIN = new Geodetic(-76.55578, 38.31633, 43.3);
+
+  /** Half the length of the runway [m]. */
+  static final double RUNWAY_HALF_M = 200.0;
+
+  /** Radius of the sphere around other aircraft that may not be entered [m]. */
+  static final double SEPARATION_M = 50.0;
+
+  private static final double BODY_M = 2.0; // of other aircraft
+  private static final int CORNERS = 24; // of a pillar on the map
+
+  /** A cylinder from the ground up [m]. */
+  record Pillar(double eastM, double northM, double radiusM, double heightM) {}
+
+  /**
+   * An aircraft to and fro.
+   *
+   * @param hasTransponder heard by the traffic receiver; else it is seen by radar
+   */
+  record Traffic(String name, Point from, Point to, double speedMps, boolean hasTransponder) {}
+
+  /** Converts between the field and the earth. */
+  static LocalPlane plane() {
+    return new LocalPlane(ORIGIN);
+  }
+
+  /** Where the aircraft starts. */
+  Point start() {
+    return Point.of(
+        -RUNWAY_HALF_M * Math.sin(runwayRad), -RUNWAY_HALF_M * Math.cos(runwayRad), 0.0);
+  }
+
+  /** Boundary, search area and pillars, for the map. */
+  List<Surroundings.Area> areas() {
+    List<Surroundings.Area> areas = new ArrayList<>();
+    areas.add(new Surroundings.Area(outline("boundary", boundary), false));
+    areas.add(new Surroundings.Area(outline("search area", searchArea), false));
+    for (int i = 0; i < pillars.size(); i++) {
+      Pillar pillar = pillars.get(i);
+      List<Point> round = new ArrayList<>();
+      for (int k = 0; k < CORNERS; k++) {
+        double angle = 2.0 * Math.PI * k / CORNERS;
+        round.add(
+            Point.of(
+                pillar.eastM() + pillar.radiusM() * Math.cos(angle),
+                pillar.northM() + pillar.radiusM() * Math.sin(angle),
+                0.0));
+      }
+      areas.add(new Surroundings.Area(outline("pillar " + (i + 1), round), true));
+    }
+    return areas;
+  }
+
+  private static Polygon outline(String name, List<Point> corners) {
+    List<Point> places = new ArrayList<>();
+    corners.forEach(each -> places.add(plane().at(each.x(), each.y(), 0.0).point()));
+    Geodetic first = Geodetic.of(places.get(0));
+    return new Polygon()
+        .points(places)
+        .uid(name)
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(first.longitudeDeg())
+        .y(first.latitudeDeg());
+  }
+
+  /** The other aircraft. */
+  List<ScriptedMover> movers() {
+    List<ScriptedMover> movers = new ArrayList<>();
+    for (Traffic each : traffic) {
+      Sphere body =
+          new Sphere()
+              .radius(BODY_M)
+              .uid(each.name())
+              .objectType("aircraft")
+              .referenceFrame(ReferenceFrame.LOCAL_ENU)
+              .x(each.from().x())
+              .y(each.from().y())
+              .z(each.from().z());
+      movers.add(
+          new ScriptedMover(
+              body,
+              plane(),
+              List.of(new ScriptedMover.Waypoint(each.to(), each.speedMps(), 0.0)),
+              ScriptedMover.End.RETURN,
+              0.0,
+              false,
+              each.hasTransponder()));
+    }
+    return movers;
+  }
+
+  /** The world of the run. The pillars are virtual: whoever flies through one only loses points. */
+  World world() {
+    return World.at(ORIGIN)
+        .withMovers(movers())
+        .with(Wind.gusty(windFromRad, windMps, seed));
+  }
+
+  /** Whether a place lies in a polygon of the field. */
+  static boolean isInside(List<Point> polygon, double eastM, double northM) {
+    boolean inside = false;
+    for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+      Point a = polygon.get(i);
+      Point b = polygon.get(j);
+      if (a.y() > northM != b.y() > northM
+          && eastM < a.x() + (b.x() - a.x()) * (northM - a.y()) / (b.y() - a.y())) {
+        inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  /** Distance of a place from the edges of a polygon [m]. */
+  static double edgeM(List<Point> polygon, double eastM, double northM) {
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < polygon.size(); i++) {
+      Point a = polygon.get(i);
+      Point b = polygon.get((i + 1) % polygon.size());
+      least = Math.min(least, segmentM(a, b, eastM, northM));
+    }
+    return least;
+  }
+
+  /** Horizontal distance of a place from a segment [m]. */
+  static double segmentM(Point a, Point b, double eastM, double northM) {
+    double dx = b.x() - a.x();
+    double dy = b.y() - a.y();
+    double square = dx * dx + dy * dy;
+    double share =
+        square == 0.0 ? 0.0 : ((eastM - a.x()) * dx + (northM - a.y()) * dy) / square;
+    double on = Math.max(0.0, Math.min(1.0, share));
+    return Math.hypot(eastM - a.x() - on * dx, northM - a.y() - on * dy);
+  }
+}

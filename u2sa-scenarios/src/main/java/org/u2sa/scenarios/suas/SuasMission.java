@@ -1,0 +1,120 @@
+package org.u2sa.scenarios.suas;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.mission.Mission;
+import org.u2sa.report.ReportFile;
+
+/** What a team is told of a field: mission, world of the pillars, fence. */
+final class SuasMission {
+  /** Name of the search area's goal. */
+  static final String AREA = "search";
+
+  private static final double TAKE_OFF_M = 60.0;
+
+  private final SuasField field;
+
+  private SuasMission(SuasField field) {
+    this.field = field;
+  }
+
+  /** Writes the mission of a field. */
+  static Mission write(SuasField field, Path file) {
+    String text = new SuasMission(field).mission();
+    ReportFile.writeText(file, out -> out.write(text));
+    return Mission.load(file);
+  }
+
+  /** Writes the fence of a field. */
+  static Path fence(SuasField field, Path file) {
+    StringBuilder text = new StringBuilder("<fence>\n");
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "  <ceiling unit=\"m\">%.1f</ceiling>%n  <keepIn>%n",
+            SuasField.ORIGIN.altitudeM() + field.ceilingM()));
+    for (Point corner : field.boundary()) {
+      text.append("    <corner>").append(place(corner)).append("</corner>\n");
+    }
+    text.append("  </keepIn>\n</fence>\n");
+    ReportFile.writeText(file, out -> out.write(text.toString()));
+    return file;
+  }
+
+  /** Writes the pillars as a world file. */
+  static Path world(SuasField field, Path file) {
+    StringBuilder text = new StringBuilder("<world>\n");
+    for (int i = 0; i < field.pillars().size(); i++) {
+      SuasField.Pillar pillar = field.pillars().get(i);
+      text.append("  <cylinder><uid>pillar ").append(i + 1).append("</uid>");
+      text.append("<referenceFrame>Global</referenceFrame>");
+      text.append(place(Point.of(pillar.eastM(), pillar.northM(), 0.0)));
+      text.append(
+          String.format(
+              Locale.ROOT,
+              "<z>%.2f</z><radius>%.2f</radius><height>%.2f</height></cylinder>%n",
+              SuasField.ORIGIN.altitudeM() + 0.5 * pillar.heightM(),
+              pillar.radiusM(),
+              pillar.heightM()));
+    }
+    text.append("</world>\n");
+    ReportFile.writeText(file, out -> out.write(text.toString()));
+    return file;
+  }
+
+  private String mission() {
+    StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
+    text.append("  <home>").append(place(field.start())).append(altitude(0.0));
+    text.append(
+        String.format(
+            Locale.ROOT, "<psi>%.4f</psi></home>%n", Math.toDegrees(field.runwayRad())));
+    text.append("  <takeOff><name>take-off</name>").append(place(field.start().times(-1.0)));
+    text.append(altitude(TAKE_OFF_M));
+    text.append("<horizontalThreshold>60</horizontalThreshold></takeOff>\n");
+    for (int i = 0; i < field.waypoints().size(); i++) {
+      Point waypoint = field.waypoints().get(i);
+      text.append("  <waypoint><name>").append(i + 1).append("</name>").append(place(waypoint));
+      text.append(altitude(waypoint.z()));
+      text.append("<horizontalThreshold>12</horizontalThreshold>");
+      text.append("<verticalThreshold>8</verticalThreshold></waypoint>\n");
+    }
+    text.append("  <searchArea><name>").append(AREA).append("</name><corners>");
+    List<String> corners =
+        field.searchArea().stream()
+            .map(corner -> SuasField.plane().at(corner.x(), corner.y(), 0.0))
+            .map(
+                at ->
+                    String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
+            .collect(Collectors.toList());
+    text.append(String.join("; ", corners)).append("</corners>");
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "<resolution>%.3f</resolution><ground>%.2f</ground><share>0.997</share></searchArea>%n",
+            field.resolutionM(),
+            SuasField.ORIGIN.altitudeM()));
+    Point touch = field.start().times(0.8);
+    text.append("  <landing><name>landing</name>").append(place(touch)).append(altitude(0.0));
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "<psi>%.5f</psi><horizontalThreshold>60</horizontalThreshold>"
+                + "<speed>18</speed></landing>%n",
+            field.runwayRad()));
+    return text.append("</mission>\n").toString();
+  }
+
+  private static String altitude(double upM) {
+    return String.format(Locale.ROOT, "<z>%.2f</z>", SuasField.ORIGIN.altitudeM() + upM);
+  }
+
+  private static String place(Point at) {
+    Geodetic place = SuasField.plane().at(at.x(), at.y(), 0.0);
+    return String.format(
+        Locale.ROOT, "<x>%.8f</x><y>%.8f</y>", place.longitudeDeg(), place.latitudeDeg());
+  }
+}

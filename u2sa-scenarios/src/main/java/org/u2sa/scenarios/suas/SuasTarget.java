@@ -1,0 +1,37 @@
+package org.u2sa.scenarios.suas;
+
+import java.util.Locale;
+
+/**
+ * A plywood target on the ground with a letter on it.
+ *
+ * @param eastM place on the field's plane [m]
+ * @param northM likewise
+ * @param sideM size of the shape [m]
+ * @param headingRad direction of the letter's top, clockwise from north [rad]
+ */
+record SuasTarget(
+    double eastM,
+    double northM,
+    double sideM,
+    double headingRad,
+    String shape,
+    String colour,
+    String letter,
+    String letterColour) {
+  private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+
+  /** The letter's top as a point of the compass. */
+  String orientation() {
+    int octant = (int) Math.round(headingRad / (Math.PI / 4.0));
+    return POINTS[Math.floorMod(octant, POINTS.length)];
+  }
+
+  @Override
+  public String toString() {
+    return String.format(
+        Locale.ROOT,
+        "%s %s with %s %s facing %s at %.1f, %.1f m",
+        colour, shape, letterColour, letter, orientation(), eastM, northM);
+  }
+}

@@ -1,0 +1,139 @@
+package org.u2sa.scenarios.suas;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.shape.ImageFootprint;
+import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.testkit.ServiceKit;
+import org.u2sa.vision.survey.SurveyCamera;
+import org.u2sa.vision.survey.SurveyTarget;
+
+/** Targets of fields that the model was not made from, each painted in three images. */
+class SurveyCameraTest {
+  private static final SurveyPictures.Optics OPTICS =
+      new SurveyPictures.Optics(2.0, 320, 320, SurveyPictures.USUAL.focalPx());
+  private static final double UP_M = 52.0;
+
+  private CameraFrame frame; // the newest
+
+  private Camera camera() {
+    return new Camera() {
+      @Override
+      public Optional<CameraFrame> read(long nowMicros) {
+        return Optional.ofNullable(frame);
+      }
+
+      @Override
+      public void close() {}
+    };
+  }
+
+  private static SearchArea area() {
+    Point corner = SuasField.ORIGIN.point();
+    return new SearchArea()
+        .corners(List.of(corner, corner, corner))
+        .resolution(0.05)
+        .ground(SuasField.ORIGIN.altitudeM())
+        .uid("search");
+  }
+
+  /** Flies over a target three times; the report. */
+  private List<SurveyTarget> look(ServiceKit kit, SuasTarget target, int image) {
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(area())));
+    for (int i = 0; i < 3; i++) {
+      double psi = 0.7 * (image + i);
+      Point at = Point.of(target.eastM() + 2.0 * i - 2.0, target.northM() + 1.0, UP_M);
+      VehicleTruth truth =
+          new VehicleTruth(
+              0.5 * (image + i),
+              at,
+              new Attitude(0.03, 0.08, psi),
+              Point.ORIGIN,
+              Point.ORIGIN,
+              Point.ORIGIN);
+      byte[] pixels = new FieldPainter(List.of(target), OPTICS, 77L + image).picture(truth);
+      frame =
+          new CameraFrame(
+              kit.clock().micros(),
+              OPTICS.width(),
+              OPTICS.height(),
+              CameraFrame.PixelFormat.RGB24,
+              pixels,
+              Optional.of(OPTICS.intrinsics()));
+      Geodetic place = SuasField.plane().at(at.x(), at.y(), at.z());
+      StateInformation state =
+          new StateInformation()
+              .referenceFrame(ReferenceFrame.GLOBAL)
+              .x(place.longitudeDeg())
+              .y(place.latitudeDeg())
+              .z(place.altitudeM())
+              .phi(0.03)
+              .theta(0.08)
+              .psi(Math.IEEEremainder(psi, 2.0 * Math.PI));
+      state.timestamp(kit.clock().micros());
+      kit.advance(0.2);
+      kit.publish(Channels.STATE, state.copy());
+      kit.advance(0.3);
+      StateInformation later = state.copy();
+      later.timestamp(kit.clock().micros());
+      kit.publish(Channels.STATE, later);
+    }
+    int before = kit.published(SurveyTarget.CHANNEL).size();
+    kit.publish(Channels.GOALS, new GoalList());
+    List<SurveyTarget> all = kit.published(SurveyTarget.CHANNEL);
+    return all.subList(before, all.size());
+  }
+
+  @Test
+  void look_targetsOfUnseenFields_nineOfTenHaveFourFieldsAndNoneIsFalse() {
+    try (ServiceKit kit = new ServiceKit().with("MOUNTED PITCH", -Math.PI / 2.0)) {
+      kit.start(context -> new SurveyCamera(context, camera()));
+      int targets = 0;
+      int right = 0;
+      int image = 0;
+      for (long seed = 500; seed < 504; seed++) {
+        for (SuasTarget target : SuasFieldGenerator.field(seed, 0.0).targets()) {
+          List<SurveyTarget> reports = look(kit, target, image);
+          image += 3;
+          targets++;
+          assertThat(reports.size()).isLessThanOrEqualTo(1);
+          right += reports.size() == 1 && isRight(reports.get(0), target) ? 1 : 0;
+        }
+      }
+      assertThat(kit.published(Channels.SENSED_OBJECTS))
+          .hasOnlyElementsOfType(ImageFootprint.class)
+          .hasSizeGreaterThan(targets);
+      assertThat((double) right / targets).isGreaterThanOrEqualTo(0.9);
+    }
+  }
+
+  private static boolean isRight(SurveyTarget report, SuasTarget target) {
+    List<String> truth =
+        List.of(
+            target.shape(),
+            target.colour(),
+            target.letter(),
+            target.letterColour(),
+            target.orientation());
+    int fields = 0;
+    for (int i = 0; i < truth.size(); i++) {
+      fields += truth.get(i).equals(report.fields().get(i)) ? 1 : 0;
+    }
+    Point at = SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
+    double away = Math.hypot(at.x() - target.eastM(), at.y() - target.northM());
+    return fields >= 3 && away <= 15.0;
+  }
+}

@@ -1,0 +1,162 @@
+package org.u2sa.vision.survey;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.device.CameraSensor;
+import org.u2sa.device.MountingPose;
+import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.CameraFrame;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.ObjectLevel;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.shape.ImageFootprint;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.vision.ground.CameraMount;
+import org.u2sa.world.modeller.PoseHistory;
+
+/**
+ * A camera that looks down, while a search area is current: publishes which ground each image shows,
+ * and, when the area has been searched, the targets that it found. In: state, goals. Out:
+ * sensed-objects, survey-targets. Thesis 4.4.1.1, 4.4.1.3.
+ */
+public final class SurveyCamera extends CameraSensor {
+  private static final int MAX_WAITING = 8; // images for the state of their time
+  private static final double LEAST_M = 0.7; // of a target
+  private static final double MOST_M = 2.8;
+  private static final double SIGMA_M = 2.0; // of a place, by position and attitude
+  private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+  private static final long GAP_MICROS = Clock.micros(0.5);
+
+  private final PoseHistory poses = new PoseHistory();
+  private final Deque<CameraFrame> waiting = new ArrayDeque<>();
+  private final CameraMount mount;
+  private final TargetLog targets = new TargetLog();
+  private final TargetModel model = TargetModel.shipped();
+  private Optional<SearchArea> area = Optional.empty();
+  private long images;
+  private long withoutState;
+
+  /** Launcher constructor: opens the configured camera. */
+  public SurveyCamera(ServiceContext context) {
+    super(context, "SurveyCamera");
+    mount = listen();
+  }
+
+  /** Uses the given camera, e.g. a simulated one. */
+  public SurveyCamera(ServiceContext context, Camera camera) {
+    super(context, "SurveyCamera", camera);
+    mount = listen();
+  }
+
+  private CameraMount listen() {
+    subscribe(Channels.STATE, this::onState);
+    subscribe(Channels.GOALS, this::onGoals);
+    registerPublisher(SurveyTarget.CHANNEL);
+    return CameraMount.of(settings(MountingPose.class).get(), 0.0);
+  }
+
+  private void onGoals(GoalList goals) {
+    boolean searched = area.isPresent();
+    area = Optional.empty();
+    for (GoalInformation goal : goals.goals()) {
+      if (goal instanceof SearchArea) {
+        area = Optional.of((SearchArea) goal);
+      }
+    }
+    if (searched && area.isEmpty()) {
+      report();
+    }
+  }
+
+  private void report() {
+    for (SurveyTarget target : targets.reports(SIGMA_M)) {
+      target.sensorName(sensorName());
+      log("target: " + String.join(", ", target.fields()));
+      publish(SurveyTarget.CHANNEL, target);
+    }
+  }
+
+  private void onState(StateInformation state) {
+    poses.add(state);
+    while (!waiting.isEmpty() && waiting.peek().measuredAtMicros() <= poses.newestMicros()) {
+      CameraFrame frame = waiting.remove();
+      Optional<StateInformation> then = poses.at(frame.measuredAtMicros(), GAP_MICROS);
+      if (area.isPresent() && then.filter(SurveyCamera::isPlaced).isPresent()) {
+        see(frame, then.get(), area.get());
+      } else {
+        withoutState += area.isPresent() ? 1 : 0;
+      }
+    }
+    remark("TARGETS", String.valueOf(targets.size()));
+    remark("IMAGES", images + (withoutState == 0 ? "" : ", " + withoutState + " without a state"));
+  }
+
+  private static boolean isPlaced(StateInformation state) {
+    return state.referenceFrame().equals(ReferenceFrame.GLOBAL)
+        && state.z().isPresent()
+        && state.phi().isPresent()
+        && state.theta().isPresent();
+  }
+
+  @Override
+  protected void look(CameraFrame frame) {
+    if (frame.intrinsics().isEmpty()) {
+      trouble("an image of " + frame + " without the geometry of its lens");
+      return;
+    }
+    if (waiting.size() >= MAX_WAITING) {
+      waiting.remove();
+      withoutState++;
+    }
+    waiting.add(frame);
+  }
+
+  private void see(CameraFrame frame, StateInformation state, SearchArea current) {
+    AerialView view = new AerialView(frame, mount, state, current.ground());
+    Optional<ImageFootprint> shown = view.footprint(++images);
+    if (shown.isEmpty()) {
+      return;
+    }
+    ImageFootprint footprint = shown.get();
+    footprint.uid("image " + images).objectType("image").sensorName(sensorName());
+    footprint.level(ObjectLevel.HINDRANCE);
+    footprint.timestamp(frame.measuredAtMicros());
+    publish(Channels.SENSED_OBJECTS, footprint);
+    if (frame.format() == CameraFrame.PixelFormat.RGB24) {
+      double pixelM = view.resolutionM(0.5 * frame.width(), 0.5 * frame.height());
+      for (TargetPatch patch : TargetFinder.in(frame, LEAST_M / pixelM, MOST_M / pixelM)) {
+        find(frame, view, patch);
+      }
+    }
+  }
+
+  private void find(CameraFrame frame, AerialView view, TargetPatch patch) {
+    Optional<Geodetic> place = view.ground(patch.column(), patch.row());
+    if (place.isEmpty()) {
+      return;
+    }
+    TargetColours colours = new TargetColours(frame, patch);
+    TargetModel.Read letter =
+        colours.hasLetter() ? model.letter(patch, colours.ink()) : new TargetModel.Read("", 0.0);
+    targets.see(
+        place.get(),
+        List.of(
+            model.shape(TargetFeatures.outline(patch)),
+            colours.shapeColour(),
+            letter.name(),
+            colours.hasLetter() ? colours.letterColour() : "",
+            letter.name().isEmpty() ? "" : compass(letter.upRad() + view.upRad())));
+  }
+
+  private static String compass(double rad) {
+    return POINTS[Math.floorMod((int) Math.round(rad / (Math.PI / 4.0)), POINTS.length)];
+  }
+}

@@ -1,0 +1,100 @@
+package org.u2sa.vision.survey;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+
+/** Joins sightings of the same target: its place is their mean, each field what most of them say. */
+final class TargetLog {
+  private static final double SAME_M = 10.0;
+  private static final int LEAST = 2; // sightings
+  private static final int MAX_TARGETS = 200;
+
+  private final List<Entry> entries = new ArrayList<>();
+
+  /** The sightings of one target. */
+  private static final class Entry {
+    private final Geodetic first;
+    private final List<Map<String, Integer>> votes = new ArrayList<>();
+    private double eastM; // sums, from the first
+    private double northM;
+    private int count;
+
+    Entry(Geodetic first) {
+      this.first = first;
+    }
+
+    Geodetic place() {
+      return first.fromEnu(
+          Point.of(eastM / count, northM / count, 0.0));
+    }
+  }
+
+  void see(Geodetic place, List<String> fields) {
+    Entry entry = null;
+    for (Entry each : entries) {
+      if (each.place().distanceM(place) < SAME_M) {
+        entry = each;
+      }
+    }
+    if (entry == null) {
+      if (entries.size() >= MAX_TARGETS) {
+        return;
+      }
+      entry = new Entry(place);
+      entries.add(entry);
+      fields.forEach(any -> entries.get(entries.size() - 1).votes.add(new LinkedHashMap<>()));
+    }
+    entry.eastM += entry.first.enuOf(place).x();
+    entry.northM += entry.first.enuOf(place).y();
+    entry.count++;
+    for (int i = 0; i < fields.size(); i++) {
+      if (!fields.get(i).isEmpty()) {
+        entry.votes.get(i).merge(fields.get(i), 1, Integer::sum);
+      }
+    }
+  }
+
+  int size() {
+    return entries.size();
+  }
+
+  /**
+   * Reports of all targets that were seen more than once, and forgets them.
+   *
+   * @param sigmaM standard deviation of a sighting's place, most of which all share
+   */
+  List<SurveyTarget> reports(double sigmaM) {
+    List<SurveyTarget> reports = new ArrayList<>();
+    for (Entry entry : entries) {
+      if (entry.count >= LEAST) {
+        List<String> fields = new ArrayList<>();
+        entry.votes.forEach(votes -> fields.add(most(votes)));
+        SurveyTarget report = new SurveyTarget().fields(fields).sigma(sigmaM);
+        report.uid("target " + (reports.size() + 1));
+        report.objectType("target");
+        report.referenceFrame(ReferenceFrame.GLOBAL);
+        report.x(entry.place().longitudeDeg());
+        report.y(entry.place().latitudeDeg());
+        report.z(entry.first.altitudeM());
+        reports.add(report);
+      }
+    }
+    entries.clear();
+    return reports;
+  }
+
+  private static String most(Map<String, Integer> votes) {
+    String best = "";
+    for (Map.Entry<String, Integer> each : votes.entrySet()) {
+      if (best.isEmpty() || each.getValue() > votes.get(best)) {
+        best = each.getKey();
+      }
+    }
+    return best;
+  }
+}

@@ -1,0 +1,72 @@
+package org.u2sa.world.coverage;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.shape.ImageFootprint;
+
+class AreaCellsTest {
+  private static List<Point> rectangle(double west, double south, double east, double north) {
+    return List.of(
+        Point.of(west, south, 0.0),
+        Point.of(east, south, 0.0),
+        Point.of(east, north, 0.0),
+        Point.of(west, north, 0.0));
+  }
+
+  private static AreaCells area() {
+    SearchArea goal =
+        new SearchArea()
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .corners(rectangle(0.0, 0.0, 100.0, 100.0))
+            .resolution(0.05)
+            .uid("1");
+    return new AreaCells(goal, 5.0);
+  }
+
+  private static ImageFootprint image(double resolution, List<Point> corners) {
+    ImageFootprint image = new ImageFootprint().image(300).resolution(resolution).points(corners);
+    image.referenceFrame(ReferenceFrame.LOCAL_ENU);
+    return image;
+  }
+
+  @Test
+  void see_westernHalf_halfIsSeenWithinTheMargin() {
+    AreaCells cells = area();
+    cells.see(image(0.04, rectangle(-10.0, -10.0, 50.0, 110.0)), 0.0);
+    assertThat(cells.ledger().share(0.05)).isCloseTo(0.5, within(1e-9));
+    AreaCells careful = area();
+    careful.see(image(0.04, rectangle(-10.0, -10.0, 50.0, 110.0)), 2.0);
+    assertThat(careful.ledger().share(0.05)).isCloseTo(0.45, within(1e-9));
+  }
+
+  @Test
+  void see_tooCoarse_countsForACoarserResolutionOnly() {
+    AreaCells cells = area();
+    cells.see(image(0.08, rectangle(-10.0, -10.0, 110.0, 110.0)), 0.0);
+    assertThat(cells.ledger().share(0.05)).isZero();
+    assertThat(cells.ledger().share(0.08)).isEqualTo(1.0);
+  }
+
+  @Test
+  void see_coarserAfterFiner_keepsTheBetterView() {
+    AreaCells cells = area();
+    cells.see(image(0.04, rectangle(-10.0, -10.0, 110.0, 110.0)), 0.0);
+    cells.see(image(0.09, rectangle(-10.0, -10.0, 110.0, 110.0)), 0.0);
+    assertThat(cells.ledger().share(0.05)).isEqualTo(1.0);
+  }
+
+  @Test
+  void restore_ledgerOfBefore_keepsWhatWasSeen() {
+    AreaCells before = area();
+    before.see(image(0.04, rectangle(-10.0, -10.0, 50.0, 110.0)), 0.0);
+    AreaCells after = area();
+    after.restore(before.ledger());
+    assertThat(after.ledger()).isEqualTo(before.ledger());
+  }
+}
