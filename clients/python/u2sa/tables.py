@@ -424,6 +424,7 @@ MESSAGES = [
         ('version', 'text', 'always', '', None, None, (), 1, 255, False),
         ('instance', 'text', 'optional', None, None, None, (), 2, 255, False),
         ('className', 'text', 'optional', None, None, None, (), 2, 255, False),
+        ('choices', 'texts', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('FunctionalityRequest',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
