@@ -74,6 +74,7 @@ final class HouseRules {
                   "messages",
                   "interfaces",
                   "service",
+                  "mission",
                   "control",
                   "core",
                   "recorder",
