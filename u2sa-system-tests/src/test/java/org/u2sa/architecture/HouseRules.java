@@ -76,6 +76,7 @@ final class HouseRules {
                   "messages",
                   "interfaces",
                   "service",
+                  "mission",
                   "control",
                   "core",
                   "recorder",

