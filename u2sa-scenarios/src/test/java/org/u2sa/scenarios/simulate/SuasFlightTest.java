@@ -116,8 +116,8 @@ class SuasFlightTest {
   /** Take-off from the runway at 100 degrees, two long legs across and along the wind, landing. */
   @ParameterizedTest
   @CsvSource({"5, 22, 5.0, 8.0", "8, 23, 10.0, 30.0"})
-  void plane_runwayWaypointsRunway_keepsToItsLines(double windMps, long seed, double acrossM, double offCentrelineM)
-      throws IOException {
+  void plane_runwayWaypointsRunway_keepsToItsLines(
+      double windMps, long seed, double acrossM, double offCentrelineM) throws IOException {
     List<Row> rows =
         fly(
             "plane",
