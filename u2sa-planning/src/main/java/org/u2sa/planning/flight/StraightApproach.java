@@ -22,7 +22,7 @@ import org.u2sa.planning.guidance.Vehicle;
  * flares. An approach that is off at the start of the descent is flown again.
  */
 final class StraightApproach implements LandingState.Descent {
-  private static final double LEAD_RADII = 4.0; // of turns, to settle on the line
+  private static final double LEAD_RADII = 3.0; // of turns downwind, to settle on the line
   private static final double ROLL_OUT_M = 500.0; // line behind the position
   private static final double PASSED_M = 50.0; // beyond the position …
   private static final double HIGH_M = 10.0; // … so high, control refuses to land
@@ -67,14 +67,16 @@ final class StraightApproach implements LandingState.Descent {
   public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
     attempts = 1;
     Point to = vehicle.nedOf(Place.of(goal));
+    Optional<Point> wind = AirMass.wind(state, vehicle);
     courseRad =
         goal.psi()
             .orElseGet(
                 () ->
-                    AirMass.wind(state, vehicle)
-                        .map(wind -> Math.atan2(-wind.y(), -wind.x()))
+                    wind.map(towards -> Math.atan2(-towards.y(), -towards.x()))
                         .orElse(Math.atan2(to.y(), to.x())));
-    leadM = LEAD_RADII * lines.get().turns().radiusM(vehicle.speedMps());
+    double fastestMps = // over ground
+        state.fluidxDot().orElse(vehicle.speedMps()) + wind.map(Point::distance).orElse(0.0);
+    leadM = LEAD_RADII * lines.get().turns().radiusM(fastestMps);
     join();
   }
 

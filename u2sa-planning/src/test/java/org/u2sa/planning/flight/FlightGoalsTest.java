@@ -102,7 +102,7 @@ class FlightGoalsTest {
   void takeOff_aeroplane_leadsAlongItsHeadingUntilTheAltitude() {
     plane();
     heading = 0.5;
-    pursue((Waypoint) new TakeOff().z(-60.0));
+    pursue(new TakeOff().z(-60.0));
 
     Point first = step(20.0);
     assertThat(Math.atan2(first.y(), first.x())).isCloseTo(0.5, within(0.01));
@@ -119,7 +119,7 @@ class FlightGoalsTest {
   @Test
   void takeOff_multirotor_risesWhereItStands() {
     kit.start(PathPlanner::new);
-    pursue((Waypoint) new TakeOff().z(-20.0));
+    pursue(new TakeOff().z(-20.0));
     for (int i = 0; i < 300 && reports().isEmpty(); i++) {
       step(5.0);
     }
@@ -138,14 +138,13 @@ class FlightGoalsTest {
     ned = Point.of(-600.0, 150.0, -40.0);
     velocity = Point.of(20.0, 0.0, 0.0);
     pursue(
-        (Waypoint)
-            new PayloadDrop()
-                .payload("BOTTLE")
-                .height(40.0)
-                .terminalSpeed(terminalMps)
-                .z(0.0)
-                .x(0.0)
-                .y(0.0));
+        new PayloadDrop()
+            .payload("BOTTLE")
+            .height(40.0)
+            .terminalSpeed(terminalMps)
+            .z(0.0)
+            .x(0.0)
+            .y(0.0));
     for (int i = 0; i < 2000 && !released; i++) {
       step(20.0);
     }
@@ -173,7 +172,7 @@ class FlightGoalsTest {
   void landing_aeroplane_descendsAlongItsLine() {
     plane();
     ned = Point.of(500.0, 800.0, -80.0);
-    pursue((Waypoint) new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
+    pursue(new Landing().approach(300.0).slope(0.1).psi(0.0).z(0.0).x(0.0).y(0.0));
     double lowestM = 80.0;
     for (int i = 0; i < 4000 && ned.z() < -1.0; i++) {
       step(20.0);
@@ -190,7 +189,7 @@ class FlightGoalsTest {
   void landing_multirotor_descendsAboveItsPositionAndIsCompletedOnceItStands() {
     kit.start(PathPlanner::new);
     ned = Point.of(30.0, 0.0, -20.0);
-    pursue((Waypoint) new Landing().z(0.0).x(0.0).y(0.0));
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
     for (int i = 0; i < 2000 && reports().isEmpty(); i++) {
       step(5.0);
       assertThat(ned.z() > -19.0 && Math.hypot(ned.x(), ned.y()) > 1.1).isFalse();
