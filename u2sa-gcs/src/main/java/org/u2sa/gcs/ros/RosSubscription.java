@@ -2,8 +2,11 @@ package org.u2sa.gcs.ros;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.function.BiConsumer;
+import java.util.concurrent.Future;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 
 /**
@@ -18,33 +21,39 @@ final class RosSubscription {
   private static final long MICROS_PER_MS = 1_000L;
 
   private final RosTopic topic;
-  private final RosSpelling spelling;
   private final long intervalMicros;
   private final int queueLength;
-  private final Consumer<Object> out;
-  private final BiConsumer<Runnable, Long> later;
+  private final RosBacklog backlog;
+  private final Function<Object, String> writer;
+  private final Consumer<Supplier<String>> out;
+  private final BiFunction<Runnable, Long, Future<?>> later;
   private final Clock clock;
-  private final Deque<Object> waiting = new ArrayDeque<>(); // guarded by this
+  private final Deque<String> waiting = new ArrayDeque<>(); // guarded by this
   private long next = Long.MIN_VALUE; // earliest time of the next message [µs]; guarded by this
   private boolean ended; // guarded by this
+  private Future<?> turn; // of the oldest that waits; null if none does; guarded by this
 
   /**
    * @param throttleMs least time between messages [ms]
-   * @param out sends a message
-   * @param later runs a task after a time [ms]
+   * @param backlog of the client
+   * @param writer writes a message; what waits is text, whose size is known
+   * @param out sends a text, or does not ask for it
+   * @param later runs a task after a time [ms], unless it is cancelled before
    */
   RosSubscription(
       RosTopic topic,
-      RosSpelling spelling,
       long throttleMs,
       long queueLength,
-      Consumer<Object> out,
-      BiConsumer<Runnable, Long> later,
+      RosBacklog backlog,
+      Function<Object, String> writer,
+      Consumer<Supplier<String>> out,
+      BiFunction<Runnable, Long, Future<?>> later,
       Clock clock) {
     this.topic = topic;
-    this.spelling = spelling;
     intervalMicros = throttleMs * MICROS_PER_MS;
     this.queueLength = (int) Math.min(queueLength, LONGEST_QUEUE);
+    this.backlog = backlog;
+    this.writer = writer;
     this.out = out;
     this.later = later;
     this.clock = clock;
@@ -54,46 +63,72 @@ final class RosSubscription {
     return topic;
   }
 
-  RosSpelling spelling() {
-    return spelling;
-  }
-
   /** Sends a message, now or later, or drops it. */
   synchronized void offer(Object message) {
     long now = clock.micros();
+    if (ended) {
+      return;
+    }
     if (now >= next && waiting.isEmpty()) {
       next = now + intervalMicros;
-      out.accept(message);
+      out.accept(() -> writer.apply(message));
     } else if (queueLength > 0) {
-      waiting.add(message);
-      if (waiting.size() == 1) {
+      queue(writer.apply(message));
+      if (turn == null && !waiting.isEmpty()) {
         await(now);
-      } else if (waiting.size() > queueLength) {
-        waiting.remove();
       }
     }
   }
 
+  private void queue(String text) {
+    if (waiting.size() == queueLength) {
+      remove();
+    }
+    boolean isHeld = backlog.hold(text.length());
+    while (!isHeld && !waiting.isEmpty()) {
+      remove();
+      isHeld = backlog.hold(text.length());
+    }
+    if (isHeld) {
+      waiting.add(text);
+    }
+  }
+
+  private String remove() {
+    String oldest = waiting.remove();
+    backlog.free(oldest.length());
+    return oldest;
+  }
+
   private void await(long now) {
-    later.accept(this::release, Math.max(1, (next - now + MICROS_PER_MS - 1) / MICROS_PER_MS));
+    turn =
+        later.apply(this::release, Math.max(1, (next - now + MICROS_PER_MS - 1) / MICROS_PER_MS));
   }
 
   private synchronized void release() {
+    turn = null;
     if (ended || waiting.isEmpty()) {
       return;
     }
     long now = clock.micros();
     if (now >= next) {
       next = now + intervalMicros;
-      out.accept(waiting.remove());
+      String oldest = remove();
+      out.accept(() -> oldest);
     }
     if (!waiting.isEmpty()) {
       await(now);
     }
   }
 
+  /** Ends it at once: a task that waits for its turn, up to an hour, would keep it in memory. */
   synchronized void end() {
     ended = true;
-    waiting.clear();
+    while (!waiting.isEmpty()) {
+      remove();
+    }
+    if (turn != null) {
+      turn.cancel(false);
+    }
   }
 }

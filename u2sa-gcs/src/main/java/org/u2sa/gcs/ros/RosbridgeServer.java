@@ -3,6 +3,7 @@ package org.u2sa.gcs.ros;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
@@ -71,8 +72,8 @@ final class RosbridgeServer implements ClientBridge {
     return clock;
   }
 
-  void later(Runnable task, long delayMs) {
-    server.schedule(task, delayMs);
+  Future<?> later(Runnable task, long delayMs) {
+    return server.schedule(task, delayMs);
   }
 
   /**

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.gcs.socket.ClientSocket;
 import org.u2sa.interfaces.BadInputException;
@@ -35,6 +36,7 @@ final class RosbridgeSession {
   private final Map<String, Consumer<U2SAData>> listeners = new HashMap<>(); // by channel
   private final Map<String, String> advertised = new HashMap<>(); // type by topic
   private final AtomicLong dropped = new AtomicLong();
+  private final RosBacklog backlog = RosBacklog.ofClient();
 
   RosbridgeSession(RosbridgeServer server, ClientSocket socket, RosAccount account) {
     this.server = server;
@@ -96,10 +98,11 @@ final class RosbridgeSession {
     RosSubscription made =
         new RosSubscription(
             topic,
-            spelling,
             operation.count("throttle_rate"),
             operation.count("queue_length"),
-            message -> send(name, spelling, message),
+            backlog,
+            message -> text(name, spelling, message),
+            this::send,
             server::later,
             server.clock());
     RosSubscription old = subscriptions.put(operation.idOr(name), made);
@@ -138,20 +141,23 @@ final class RosbridgeSession {
     }
   }
 
-  private void send(String topic, RosSpelling spelling, Object message) {
-    if (!socket.isWritable()) {
-      long count = dropped.incrementAndGet();
-      if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: reports need space too
-        status("warning", "reads too slowly: " + count + " messages were not sent so far", "");
-      }
+  private static String text(String topic, RosSpelling spelling, Object message) {
+    return new JsonText()
+        .put("op", "publish")
+        .put(TOPIC, topic)
+        .put("msg", spelling.json(message))
+        .line();
+  }
+
+  private void send(Supplier<String> text) {
+    if (socket.isWritable()) {
+      socket.text(text.get());
       return;
     }
-    socket.text(
-        new JsonText()
-            .put("op", "publish")
-            .put(TOPIC, topic)
-            .put("msg", spelling.json(message))
-            .line());
+    long count = dropped.incrementAndGet();
+    if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: reports need space too
+      status("warning", "reads too slowly: " + count + " messages were not sent so far", "");
+    }
   }
 
   private void unsubscribe(RosOperation operation) {

@@ -24,6 +24,7 @@ import io.netty.handler.ssl.SslProvider;
 import java.net.InetSocketAddress;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
@@ -37,7 +38,9 @@ import org.u2sa.interfaces.RunFailedException;
 public final class WebSocketServer implements AutoCloseable {
   private static final int LONGEST_REQUEST = 1 << 16;
   private static final int LONGEST_FRAME = 1 << 20;
-  private static final WriteBufferWaterMark BUFFER = new WriteBufferWaterMark(1 << 20, 4 << 20);
+  private static final long LARGEST_BUFFER = 4 << 20; // unread bytes of a client
+  private static final long HEAP_PART = 8; // of all clients' unread bytes together
+  private static final int RESUME_PART = 4; // of a full buffer, at which it takes more
   private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
 
@@ -94,7 +97,7 @@ public final class WebSocketServer implements AutoCloseable {
           new ServerBootstrap()
               .group(threads)
               .channel(NioServerSocketChannel.class)
-              .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, BUFFER)
+              .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, buffer(offer.maxClients()))
               .childOption(ChannelOption.TCP_NODELAY, true)
               .childHandler(new Initializer())
               .bind(offer.address())
@@ -108,6 +111,13 @@ public final class WebSocketServer implements AutoCloseable {
       throw new RunFailedException(
           "cannot listen on " + offer.address() + ": " + e.getMessage(), e);
     }
+  }
+
+  /** Clients that read nothing, all together, must leave the vehicle its heap. */
+  static WriteBufferWaterMark buffer(int clients) {
+    long share = Runtime.getRuntime().maxMemory() / HEAP_PART / clients;
+    int high = (int) Math.min(LARGEST_BUFFER, share);
+    return new WriteBufferWaterMark(high / RESUME_PART, high);
   }
 
   private static SslContext encryption(SecurityDirectory directory) {
@@ -129,8 +139,8 @@ public final class WebSocketServer implements AutoCloseable {
   }
 
   /** Runs a task on the server's thread after a delay [ms]. */
-  public void schedule(Runnable task, long delayMs) {
-    threads.schedule(task, delayMs, TimeUnit.MILLISECONDS);
+  public Future<?> schedule(Runnable task, long delayMs) {
+    return threads.schedule(task, delayMs, TimeUnit.MILLISECONDS);
   }
 
   @Override

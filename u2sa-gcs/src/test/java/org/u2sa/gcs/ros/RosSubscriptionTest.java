@@ -4,29 +4,37 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.Future;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.time.LockstepClock;
 
 /** What a subscription with a rate limit sends, by a clock that the test moves. */
 class RosSubscriptionTest {
-  private final List<Object> sent = new ArrayList<>();
-  private final List<Runnable> later = new ArrayList<>();
+  private final List<String> sent = new ArrayList<>();
+  private final List<FutureTask<Void>> later = new ArrayList<>();
+  private final RosBacklog backlog = new RosBacklog(10);
   private final LockstepClock clock = new LockstepClock();
 
   private RosSubscription subscription(long throttleMs, long queueLength) {
     return new RosSubscription(
         RosTopic.all(new RosFrames()).get(0),
-        RosSpelling.ROS_2,
         throttleMs,
         queueLength,
-        sent::add,
-        (task, ms) -> later.add(task),
+        backlog,
+        String::valueOf,
+        text -> sent.add(text.get()),
+        (task, ms) -> {
+          FutureTask<Void> planned = new FutureTask<>(task, null);
+          later.add(planned);
+          return planned;
+        },
         clock);
   }
 
   private void pass(long ms) throws InterruptedException {
     clock.runUntil(() -> false, clock.micros() + ms * 1_000L);
-    List<Runnable> due = List.copyOf(later);
+    List<FutureTask<Void>> due = List.copyOf(later);
     later.clear();
     due.forEach(Runnable::run);
   }
@@ -36,7 +44,7 @@ class RosSubscriptionTest {
     RosSubscription all = subscription(0, 0);
     all.offer(1);
     all.offer(2);
-    assertThat(sent).containsExactly(1, 2);
+    assertThat(sent).containsExactly("1", "2");
   }
 
   @Test
@@ -46,7 +54,7 @@ class RosSubscriptionTest {
     slow.offer(2);
     pass(100);
     slow.offer(3);
-    assertThat(sent).containsExactly(1, 3);
+    assertThat(sent).containsExactly("1", "3");
   }
 
   @Test
@@ -56,9 +64,9 @@ class RosSubscriptionTest {
       slow.offer(i);
     }
     pass(100);
-    assertThat(sent).containsExactly(1, 3);
+    assertThat(sent).containsExactly("1", "3");
     pass(100);
-    assertThat(sent).containsExactly(1, 3, 4);
+    assertThat(sent).containsExactly("1", "3", "4");
     assertThat(later).isEmpty();
   }
 
@@ -69,6 +77,34 @@ class RosSubscriptionTest {
     slow.offer(2);
     slow.end();
     pass(100);
-    assertThat(sent).containsExactly(1);
+    assertThat(sent).containsExactly("1");
+  }
+
+  @Test
+  void end_messageWaitsForAnHour_itsTaskIsCancelledAtOnce() {
+    RosSubscription slow = subscription(3_600_000, 1);
+    slow.offer(1);
+    slow.offer(2);
+    assertThat(later).hasSize(1).noneMatch(Future::isCancelled);
+    slow.end();
+    assertThat(later).allMatch(Future::isCancelled);
+  }
+
+  @Test
+  void offer_moreCharactersThanAClientMayHold_keepsTheNewestThatFit() throws Exception {
+    RosSubscription slow = subscription(100, 100);
+    RosSubscription other = subscription(100, 100);
+    for (String text : List.of("first", "aaaa", "bbbb", "cccc", "longer than ten")) {
+      slow.offer(text);
+    }
+    other.offer("first");
+    other.offer("dddd");
+    slow.end();
+    for (String text : List.of("eeee", "ffff")) {
+      other.offer(text);
+    }
+    pass(100);
+    pass(100);
+    assertThat(sent).containsExactly("first", "first", "eeee", "ffff");
   }
 }
