@@ -2,12 +2,12 @@ package org.u2sa.gcs.mavlink;
 
 /**
  * Limits what is handled of a link, on average and in a burst: its bytes, and 400 more for each
- * message.
+ * message or false start of one: each such byte costs a checksum of 280 bytes.
  */
 final class ByteAllowance {
   private static final double BYTES_PER_S = 100_000.0;
   private static final double BURST = 400_000.0;
-  private static final int PER_MESSAGE = 400; // a message costs more time than its bytes
+  private static final double PER_MESSAGE = 400; // a message costs more time than its bytes
   private static final double MICROS_PER_S = 1.0e6;
 
   private double left = BURST;
@@ -26,8 +26,8 @@ final class ByteAllowance {
     left -= bytes;
   }
 
-  /** Counts a message that is handled. */
-  void useMessage() {
-    left -= PER_MESSAGE;
+  /** Counts messages that are handled, and bytes that begin a packet but do not hold one. */
+  void useMessages(long count) {
+    left -= PER_MESSAGE * count;
   }
 }

@@ -67,7 +67,9 @@ final class StationSession implements GroundStation {
   void receive(byte[] bytes, int length, long micros) {
     mission.step(micros);
     allowance.use(length);
+    long before = stream.malformed();
     stream.accept(bytes, length, this::take);
+    allowance.useMessages(stream.malformed() - before);
   }
 
   private void take(MavlinkStream.Received received) {
@@ -75,7 +77,7 @@ final class StationSession implements GroundStation {
     if (isForged || !targets.include(received.payload())) {
       return;
     }
-    allowance.useMessage();
+    allowance.useMessages(1);
     Object message = received.payload();
     Sender from = new Sender(received.systemId(), received.componentId());
     try {

@@ -8,6 +8,8 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
 import org.u2sa.core.communication.bridge.ClientBridge;
 import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.gcs.socket.ClientSocket;
@@ -33,6 +35,7 @@ final class RosbridgeServer implements ClientBridge {
   private final RosServices services = new RosServices(topics);
   private final MessageTypes messageTypes = MessageTypes.discovered();
   private final Clock clock = new SystemClock();
+  private final Lock writing = new ReentrantLock(true);
   private final AtomicLong clients = new AtomicLong();
   private final WebSocketServer server;
 
@@ -66,6 +69,14 @@ final class RosbridgeServer implements ClientBridge {
 
   MessageTypes messageTypes() {
     return messageTypes;
+  }
+
+  /**
+   * Held while messages are written for a client, so that all clients together take one core and
+   * the memory of one message: a map takes ten times its size while it is written.
+   */
+  Lock writing() {
+    return writing;
   }
 
   Clock clock() {

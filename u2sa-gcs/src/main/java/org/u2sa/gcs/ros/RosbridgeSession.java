@@ -132,6 +132,15 @@ final class RosbridgeSession {
     if (channel.equals(Channels.STATE) && message instanceof StateInformation state) {
       server.frames().pose(state); // the first one is the map's origin
     }
+    server.writing().lock();
+    try {
+      write(channel, message);
+    } finally {
+      server.writing().unlock();
+    }
+  }
+
+  private void write(Channel<?> channel, U2SAData message) {
     Map<RosTopic, Optional<Object>> made = new HashMap<>();
     for (RosSubscription subscription : subscriptions.values()) {
       if (subscription.topic().sources().contains(channel)) {

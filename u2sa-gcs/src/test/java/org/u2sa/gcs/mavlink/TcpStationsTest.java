@@ -9,6 +9,7 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.channels.Selector;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,21 @@ class TcpStationsTest {
       }
       assertThat(handled).isBetween(500, 900 + 10 * 240 + 500); // of 20,000 sent
       assertThat(session.allowance(kit.clock.get())).isLessThan(4096);
+    }
+  }
+
+  @Test
+  void exchange_onlyFalseStartsOfPackets_isReadNoFurtherThanMessages() throws IOException {
+    byte[] starts = new byte[64 * 1024];
+    Arrays.fill(starts, (byte) 0xFE); // each begins a DEBUG message whose checksum is wrong
+    try (Selector selector = Selector.open();
+        TcpLink link = open(selector);
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), link.port())) {
+      turn(link, 0.0);
+      StationSession session = link.sessions().iterator().next();
+      socket.getOutputStream().write(starts);
+      turn(link, 0.1);
+      assertThat(session.allowance(kit.clock.get())).isNegative();
     }
   }
 
