@@ -1,6 +1,7 @@
 package org.u2sa.cli.mission;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -75,7 +76,11 @@ abstract class MissionFileCommand extends BaseCommand {
     if (!Files.isRegularFile(file) || Files.size(file) > LONGEST) {
       throw new BadInputException(file + ": expected a file of at most 16 MiB");
     }
-    return Files.readString(file, StandardCharsets.UTF_8);
+    try {
+      return Files.readString(file, StandardCharsets.UTF_8);
+    } catch (CharacterCodingException e) {
+      throw new BadInputException(file + ": expected a text in UTF-8", e);
+    }
   }
 
   /** Refuses losses that were not asked for. */
@@ -162,7 +167,7 @@ abstract class MissionFileCommand extends BaseCommand {
           WaypointList.isOne(text)
               ? WaypointList.read(origin, text)
               : QgcPlan.read(origin, text, lost());
-      List<GoalInformation> goals = ItemGoals.of(plan, lost());
+      List<GoalInformation> goals = goals(plan);
       if (goals.isEmpty()) {
         throw new BadInputException(file() + ": holds no position to go to");
       }
@@ -183,6 +188,14 @@ abstract class MissionFileCommand extends BaseCommand {
         write(fence().get(), fenceText, plan.areas().size() + " areas");
       }
       return ExitCode.DONE;
+    }
+
+    private List<GoalInformation> goals(StationPlan plan) {
+      try {
+        return ItemGoals.of(plan, lost());
+      } catch (IllegalArgumentException e) { // names field, value and range
+        throw new BadInputException(file() + ": " + e.getMessage(), e);
+      }
     }
   }
 }

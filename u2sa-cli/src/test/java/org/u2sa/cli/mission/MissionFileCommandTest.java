@@ -108,4 +108,34 @@ class MissionFileCommandTest extends CommandFixture {
     assertThat(u2sa("mission", "import", empty.toString())).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(err.toString()).contains("holds no position to go to");
   }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"1e999999999", "1e40"})
+  void import_speedBeyondAllRanges_isRefusedWithItsRange(String speed) throws IOException {
+    String item = "{'type':'SimpleItem','command':%d,'frame':0,'doJumpId':%d,'params':[%s]}";
+    String items =
+        String.format(item, 178, 1, "0," + speed + ",0,0,0,0,0")
+            + ","
+            + String.format(item, 16, 2, "0,0,0,null,47,8,10");
+    Path plan = file("fast.plan", plan(items));
+    assertThat(u2sa("mission", "import", plan.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    assertThat(err.toString()).contains("fast.plan").doesNotContain("unexpected");
+  }
+
+  @Test
+  void import_numberOfMillionsOfDigitsOrNoText_isRefused() throws IOException {
+    Path digits = file("digits.plan", plan("").replace("400", "4" + "0".repeat(1_000_000)));
+    Path bytes = Files.write(folder.resolve("bytes.plan"), new byte[] {-1, -2, '{'});
+    for (Path plan : new Path[] {digits, bytes}) {
+      assertThat(u2sa("mission", "import", plan.toString())).isEqualTo(ExitCode.BAD_INPUT);
+    }
+    assertThat(err.toString()).doesNotContain("unexpected");
+  }
+
+  private static String plan(String items) {
+    String text =
+        "{'fileType':'Plan','version':1,'mission':{'version':2,"
+            + "'plannedHomePosition':[47,8,400],'items':[%s]}}";
+    return String.format(text, items).replace('\'', '"');
+  }
 }

@@ -53,7 +53,11 @@ final class TcpLink implements StationLink {
 
   @Override
   public void exchange(long nowMicros) throws IOException {
-    accept(nowMicros);
+    try {
+      accept(nowMicros);
+    } catch (IOException e) {
+      // No descriptor is free, or the station has left already: those that are connected go on.
+    }
     Iterator<Peer> all = peers.iterator();
     while (all.hasNext()) {
       Peer peer = all.next();

@@ -2,7 +2,6 @@ package org.u2sa.gcs.mavlink;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
-import java.net.PortUnreachableException;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
 import java.nio.channels.SelectionKey;
@@ -27,7 +26,7 @@ final class UdpLink implements StationLink {
   }
 
   @Override
-  public void exchange(long nowMicros) throws IOException {
+  public void exchange(long nowMicros) {
     try {
       for (int i = 0; i < PER_TURN; i++) {
         buffer.clear();
@@ -40,8 +39,8 @@ final class UdpLink implements StationLink {
         }
       }
       send();
-    } catch (PortUnreachableException e) {
-      return; // no station listens there yet; it gets the next packets
+    } catch (IOException e) {
+      return; // no station listens there yet, or its network is away; it gets the next packets
     }
   }
 

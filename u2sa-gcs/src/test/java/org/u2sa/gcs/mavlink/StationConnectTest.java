@@ -132,6 +132,10 @@ class StationConnectTest {
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
     kit.command(510, 33);
     assertThat(kit.received(MessageInterval.class).get(0).intervalUs()).isEqualTo(50_000);
+    kit.command(SET_INTERVAL, 33, 1e30);
+    kit.received(GlobalPositionInt.class);
+    kit.advance(2.0);
+    assertThat(kit.received(GlobalPositionInt.class)).isEmpty();
     kit.command(SET_INTERVAL, 33, 1); // no faster than 50 Hz
     kit.command(510, 33);
     assertThat(kit.received(MessageInterval.class).get(0).intervalUs()).isEqualTo(20_000);

@@ -210,4 +210,12 @@ class StationMissionTest {
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
     assertThat(downloaded(kit)).isEmpty();
   }
+
+  @Test
+  void upload_radiusWithoutEnd_isAnsweredByARefusal() {
+    BridgeKit kit = BridgeKit.rover().ready();
+    upload(kit, List.of(item(0, 16, 0.001, 0, Float.POSITIVE_INFINITY)));
+    assertThat(kit.received(MissionAck.class)).hasSize(1);
+    assertThat(kit.orders(MissionOrder.class)).isEmpty();
+  }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.report.message;
 
 import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
@@ -44,14 +45,12 @@ public final class JsonReader {
       }
       return object;
     } catch (JsonProcessingException e) {
-      throw new BadInputException(
-          String.format(
-              "%s, line %d, column %d: %s",
-              origin,
-              e.getLocation().getLineNr(),
-              e.getLocation().getColumnNr(),
-              e.getOriginalMessage()),
-          e);
+      JsonLocation at = e.getLocation(); // null where a limit of the parser is exceeded
+      String where =
+          at == null
+              ? origin
+              : String.format("%s, line %d, column %d", origin, at.getLineNr(), at.getColumnNr());
+      throw new BadInputException(where + ": " + e.getOriginalMessage(), e);
     } catch (IOException e) {
       throw new UncheckedIOException("reading from memory", e);
     }

@@ -127,6 +127,10 @@ final class PlanReader {
 
   private void place(int index, float holdS) {
     MissionItem item = items.get(index);
+    if (Float.isInfinite(item.param2()) || Float.isInfinite(holdS)) {
+      throw refusal(
+          index, MavMissionResult.MAV_MISSION_INVALID, "a radius or time without end is none");
+    }
     if (!item.hasPlace()) {
       throw refusal(
           index, MavMissionResult.MAV_MISSION_INVALID_PARAM5_X, "it has no latitude and longitude");

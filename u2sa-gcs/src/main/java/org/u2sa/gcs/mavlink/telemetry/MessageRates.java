@@ -9,6 +9,7 @@ import org.u2sa.gcs.mavlink.station.GroundStation;
 public final class MessageRates {
   private static final double MAX_HZ = 50.0;
   private static final long MICROS_PER_S = 1_000_000;
+  private static final double MAX_MICROS = Integer.MAX_VALUE; // what MESSAGE_INTERVAL can say
   private static final long OFF = -1;
   private static final int ALL_STREAMS = 0;
 
@@ -63,7 +64,7 @@ public final class MessageRates {
           id,
           micros == 0.0
               ? interval(source.usualHz())
-              : micros < 0.0 ? OFF : Math.round(Math.max(MICROS_PER_S / MAX_HZ, micros)));
+              : micros < 0.0 ? OFF : Math.round(Math.min(MAX_MICROS, Math.max(MICROS_PER_S / MAX_HZ, micros))));
       due.remove(id);
     }
     return true;

@@ -58,6 +58,7 @@ public final class VehicleStatus {
   private static final String LAND_PREFIX = "LAND ";
   private static final long FRESH_MICROS = 2_000_000;
   private static final int MAX_SERVICES = 256;
+  private static final int MAX_STOPS = 256;
 
   private final LongSupplier micros;
   private final Optional<VehicleKind> statedKind;
@@ -118,7 +119,9 @@ public final class VehicleStatus {
 
   private void take(EmergencyStop stop) {
     if (stop.active()) {
-      stops.add(stop.identity());
+      if (stops.size() < MAX_STOPS) { // of more, a flood, those beyond last as long as the others
+        stops.add(stop.identity());
+      }
     } else if (stop.lifts().isEmpty()) {
       stops.clear();
     } else {
