@@ -64,7 +64,9 @@ public final class MessageRates {
           id,
           micros == 0.0
               ? interval(source.usualHz())
-              : micros < 0.0 ? OFF : Math.round(Math.min(MAX_MICROS, Math.max(MICROS_PER_S / MAX_HZ, micros))));
+              : micros < 0.0
+                  ? OFF
+                  : Math.round(Math.min(MAX_MICROS, Math.max(MICROS_PER_S / MAX_HZ, micros))));
       due.remove(id);
     }
     return true;
