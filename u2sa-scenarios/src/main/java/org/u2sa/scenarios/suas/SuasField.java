@@ -60,12 +60,8 @@ record SuasField(
   /** A cylinder from the ground up [m]. */
   record Pillar(double eastM, double northM, double radiusM, double heightM) {}
 
-  /**
-   * An aircraft to and fro.
-   *
-   * @param hasTransponder heard by the traffic receiver; else it is seen by radar
-   */
-  record Traffic(String name, Point from, Point to, double speedMps, boolean hasTransponder) {}
+  /** An aircraft with a transponder, to and fro. */
+  record Traffic(String name, Point from, Point to, double speedMps) {}
 
   /** Converts between the field and the earth. */
   static LocalPlane plane() {
@@ -132,7 +128,7 @@ record SuasField(
               ScriptedMover.End.RETURN,
               0.0,
               false,
-              each.hasTransponder()));
+              true));
     }
     return movers;
   }

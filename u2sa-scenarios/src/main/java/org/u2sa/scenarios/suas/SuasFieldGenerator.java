@@ -211,8 +211,7 @@ final class SuasFieldGenerator {
               "aircraft " + (i + 1),
               Point.of(-way * sin + aside * cos, -way * cos - aside * sin, up),
               Point.of(way * sin + aside * cos, way * cos - aside * sin, up),
-              between(15.0, 25.0),
-              i % 2 == 0));
+              between(15.0, 25.0)));
     }
     return traffic;
   }
