@@ -13,7 +13,7 @@ import org.u2sa.planning.curve.Pose;
 final class LaneOrder {
   private static final int MAX_IMPROVED = 80; // lanes
   private static final int MAX_ROUNDS = 20;
-  private static final double LEAST_M = 0.1;
+  private static final double MIN_M = 0.1;
 
   private final List<Lane> both = new ArrayList<>(); // lane i in its directions: 2 i, 2 i + 1
   private final double[][] wayM; // from the end of one to the entry of another
@@ -96,7 +96,7 @@ final class LaneOrder {
         for (int last = first; last < sequence.length; last++) {
           double gain =
               partM(sequence, first, last, false) - partM(sequence, first, last, true);
-          if (gain > LEAST_M) {
+          if (gain > MIN_M) {
             reverse(sequence, first, last);
             better = true;
           }
