@@ -55,7 +55,8 @@ final class GoldenPlans {
             .psi(1.5)
             .horizontalThreshold(0.25));
     golden.add(
-        "TakeOff", new TakeOff().uid("9").z(80.0).psi(1.5).verticalThreshold(5.0).horizontalThreshold(15.0));
+        "TakeOff",
+        new TakeOff().uid("9").z(80.0).psi(1.5).verticalThreshold(5.0).horizontalThreshold(15.0));
     golden.add(
         "Landing",
         new Landing()

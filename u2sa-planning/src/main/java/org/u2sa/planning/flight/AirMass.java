@@ -16,8 +16,7 @@ final class AirMass {
       return Optional.empty();
     }
     Point through =
-        new Attitude(
-                state.phi().orElse(0.0), state.theta().orElse(0.0), state.psi().orElseThrow())
+        new Attitude(state.phi().orElse(0.0), state.theta().orElse(0.0), state.psi().orElseThrow())
             .nedOf(
                 Point.of(
                     state.fluidxDot().getAsDouble(),

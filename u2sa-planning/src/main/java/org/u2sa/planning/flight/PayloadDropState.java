@@ -75,8 +75,7 @@ final class PayloadDropState implements PlannerState {
     Point to = vehicle.nedOf(place);
     boolean hovers = lines.get().turns().accelerationMps2() == 0.0;
     Point velocity =
-        Point.of(
-            vehicle.northMps(), vehicle.eastMps(), -pursuit.state().zDot().orElse(0.0));
+        Point.of(vehicle.northMps(), vehicle.eastMps(), -pursuit.state().zDot().orElse(0.0));
     Point wind = AirMass.wind(pursuit.state(), vehicle).orElse(Point.ORIGIN);
     Fall fall = Fall.from(Math.max(0.0, to.z()), velocity, wind, goal.terminalSpeed());
     Point impact = fall.way().plus(velocity.times(settings.get().releaseDelay()));

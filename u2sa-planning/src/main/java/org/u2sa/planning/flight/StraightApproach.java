@@ -116,8 +116,7 @@ final class StraightApproach implements LandingState.Descent {
       return again(acrossM, to.z(), vehicle.body(toEntry));
     }
     double aheadM = remainingM - lines.get().lookAheadM(vehicle.speedMps());
-    double altitudeM =
-        place.upM().orElseThrow() + slope * Math.max(0.0, Math.min(lengthM, aheadM));
+    double altitudeM = place.upM().orElseThrow() + slope * Math.max(0.0, Math.min(lengthM, aheadM));
     Point body = guidance.towards(vehicle, end.at(altitudeM), 1.0, Optional.empty());
     NavigationPoint point = NavigationPoint.at(body);
     goal.speed().ifPresent(point::speed);

@@ -49,6 +49,7 @@ final class VerticalDescent implements LandingState.Descent {
     }
     // Near the ground the position below moves along: control sinks in proportion to its distance.
     double downM = Math.max(to.z() - SLOW_BELOW_M, settings.get().touchDownSink());
-    return Plan.underWay(List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
+    return Plan.underWay(
+        List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
   }
 }

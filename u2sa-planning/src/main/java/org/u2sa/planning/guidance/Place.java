@@ -108,8 +108,7 @@ public record Place(boolean onEarth, OptionalDouble x, OptionalDouble y, Optiona
           upM);
     }
     Geodetic to =
-        new Geodetic(x.orElseThrow(), y.orElseThrow(), 0.0)
-            .fromNed(Point.of(northM, eastM, 0.0));
+        new Geodetic(x.orElseThrow(), y.orElseThrow(), 0.0).fromNed(Point.of(northM, eastM, 0.0));
     return new Place(
         true, OptionalDouble.of(to.longitudeDeg()), OptionalDouble.of(to.latitudeDeg()), upM);
   }

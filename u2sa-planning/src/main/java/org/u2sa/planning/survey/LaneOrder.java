@@ -6,9 +6,9 @@ import org.u2sa.planning.curve.Dubins;
 import org.u2sa.planning.curve.Pose;
 
 /**
- * Chooses the order and directions of lanes: the nearest next lane by Dubins paths, then improved by
- * reversing parts of the sequence (2-opt: Croes, A Method for Solving Traveling-Salesman Problems,
- * Operations Research 6, 1958).
+ * Chooses the order and directions of lanes: the nearest next lane by Dubins paths, then improved
+ * by reversing parts of the sequence (2-opt: Croes, A Method for Solving Traveling-Salesman
+ * Problems, Operations Research 6, 1958).
  */
 final class LaneOrder {
   private static final int MAX_IMPROVED = 80; // lanes
@@ -80,9 +80,7 @@ final class LaneOrder {
     double sum = before(sequence, first, reverse ? sequence[last] ^ 1 : sequence[first]);
     for (int i = first; i < last; i++) {
       sum +=
-          reverse
-              ? wayM[sequence[i + 1] ^ 1][sequence[i] ^ 1]
-              : wayM[sequence[i]][sequence[i + 1]];
+          reverse ? wayM[sequence[i + 1] ^ 1][sequence[i] ^ 1] : wayM[sequence[i]][sequence[i + 1]];
     }
     int end = reverse ? sequence[first] ^ 1 : sequence[last];
     return last + 1 < sequence.length ? sum + wayM[end][sequence[last + 1]] : sum;
@@ -94,8 +92,7 @@ final class LaneOrder {
       better = false;
       for (int first = 0; first < sequence.length; first++) {
         for (int last = first; last < sequence.length; last++) {
-          double gain =
-              partM(sequence, first, last, false) - partM(sequence, first, last, true);
+          double gain = partM(sequence, first, last, false) - partM(sequence, first, last, true);
           if (gain > MIN_M) {
             reverse(sequence, first, last);
             better = true;

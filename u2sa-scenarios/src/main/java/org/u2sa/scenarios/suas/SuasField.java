@@ -14,8 +14,8 @@ import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.World;
 
 /**
- * A field of the competition. Places are east, north, up of the middle of the runway [m]; the ground
- * is level.
+ * A field of the competition. Places are east, north, up of the middle of the runway [m]; the
+ * ground is level.
  *
  * @param runwayRad direction of take-off and landing, clockwise from north [rad]
  * @param boundary corners of the area that may not be left
@@ -135,9 +135,7 @@ record SuasField(
 
   /** The world of the run. The pillars are virtual: whoever flies through one only loses points. */
   World world() {
-    return World.at(ORIGIN)
-        .withMovers(movers())
-        .with(Wind.gusty(windFromRad, windMps, seed));
+    return World.at(ORIGIN).withMovers(movers()).with(Wind.gusty(windFromRad, windMps, seed));
   }
 
   /** Whether a place lies in a polygon of the field. */
@@ -170,8 +168,7 @@ record SuasField(
     double dx = b.x() - a.x();
     double dy = b.y() - a.y();
     double square = dx * dx + dy * dy;
-    double share =
-        square == 0.0 ? 0.0 : ((eastM - a.x()) * dx + (northM - a.y()) * dy) / square;
+    double share = square == 0.0 ? 0.0 : ((eastM - a.x()) * dx + (northM - a.y()) * dy) / square;
     double on = Math.max(0.0, Math.min(1.0, share));
     return Math.hypot(eastM - a.x() - on * dx, northM - a.y() - on * dy);
   }

@@ -98,7 +98,9 @@ class SuasFlightTest {
         + ">";
   }
 
-  /** RMS distance of the rows between two norths from a north-south line, the way north or south. */
+  /**
+   * RMS distance of the rows between two norths from a north-south line, the way north or south.
+   */
   private static double acrossRmsM(List<Row> rows, double fromNorth, double toNorth, double east) {
     return Math.sqrt(
         rows.stream()
@@ -134,10 +136,7 @@ class SuasFlightTest {
 
     for (double[] corner : new double[][] {{-400, 500}, {600, 500}, {600, -500}, {-400, -500}}) {
       assertThat(
-              rows.stream()
-                  .mapToDouble(row -> row.fromM(corner[0], corner[1]))
-                  .min()
-                  .orElseThrow())
+              rows.stream().mapToDouble(row -> row.fromM(corner[0], corner[1])).min().orElseThrow())
           .as("waypoint at %s, %s", corner[0], corner[1])
           .isLessThan(15.2);
     }
@@ -145,7 +144,8 @@ class SuasFlightTest {
     assertThat(acrossRmsM(rows, -350, 300, -500)).isLessThan(acrossM);
     Row end = rows.get(rows.size() - 1);
     double offRunwayM =
-        end.ned().y() * Math.cos(Math.toRadians(100)) - end.ned().x() * Math.sin(Math.toRadians(100));
+        end.ned().y() * Math.cos(Math.toRadians(100))
+            - end.ned().x() * Math.sin(Math.toRadians(100));
     assertThat(Math.abs(offRunwayM)).isLessThan(8.0);
     assertThat(end.fromM(0, 0)).isLessThan(200.0);
     assertThat(end.speedMps()).isLessThan(0.3);
@@ -160,7 +160,12 @@ class SuasFlightTest {
             "vehicle-belly.xml",
             "<takeOff><z>83</z></takeOff>"
                 + place("waypoint", 300, 500, 60, "")
-                + place("landing", 0, 0, 0, "<speed>18</speed><horizontalThreshold>30</horizontalThreshold>"),
+                + place(
+                    "landing",
+                    0,
+                    0,
+                    0,
+                    "<speed>18</speed><horizontalThreshold>30</horizontalThreshold>"),
             5.0,
             31,
             "--set",

@@ -23,8 +23,8 @@ import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * A camera that looks down, while a search area is current: publishes which ground each image shows,
- * and, when the area has been searched, the targets that it found. In: state, goals. Out:
+ * A camera that looks down, while a search area is current: publishes which ground each image
+ * shows, and, when the area has been searched, the targets that it found. In: state, goals. Out:
  * sensed-objects, survey-targets. Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {

@@ -9,7 +9,12 @@ final class TargetColours {
     "white", "black", "red", "blue", "yellow", "orange", "purple"
   };
   private static final int[][] RGB = {
-    {235, 235, 235}, {25, 25, 25}, {200, 30, 35}, {35, 60, 190}, {235, 215, 40}, {240, 125, 25},
+    {235, 235, 235},
+    {25, 25, 25},
+    {200, 30, 35},
+    {35, 60, 190},
+    {235, 215, 40},
+    {240, 125, 25},
     {120, 40, 150}
   };
   private static final double LETTER_SHARE = 0.12; // of the patch, the pixels that differ most

@@ -12,8 +12,8 @@ import org.u2sa.interfaces.BadInputException;
 
 /**
  * What shapes and letters look like on average: the nearest is chosen, in any direction. Ships as
- * {@code targets.model}, lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining} makes
- * it.
+ * {@code targets.model}, lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining}
+ * makes it.
  */
 final class TargetModel {
   private static final String FILE = "targets.model";
