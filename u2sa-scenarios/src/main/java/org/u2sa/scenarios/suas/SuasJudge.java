@@ -76,8 +76,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   @Override
   public boolean heard(U2SAData data) {
     if (data instanceof SurveyTarget report) {
-      Point at =
-          SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
+      Point at = SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
       reports.add(new ObjectScore.Sheet(at.x(), at.y(), report.fields()));
       say("report: " + String.join(", ", report.fields()));
       return true;
@@ -96,9 +95,7 @@ final class SuasJudge implements TruthObserver.Scorer {
           SuasField.plane()
               .point(
                   new Geodetic(
-                      state.x().getAsDouble(),
-                      state.y().getAsDouble(),
-                      state.z().getAsDouble()));
+                      state.x().getAsDouble(), state.y().getAsDouble(), state.z().getAsDouble()));
       telemetry.add(new Telemetry.Sample(nowS, at.x(), at.y(), at.z()));
     }
     return true;

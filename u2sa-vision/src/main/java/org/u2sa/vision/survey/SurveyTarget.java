@@ -34,7 +34,9 @@ public final class SurveyTarget extends ObjectDescription {
     return TYPE;
   }
 
-  /** Shape, colour, letter, letter's colour, and orientation of its top as a point of the compass. */
+  /**
+   * Shape, colour, letter, letter's colour, and orientation of its top as a point of the compass.
+   */
   public List<String> fields() {
     return List.of(get(SHAPE), get(COLOUR), get(LETTER), get(LETTER_COLOUR), get(ORIENTATION));
   }

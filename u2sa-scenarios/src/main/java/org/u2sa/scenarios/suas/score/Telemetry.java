@@ -30,7 +30,7 @@ public final class Telemetry {
 
   private final List<Sample> reports = new ArrayList<>();
 
-  /** Adds a report, unless its position is that of the one before. */
+  /** Adds a report, unless its position is that of the previous one. */
   public void add(Sample report) {
     if (!reports.isEmpty()) {
       Sample last = reports.get(reports.size() - 1);

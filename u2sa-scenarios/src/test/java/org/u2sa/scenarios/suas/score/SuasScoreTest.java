@@ -46,8 +46,7 @@ class SuasScoreTest {
       for (int i = 0; i < 3; i++) {
         waypoints.add(Point.of(60.0 * random.nextDouble(), 0.0, 0.0));
       }
-      double sum =
-          WaypointScore.scores(waypoints, track).stream().mapToDouble(each -> each).sum();
+      double sum = WaypointScore.scores(waypoints, track).stream().mapToDouble(each -> each).sum();
       assertThat(sum).isCloseTo(best(waypoints, 0, track, 0), within(1e-9));
     }
   }
@@ -91,8 +90,7 @@ class SuasScoreTest {
 
   @Test
   void total_partsByHand_isTheirWeightedSum() {
-    ScoreSheet sheet =
-        new ScoreSheet(1.0, 0.9, 0.5, 1, 1, false, 9, 10, 0.5, 1.0, 0.0, 1.0);
+    ScoreSheet sheet = new ScoreSheet(1.0, 0.9, 0.5, 1, 1, false, 9, 10, 0.5, 1.0, 0.0, 1.0);
     // 0.1 + 0.2 · 0.7 + 0.1 · 0.729 + 0.2 · 0.5 + 0.1 + 0 + 0.1
     assertThat(sheet.total()).isCloseTo(0.6129, within(1e-9));
     assertThat(new ScoreSheet(1, 1, 1.5, 0, 0, false, 0, 0, 0, 0, 0, 0).flight()).isZero();
