@@ -45,7 +45,7 @@ final class FieldPainter {
 
   byte[] picture(VehicleTruth truth) {
     byte[] pixels = new byte[3 * optics.width() * optics.height()];
-    int row = (int) Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
+    int row = Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
     System.arraycopy(grass, 3 * row * optics.width(), pixels, 0, pixels.length);
     Rotation nedFromFrd = truth.attitude().nedFromFrd();
     for (SuasTarget target : targets) {
