@@ -205,6 +205,11 @@ public final class MissionService {
         (accepted, text) -> {
           if (accepted) {
             book.accepted(upload.plan());
+            if (!upload.details().isEmpty()) {
+              station.text(
+                  MavSeverity.MAV_SEVERITY_WARNING,
+                  "left out: " + PlanRefusal.some(upload.details()));
+            }
             confirm(upload.plan().origin(), MISSION, from);
           } else {
             station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission refused: " + text);

@@ -41,6 +41,9 @@ public final class VehicleStatus {
   /** Goal that names the home position. */
   public static final String HOME = "home";
 
+  /** Beginning of the names of goals that a landing adds to the mission. */
+  public static final String LAND_PREFIX = "LAND ";
+
   /** Channels to subscribe to. */
   public static final List<Channel<?>> CHANNELS =
       List.of(
@@ -55,7 +58,6 @@ public final class VehicleStatus {
           Channels.CONFIGURATION,
           Channels.DISCOVERY);
 
-  private static final String LAND_PREFIX = "LAND ";
   private static final long FRESH_MICROS = 2_000_000;
   private static final int MAX_SERVICES = 256;
 
