@@ -14,7 +14,7 @@ public final class ItemGoals {
   private static final double GROUND_SPEED = 1.0; // the same without wind or current
   private static final double VEHICLE_CHOOSES = -2.0; // of DO_CHANGE_SPEED
   private static final double UNCHANGED = -1.0; // likewise
-  private static final int MAX_JUMPS = 1_000_000;
+  private static final double LARGEST = 1.0e6; // parameter: times, s, m, m/s
 
   private final ItemPlaces places;
   private final List<PlanItem> items;
@@ -81,8 +81,8 @@ public final class ItemGoals {
       lose(item, "comes after the end of the way");
       return;
     }
-    if (item.parameters().stream().anyMatch(each -> each.isInfinite())) {
-      lose(item, "a parameter is infinite");
+    if (item.parameters().stream().anyMatch(each -> Math.abs(each) > LARGEST)) {
+      lose(item, "has a parameter beyond " + LARGEST);
       return;
     }
     if (!item.goesOn()) {
@@ -145,7 +145,7 @@ public final class ItemGoals {
     if (times < 0.0) {
       next.set(goals.size() - 1, List.of(Integer.toString(target + 1)));
       isOver = true;
-    } else if (times >= 1.0 && times <= MAX_JUMPS && last.repeatFrom().isEmpty()) {
+    } else if (times >= 1.0 && last.repeatFrom().isEmpty()) {
       last.repeatFrom(Integer.toString(target + 1)).repeatTimes((long) times);
     } else if (times != 0.0) {
       lose(item, "jumps " + times + " times, or is the second jump at its place");
