@@ -66,8 +66,7 @@ public final class GoalItems {
    * @param lost receives what items cannot say of the way, a line each
    * @param details receives what else they cannot say
    */
-  public static GoalItems of(
-      List<GoalInformation> goals, List<String> lost, List<String> details) {
+  public static GoalItems of(List<GoalInformation> goals, List<String> lost, List<String> details) {
     GoalItems made = new GoalItems(lost, details);
     made.addAll(goals);
     return made;

@@ -27,7 +27,8 @@ class PlanFormatsTest {
   private final List<String> lost = new ArrayList<>();
 
   private List<GoalInformation> thereAndBack(List<GoalInformation> goals, boolean isPlan) {
-    StationPlan plan = new StationPlan(Optional.of(HOME), GoalItems.of(goals, lost, lost).items(), List.of());
+    StationPlan plan =
+        new StationPlan(Optional.of(HOME), GoalItems.of(goals, lost, lost).items(), List.of());
     StationPlan read =
         isPlan
             ? QgcPlan.read("test", QgcPlan.text(plan), lost)
@@ -128,7 +129,8 @@ class PlanFormatsTest {
             + "0\t1\t0\t16\t0\t0\t0\t0\t50\t8\t120\t1\n"
             + "1\t0\t3\t16\t0\t5\t0\t0\t50.1\t8.1\t30\t1\n";
 
-    Waypoint goal = (Waypoint) ItemGoals.of(WaypointList.read("a", list), lost, lost).goals().get(0);
+    Waypoint goal =
+        (Waypoint) ItemGoals.of(WaypointList.read("a", list), lost, lost).goals().get(0);
 
     assertThat(goal.z()).hasValue(150.0);
     assertThat(goal.horizontalThreshold()).isEqualTo(5.0);

@@ -54,7 +54,7 @@ public final class PlanBook {
     if (xml.length() > MAX_CHARACTERS) {
       throw new PlanRefusal(
           MavMissionResult.MAV_MISSION_NO_SPACE,
-          "mission of " + own.size() + " items: too long for one order; expected about 500");
+          "mission of " + own.size() + " items: too long for one order; expected about 400");
     }
     String origin = "uploaded by a ground station, no. " + ++uploads;
     return new Upload(new MissionPlan(origin, own, reader.names()), xml, reader.details());

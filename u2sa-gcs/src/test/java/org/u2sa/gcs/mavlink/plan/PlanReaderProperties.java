@@ -56,8 +56,7 @@ class PlanReaderProperties {
     PlanReader back = new PlanReader(VehicleKind.COPTER, HOME, plan.items(), first);
 
     assertThat(back.names()).isEqualTo(plan.goals());
-    String written =
-        PlanXml.mission(Optional.empty(), goals).replaceAll(">\\s+<", "><");
+    String written = PlanXml.mission(Optional.empty(), goals).replaceAll(">\\s+<", "><");
     assertThat(back.xml().replaceFirst("<home>.*</home>", "")).isEqualTo(written);
   }
 
