@@ -61,8 +61,8 @@ public final class ItemGoals {
     List<String> names = new ArrayList<>();
     for (PlanItem item : items) {
       Integer index = goalFrom.get(item.id());
-      boolean returns = index == null && item.command() == PlanItem.RETURN;
-      names.add(index == null ? returns ? HOME : "" : goals.get(index).uid());
+      String end = item.command() == PlanItem.RETURN ? HOME : "";
+      names.add(index == null ? end : goals.get(index).uid());
     }
     return names;
   }
