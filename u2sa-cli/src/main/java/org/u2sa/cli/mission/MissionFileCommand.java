@@ -114,7 +114,7 @@ abstract class MissionFileCommand extends BaseCommand {
       StationPlan plan =
           new StationPlan(
               mission.home().flatMap(this::place),
-              GoalItems.of(mission.goals(), lost()),
+              GoalItems.of(mission.goals(), lost(), lost()).items(),
               fence().isPresent() ? FenceAreas.read(fence().get(), lost()) : List.of());
       if (mission.timeLimit().isPresent()) {
         lost().add("mission: timeLimit " + mission.timeLimit().getAsDouble() + " s");
@@ -162,13 +162,9 @@ abstract class MissionFileCommand extends BaseCommand {
           WaypointList.isOne(text)
               ? WaypointList.read(origin, text)
               : QgcPlan.read(origin, text, lost());
-      List<GoalInformation> goals = ItemGoals.of(plan, lost());
+      List<GoalInformation> goals = ItemGoals.of(plan, lost(), lost()).goals();
       if (goals.isEmpty()) {
         throw new BadInputException(file() + ": holds no position to go to");
-      }
-      boolean returns = goals.stream().anyMatch(goal -> goal.next().contains("home"));
-      if (returns && plan.home().isEmpty()) {
-        throw new BadInputException(file() + ": returns home, but has no home");
       }
       String fenceText = "";
       if (!plan.areas().isEmpty() && fence().isPresent()) {
