@@ -19,7 +19,6 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
-import org.u2sa.planning.flight.FlightStates;
 import org.u2sa.planning.guidance.ChosenGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
@@ -86,6 +85,7 @@ public class PathPlanner extends EventDrivenService {
             this::say,
             this::remark);
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
+    Settings<FlightVariables> flight = settings(FlightVariables.class);
     states =
         new PlannerStates(
             List.of(
@@ -93,8 +93,10 @@ public class PathPlanner extends EventDrivenService {
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(guidance, settings(StationVariables.class)),
                 new SearchAreaState(
-                    avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines)));
-    states.add(FlightStates.of(this, this::lines, () -> settings.get().loiterRadius()));
+                    avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines),
+                new TakeOffState(this::lines, flight),
+                new LandingState(this::lines, () -> settings.get().loiterRadius(), flight),
+                new PayloadDropState(this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);

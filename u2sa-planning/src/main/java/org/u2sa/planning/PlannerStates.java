@@ -15,10 +15,6 @@ final class PlannerStates {
     this.states.addAll(states);
   }
 
-  void add(List<PlannerState> more) {
-    states.addAll(more);
-  }
-
   /** Adds the states of extensions; these replace earlier ones for the same class of goals. */
   void discover(Configurator configuration, PlannerView surroundings) {
     for (PlannerStateProvider provider : ServiceLoader.load(PlannerStateProvider.class)) {

@@ -131,7 +131,8 @@ final class SearchAreaState implements PlannerState {
     passes++;
     Point at = vehicle.on(plane);
     Pose pose = new Pose(at.x(), at.y(), vehicle.courseRad());
-    legs.addAll(LaneLegs.over(area, ledger, plane, pose, flight(area, state, vehicle), survey.get()));
+    legs.addAll(
+        LaneLegs.over(area, ledger, plane, pose, flight(area, state, vehicle), survey.get()));
     begin();
     String remark =
         String.format(
@@ -157,8 +158,12 @@ final class SearchAreaState implements PlannerState {
       SearchArea area, Vehicle vehicle, Plan.Progress progress, String what, double share) {
     String remark =
         String.format(
-            Locale.ROOT, "%s: %.1f %% at %.3f m per pixel, %d passes",
-            what, 100.0 * share, area.resolution(), passes);
+            Locale.ROOT,
+            "%s: %.1f %% at %.3f m per pixel, %d passes",
+            what,
+            100.0 * share,
+            area.resolution(),
+            passes);
     return new Plan(List.of(straightOn(area, vehicle)), progress, remark)
         .changing(area.copy().seen(share));
   }
@@ -197,7 +202,8 @@ final class SearchAreaState implements PlannerState {
     if (!isAlong) {
       return towards(area, vehicle, state, leg.entry());
     }
-    boolean hindered = avoidance.isOn() && avoidance.isHindered(vehicle, state, place(leg.end(), area));
+    boolean hindered =
+        avoidance.isOn() && avoidance.isHindered(vehicle, state, place(leg.end(), area));
     if (hindered != evades) {
       evades = hindered;
       avoidance.begin();
@@ -205,9 +211,7 @@ final class SearchAreaState implements PlannerState {
     return evades
         ? towards(area, vehicle, state, leg.end())
         : straightTo(
-            area,
-            vehicle,
-            leg.ahead(at.x(), at.y(), lines.get().lookAheadM(vehicle.speedMps())));
+            area, vehicle, leg.ahead(at.x(), at.y(), lines.get().lookAheadM(vehicle.speedMps())));
   }
 
   private void next(Vehicle vehicle) {

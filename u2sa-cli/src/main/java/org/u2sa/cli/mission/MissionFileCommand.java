@@ -119,7 +119,7 @@ abstract class MissionFileCommand extends BaseCommand {
       StationPlan plan =
           new StationPlan(
               mission.home().flatMap(this::place),
-              GoalItems.of(mission.goals(), lost()),
+              GoalItems.of(mission.goals(), lost(), lost()).items(),
               fence().isPresent() ? FenceAreas.read(fence().get(), lost()) : List.of());
       if (mission.timeLimit().isPresent()) {
         lost().add("mission: timeLimit " + mission.timeLimit().getAsDouble() + " s");
@@ -171,10 +171,6 @@ abstract class MissionFileCommand extends BaseCommand {
       if (goals.isEmpty()) {
         throw new BadInputException(file() + ": holds no position to go to");
       }
-      boolean returns = goals.stream().anyMatch(goal -> goal.next().contains("home"));
-      if (returns && plan.home().isEmpty()) {
-        throw new BadInputException(file() + ": returns home, but has no home");
-      }
       String fenceText = "";
       if (!plan.areas().isEmpty() && fence().isPresent()) {
         fenceText = PlanXml.fence(plan.areas(), lost());
@@ -192,7 +188,7 @@ abstract class MissionFileCommand extends BaseCommand {
 
     private List<GoalInformation> goals(StationPlan plan) {
       try {
-        return ItemGoals.of(plan, lost());
+        return ItemGoals.of(plan, lost(), lost()).goals();
       } catch (IllegalArgumentException e) { // names field, value and range
         throw new BadInputException(file() + ": " + e.getMessage(), e);
       }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.FieldValue;
@@ -26,8 +27,11 @@ public final class GoalItems {
   private static final String SPEED = "speed";
   private static final String THRESHOLD = "horizontalThreshold";
   private static final String DURATION = "duration";
+  private static final String NEXT_IF_DONE = "nextIfDone";
+  private static final Set<String> LINKS = Set.of("nextIfFailed", "nextIfTimedOut", "choose");
   private static final Set<String> SAID =
       Set.of(
+          NEXT_IF_DONE,
           "systemId",
           "timestamp",
           "uid",
@@ -44,23 +48,38 @@ public final class GoalItems {
           DURATION);
 
   private final List<String> lost;
+  private final List<String> details;
   private final List<PlanItem> items = new ArrayList<>();
+  private final List<String> names = new ArrayList<>();
   private final Map<String, Integer> idOfGoal = new HashMap<>(); // of the first item to it
   private double speed = VEHICLE_CHOOSES;
 
-  private GoalItems(List<String> lost) {
+  private GoalItems(List<String> lost, List<String> details) {
     this.lost = lost;
+    this.details = details;
   }
 
   /**
    * Converts goals in file order.
    *
-   * @param lost receives what items cannot say, a line each
+   * @param goals at least one
+   * @param lost receives what items cannot say of the way, a line each
+   * @param details receives what else they cannot say
    */
-  public static List<PlanItem> of(List<GoalInformation> goals, List<String> lost) {
-    GoalItems made = new GoalItems(lost);
+  public static GoalItems of(List<GoalInformation> goals, List<String> lost, List<String> details) {
+    GoalItems made = new GoalItems(lost, details);
     made.addAll(goals);
-    return made.items;
+    return made;
+  }
+
+  /** The items, numbered from 1. */
+  public List<PlanItem> items() {
+    return items;
+  }
+
+  /** Name of the goal to which each item belongs, or leads; "" if there is none. */
+  public List<String> names() {
+    return names;
   }
 
   private void addAll(List<GoalInformation> goals) {
@@ -68,23 +87,26 @@ public final class GoalItems {
     goals.forEach(goal -> byName.put(goal.uid(), goal));
     for (int i = 0; i < goals.size(); i++) {
       if (!goals.get(i).uid().equals(Integer.toString(i + 1))) {
-        lose(goals.get(i), "its name");
+        detail(goals.get(i), "its name");
       }
     }
     List<GoalInformation> way =
-        goals.stream().allMatch(goal -> goal.next().isEmpty()) ? goals : way(goals.get(0), byName);
+        goals.stream().anyMatch(GoalItems::isLinked) ? way(goals.get(0), byName) : goals;
     GoalInformation last = way.get(way.size() - 1);
-    String after = last.next().isEmpty() ? "" : last.next().get(0);
+    String after = next(last).isEmpty() ? "" : next(last).get(0);
     Set<String> targets = new HashSet<>(List.of(after));
     way.forEach(goal -> goal.repeatFrom().ifPresent(targets::add));
-    for (GoalInformation goal : way) {
+    for (int i = 0; i < way.size(); i++) {
+      GoalInformation goal = way.get(i);
+      String following = i + 1 < way.size() ? way.get(i + 1).uid() : "";
       add(goal, targets.contains(goal.uid()));
-      goal.repeatFrom().ifPresent(from -> jump(goal, from, goal.repeatTimes().orElse(1)));
+      goal.repeatFrom()
+          .ifPresent(from -> jump(goal, from, goal.repeatTimes().orElse(1), following));
     }
     if (idOfGoal.containsKey(after)) {
-      jump(last, after, FOREVER);
+      jump(last, after, FOREVER, "");
     } else if (after.equals(HOME)) {
-      items.add(PlanItem.order(nextId(), PlanItem.RETURN));
+      add(PlanItem.order(nextId(), PlanItem.RETURN), HOME);
     }
     goals.stream()
         .filter(goal -> !idOfGoal.containsKey(goal.uid()))
@@ -96,17 +118,26 @@ public final class GoalItems {
     Set<GoalInformation> way = new LinkedHashSet<>();
     GoalInformation goal = first;
     while (goal != null && way.add(goal)) {
-      if (goal.next().size() > 1) {
+      List<String> next = next(goal);
+      if (next.size() > 1) {
         lose(goal, "has several next goals");
       }
-      goal = goal.next().isEmpty() ? null : byName.get(goal.next().get(0));
+      goal = next.isEmpty() ? null : byName.get(next.get(0));
     }
     return new ArrayList<>(way);
   }
 
-  private void jump(GoalInformation from, String to, double times) {
+  private static boolean isLinked(GoalInformation goal) {
+    return !goal.next().isEmpty() || goal.nextIf(GoalResult.DONE).isPresent();
+  }
+
+  private static List<String> next(GoalInformation goal) {
+    return goal.nextIf(GoalResult.DONE).orElse(goal.next());
+  }
+
+  private void jump(GoalInformation from, String to, double times, String following) {
     if (idOfGoal.containsKey(to)) {
-      items.add(PlanItem.order(nextId(), PlanItem.JUMP, idOfGoal.get(to), times));
+      add(PlanItem.order(nextId(), PlanItem.JUMP, idOfGoal.get(to), times), following);
     } else {
       lose(from, "repeats from \"" + to + "\", which does not come before it");
     }
@@ -114,6 +145,11 @@ public final class GoalItems {
 
   private int nextId() {
     return items.size() + 1;
+  }
+
+  private void add(PlanItem item, String name) {
+    items.add(item);
+    names.add(name);
   }
 
   private void add(GoalInformation goal, boolean isTarget) {
@@ -128,26 +164,35 @@ public final class GoalItems {
       lose(goal, "is a " + goal.type().name() + ", which no item is");
       return;
     }
-    fields.forEach(
-        (name, value) -> {
-          boolean isDefault = Boolean.FALSE.equals(value) || List.of().equals(value);
-          if (!SAID.contains(name) && !isDefault) {
-            lose(goal, "has " + name + " " + value);
-          }
-        });
+    loseOthers(goal, fields);
     boolean isGlobal = ((Waypoint) goal).referenceFrame().equals(ReferenceFrame.GLOBAL);
     if (!isGlobal || !fields.containsKey("x") || !fields.containsKey("y")) {
       lose(goal, "has no longitude and latitude in the frame Global");
       return;
     }
-    speed((double) fields.getOrDefault(SPEED, VEHICLE_CHOOSES), isTarget);
+    speed((double) fields.getOrDefault(SPEED, VEHICLE_CHOOSES), isTarget, goal.uid());
     position(goal, isStation, fields);
   }
 
+  private void loseOthers(GoalInformation goal, Map<String, Object> fields) {
+    boolean isPlain = goal.next().isEmpty() && goal.repeatFrom().isEmpty();
+    fields.forEach(
+        (name, value) -> {
+          String what = "has " + name + " " + value;
+          if (LINKS.contains(name)) {
+            lose(goal, what);
+          } else if (name.equals(NEXT_IF_DONE) && !isPlain) {
+            lose(goal, what + " besides");
+          } else if (!SAID.contains(name) && !Boolean.FALSE.equals(value)) {
+            detail(goal, what);
+          }
+        });
+  }
+
   /** A goal to which the mission jumps states its speed again, whatever it was where it jumped. */
-  private void speed(double wanted, boolean isTarget) {
+  private void speed(double wanted, boolean isTarget, String name) {
     if (wanted != speed || isTarget) {
-      items.add(PlanItem.order(nextId(), PlanItem.CHANGE_SPEED, AIRSPEED, wanted, UNCHANGED));
+      add(PlanItem.order(nextId(), PlanItem.CHANGE_SPEED, AIRSPEED, wanted, UNCHANGED), name);
     }
     speed = wanted;
   }
@@ -163,20 +208,26 @@ public final class GoalItems {
             (double) fields.getOrDefault("z", Double.NaN));
     if (isStation && !fields.containsKey(DURATION)) {
       if (fields.containsKey(THRESHOLD)) {
-        lose(goal, "stays with no end within " + THRESHOLD + " " + radius + " m");
+        detail(goal, "stays with no end within " + THRESHOLD + " " + radius + " m");
       }
-      items.add(
+      add(
           PlanItem.at(
-              nextId(), PlanItem.LOITER_UNLIMITED, PlanItem.GLOBAL, place, 0.0, 0.0, 0.0, heading));
+              nextId(), PlanItem.LOITER_UNLIMITED, PlanItem.GLOBAL, place, 0.0, 0.0, 0.0, heading),
+          goal.uid());
       return;
     }
     double stay = (double) fields.getOrDefault(DURATION, 0.0);
-    items.add(
+    add(
         PlanItem.at(
-            nextId(), PlanItem.WAYPOINT, PlanItem.GLOBAL, place, stay, radius, 0.0, heading));
+            nextId(), PlanItem.WAYPOINT, PlanItem.GLOBAL, place, stay, radius, 0.0, heading),
+        goal.uid());
   }
 
   private void lose(GoalInformation goal, String what) {
     lost.add("goal \"" + goal.uid() + "\": " + what);
+  }
+
+  private void detail(GoalInformation goal, String what) {
+    details.add("goal \"" + goal.uid() + "\": " + what);
   }
 }

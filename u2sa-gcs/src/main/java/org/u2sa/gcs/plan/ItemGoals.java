@@ -4,20 +4,23 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import org.u2sa.messages.goal.GoalInformation;
-import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Items as goals: the inverse of {@link GoalItems}. */
 public final class ItemGoals {
+  private static final String HOME = "home";
+  private static final double AIRSPEED = 0.0; // types of DO_CHANGE_SPEED
+  private static final double GROUND_SPEED = 1.0; // the same without wind or current
   private static final double VEHICLE_CHOOSES = -2.0; // of DO_CHANGE_SPEED
   private static final double UNCHANGED = -1.0; // likewise
-  private static final double FULL_TURN_DEG = 360.0;
-  private static final int MAX_JUMPS = 1_000_000;
+  private static final double LARGEST = 1.0e6; // parameter: times, s, m, m/s
 
-  private final OptionalDouble homeAltitudeM;
+  private final ItemPlaces places;
+  private final List<PlanItem> items;
+  private final boolean hasHome;
   private final List<String> lost;
+  private final List<String> details;
   private final List<GoalInformation> goals = new ArrayList<>();
   private final Map<Integer, Integer> goalFrom = new HashMap<>(); // index by ID of item before it
   private final List<Integer> pending = new ArrayList<>(); // items whose goal follows
@@ -27,26 +30,49 @@ public final class ItemGoals {
   private boolean isStated; // the speed, since the last goal
   private boolean isOver; // an item that ends the way came
 
-  private ItemGoals(StationPlan plan, List<String> lost) {
-    homeAltitudeM = plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
+  private ItemGoals(StationPlan plan, List<String> lost, List<String> details) {
+    items = plan.items();
+    hasHome = plan.home().isPresent();
+    places = new ItemPlaces(plan.home(), lost, details);
     this.lost = lost;
+    this.details = details;
   }
 
   /**
    * Converts the items of a plan.
    *
-   * @param lost receives what goals cannot say, a line each
-   * @return goals with their numbers as names
+   * @param lost receives the items that no goals stand for, a line each
+   * @param details receives parameters that goals do not have
    */
-  public static List<GoalInformation> of(StationPlan plan, List<String> lost) {
-    ItemGoals made = new ItemGoals(plan, lost);
+  public static ItemGoals of(StationPlan plan, List<String> lost, List<String> details) {
+    ItemGoals made = new ItemGoals(plan, lost, details);
     plan.items().forEach(made::add);
     made.link();
-    return made.goals;
+    return made;
+  }
+
+  /** The goals, with their numbers from 1 as names. */
+  public List<GoalInformation> goals() {
+    return goals;
+  }
+
+  /** Name of the goal to which each item belongs, or leads; "" if there is none. */
+  public List<String> names() {
+    List<String> names = new ArrayList<>();
+    for (PlanItem item : items) {
+      Integer index = goalFrom.get(item.id());
+      String end = item.command() == PlanItem.RETURN ? HOME : "";
+      names.add(index == null ? end : goals.get(index).uid());
+    }
+    return names;
   }
 
   private void lose(PlanItem item, String what) {
     lost.add(item.title() + ": " + what);
+  }
+
+  private void detail(PlanItem item, String what) {
+    details.add(item.title() + ": " + what);
   }
 
   private void add(PlanItem item) {
@@ -55,14 +81,16 @@ public final class ItemGoals {
       lose(item, "comes after the end of the way");
       return;
     }
+    if (item.parameters().stream().anyMatch(each -> Math.abs(each) > LARGEST)) {
+      lose(item, "has a parameter beyond " + LARGEST);
+      return;
+    }
     if (!item.goesOn()) {
-      lose(item, "waits for an operator before the next item");
+      detail(item, "waits for an operator before the next item");
     }
     switch (item.command()) {
-      case PlanItem.WAYPOINT -> position(item, item.parameter(1), item.parameter(2), 3);
-      case PlanItem.LOITER_UNLIMITED -> position(item, Double.NaN, 0.0, 3);
-      case PlanItem.LOITER_TIME -> position(item, item.parameter(1), 0.0, 3);
-      case PlanItem.TAKE_OFF -> takeOff(item);
+      case PlanItem.WAYPOINT, PlanItem.LOITER_UNLIMITED, PlanItem.LOITER_TIME, PlanItem.TAKE_OFF ->
+          places.waypoint(item).ifPresent(this::take);
       case PlanItem.CHANGE_SPEED -> speed(item);
       case PlanItem.JUMP -> jump(item);
       case PlanItem.RETURN -> returning(item);
@@ -70,52 +98,11 @@ public final class ItemGoals {
     }
   }
 
-  /** Vehicles take off by themselves; what is left is the place behind. */
-  private void takeOff(PlanItem item) {
-    if (item.parameter(1) > 0.0) {
-      lose(item, "a pitch of " + item.parameter(1) + " deg");
-    }
-    position(item, 0.0, 0.0, 3);
-  }
-
-  /**
-   * @param stayS time to stay [s]; 0: none, NaN: with no end
-   * @param unused number of a parameter, a radius, that must be 0
-   */
-  private void position(PlanItem item, double stayS, double radiusM, int unused) {
-    double latitude = item.parameter(5);
-    double longitude = item.parameter(6);
-    boolean isPlace =
-        Math.abs(latitude) <= FULL_TURN_DEG / 4
-            && Math.abs(longitude) <= FULL_TURN_DEG / 2
-            && !(latitude == 0.0 && longitude == 0.0);
-    if (!isPlace) { // 0, 0 means the present position
-      lose(item, "latitude " + latitude + ", longitude " + longitude + " is no place");
-      return;
-    }
-    if (item.parameter(unused) != 0.0 && !Double.isNaN(item.parameter(unused))) {
-      lose(item, "a radius of " + item.parameter(unused) + " m to pass or to circle");
-    }
-    Waypoint goal = stayS == 0.0 ? new Waypoint() : new Station();
-    if (goal instanceof Station station && stayS > 0.0) {
-      station.duration(stayS);
-    }
-    goal.x(longitude).y(latitude);
-    altitude(item).ifPresent(goal::z);
-    if (radiusM > 0.0) {
-      goal.horizontalThreshold(radiusM);
-    }
-    double heading = item.parameter(4);
-    if (Double.isFinite(heading)) {
-      goal.psi(Math.toRadians((heading % FULL_TURN_DEG + FULL_TURN_DEG) % FULL_TURN_DEG));
-    }
+  private void take(Waypoint goal) {
+    goal.uid(Integer.toString(goals.size() + 1));
     if (speed != VEHICLE_CHOOSES) {
       goal.speed(speed);
     }
-    take(goal.uid(Integer.toString(goals.size() + 1)));
-  }
-
-  private void take(GoalInformation goal) {
     pending.forEach(id -> goalFrom.put(id, goals.size()));
     pending.clear();
     if (isStated) {
@@ -126,43 +113,20 @@ public final class ItemGoals {
     next.add(List.of());
   }
 
-  private OptionalDouble altitude(PlanItem item) {
-    double z = item.parameter(7);
-    if (Double.isNaN(z)) {
-      return OptionalDouble.empty();
-    }
-    switch (item.frame()) {
-      case PlanItem.GLOBAL, PlanItem.GLOBAL_INT:
-        return OptionalDouble.of(z);
-      case PlanItem.RELATIVE, PlanItem.RELATIVE_INT:
-        if (homeAltitudeM.isPresent()) {
-          return OptionalDouble.of(homeAltitudeM.getAsDouble() + z);
-        }
-        lose(item, "its altitude is relative to a home without altitude");
-        return OptionalDouble.empty();
-      default:
-        lose(
-            item,
-            "an altitude in frame "
-                + item.frame()
-                + "; expected MAV_FRAME_GLOBAL or …_RELATIVE_ALT");
-        return OptionalDouble.empty();
-    }
-  }
-
   private void speed(PlanItem item) {
     double wanted = item.parameter(2);
-    if (item.parameter(1) != 0.0) {
-      lose(item, "a speed over ground, climb or descent; goals have that through air or water");
+    if (item.parameter(1) != AIRSPEED && item.parameter(1) != GROUND_SPEED) {
+      lose(item, "a speed of type " + item.parameter(1) + "; expected 0 or 1");
+      return;
     }
-    if (wanted == VEHICLE_CHOOSES || wanted >= 0.0) {
+    if (wanted == VEHICLE_CHOOSES || wanted > 0.0) {
       speed = wanted;
       isStated = true;
     } else if (wanted != UNCHANGED) {
-      lose(item, "speed " + wanted + " m/s");
+      lose(item, "a speed of " + wanted + " m/s; expected more than 0, -1 or -2");
     }
     if (item.parameter(3) > 0.0) {
-      lose(item, "a throttle of " + item.parameter(3) + " %");
+      detail(item, "a throttle of " + item.parameter(3) + " %");
     }
   }
 
@@ -175,13 +139,13 @@ public final class ItemGoals {
       return;
     }
     if (speed != speedTo(target) && !statedSpeeds.containsKey(target)) {
-      lose(item, "jumps to an item at another speed, which a speed item before that must set");
+      detail(item, "jumps to an item at another speed, which a speed item before that must set");
     }
     GoalInformation last = goals.get(goals.size() - 1);
     if (times < 0.0) {
       next.set(goals.size() - 1, List.of(Integer.toString(target + 1)));
       isOver = true;
-    } else if (times >= 1.0 && times <= MAX_JUMPS && last.repeatFrom().isEmpty()) {
+    } else if (times >= 1.0 && last.repeatFrom().isEmpty()) {
       last.repeatFrom(Integer.toString(target + 1)).repeatTimes((long) times);
     } else if (times != 0.0) {
       lose(item, "jumps " + times + " times, or is the second jump at its place");
@@ -193,11 +157,11 @@ public final class ItemGoals {
   }
 
   private void returning(PlanItem item) {
-    if (goals.isEmpty()) {
-      lose(item, "nothing comes before it");
+    if (goals.isEmpty() || !hasHome) {
+      lose(item, goals.isEmpty() ? "nothing comes before it" : "no home is known");
       return;
     }
-    next.set(goals.size() - 1, List.of("home"));
+    next.set(goals.size() - 1, List.of(HOME));
     isOver = true;
   }
 

@@ -1,5 +1,6 @@
 package org.u2sa.gcs.plan;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
@@ -12,22 +13,25 @@ import java.util.Map;
  * @param goesOn whether the next item follows by itself
  * @param id number by which jumps name it
  */
-record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn, int id) {
-  static final int WAYPOINT = 16;
-  static final int LOITER_UNLIMITED = 17;
-  static final int LOITER_TIME = 19;
+public record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn, int id) {
+  public static final int WAYPOINT = 16;
+  public static final int LOITER_UNLIMITED = 17;
+  public static final int LOITER_TIME = 19;
   static final int RETURN = 20;
-  static final int TAKE_OFF = 22;
-  static final int JUMP = 177;
+  public static final int TAKE_OFF = 22;
+  public static final int JUMP = 177;
   static final int CHANGE_SPEED = 178;
 
-  static final int GLOBAL = 0;
+  public static final int GLOBAL = 0;
   static final int MISSION = 2; // no coordinates
-  static final int RELATIVE = 3;
+  public static final int RELATIVE = 3;
   static final int GLOBAL_INT = 5;
   static final int RELATIVE_INT = 6;
 
-  static final int PARAMETERS = 7;
+  public static final int PARAMETERS = 7;
+
+  private static final int HEADING = 4; // its parameter
+  private static final double NORTH_DEG = 360.0;
 
   private static final Map<Integer, String> NAMES =
       Map.ofEntries(
@@ -60,7 +64,7 @@ record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn,
           Map.entry(2000, "IMAGE_START_CAPTURE"),
           Map.entry(2001, "IMAGE_STOP_CAPTURE"));
 
-  PlanItem {
+  public PlanItem {
     parameters = List.copyOf(parameters);
   }
 
@@ -70,7 +74,7 @@ record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn,
   }
 
   /** An item at a place: latitude, longitude [deg], altitude [m]. */
-  static PlanItem at(int id, int command, int frame, List<Double> place, double... first) {
+  public static PlanItem at(int id, int command, int frame, List<Double> place, double... first) {
     return of(id, command, frame, place, first);
   }
 
@@ -86,12 +90,34 @@ record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn,
   /**
    * @param number from 1, as in the documentation of commands
    */
-  double parameter(int number) {
+  public double parameter(int number) {
     return parameters.get(number - 1);
   }
 
+  /** A copy with another value of a parameter, which is counted from 1. */
+  public PlanItem with(int number, double value) {
+    List<Double> changed = new ArrayList<>(parameters);
+    changed.set(number - 1, value);
+    return new PlanItem(command, frame, changed, goesOn, id);
+  }
+
+  /** Whether it is no way to a place. */
+  public boolean isOrder() {
+    return command == JUMP || command == CHANGE_SPEED || command == RETURN;
+  }
+
+  /** From a writer that knows no empty heading and writes 0. */
+  public PlanItem withoutHeading0() {
+    return !isOrder() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
+  }
+
+  /** For a reader that takes a heading of 0 as none: north is 360. */
+  public PlanItem withNorth360() {
+    return !isOrder() && parameter(HEADING) == 0.0 ? with(HEADING, NORTH_DEG) : this;
+  }
+
   /** For messages: its number and command. */
-  String title() {
+  public String title() {
     String name = NAMES.get(command);
     return "item " + id + " (" + (name == null ? "command " + command : "MAV_CMD_" + name) + ")";
   }

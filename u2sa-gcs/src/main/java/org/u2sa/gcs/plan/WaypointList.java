@@ -16,7 +16,6 @@ public final class WaypointList {
   private static final int COLUMNS = 12;
   private static final int FIRST_PARAMETER = 4;
   private static final int LAST_COLUMN = COLUMNS - 1;
-  private static final double NORTH_DEG = 360.0;
 
   private final String origin;
   private int number; // of the line
@@ -75,13 +74,10 @@ public final class WaypointList {
     for (int i = FIRST_PARAMETER; i < LAST_COLUMN; i++) {
       parameters.add(number(columns[i], i));
     }
-    int command = whole(columns[3], 3);
-    boolean isPlace = command != PlanItem.JUMP && command != PlanItem.CHANGE_SPEED;
-    if (isPlace && parameters.get(3) == 0.0) {
-      parameters.set(3, Double.NaN); // writers that know no empty heading write 0
-    }
     boolean goesOn = whole(columns[LAST_COLUMN], LAST_COLUMN) != 0;
-    return new PlanItem(command, whole(columns[2], 2), parameters, goesOn, whole(columns[0], 0));
+    return new PlanItem(
+            whole(columns[3], 3), whole(columns[2], 2), parameters, goesOn, whole(columns[0], 0))
+        .withoutHeading0();
   }
 
   private double number(String text, int column) {
@@ -114,7 +110,7 @@ public final class WaypointList {
     List<Double> place =
         List.of(home.latitudeDeg(), home.longitudeDeg(), home.altitudeM().orElse(0.0));
     line(text, PlanItem.at(0, PlanItem.WAYPOINT, PlanItem.GLOBAL, place), true);
-    plan.items().forEach(item -> line(text, item, false));
+    plan.items().forEach(item -> line(text, item.withNorth360(), false));
     return text.toString();
   }
 
@@ -127,9 +123,7 @@ public final class WaypointList {
         .append('\t')
         .append(item.command());
     for (int i = 1; i <= PlanItem.PARAMETERS; i++) {
-      boolean isNorth = i == 4 && !isHome && item.parameter(i) == 0.0;
-      boolean isHeading = isNorth && item.frame() != PlanItem.MISSION;
-      text.append('\t').append(isHeading ? NORTH_DEG : item.parameter(i));
+      text.append('\t').append(item.parameter(i));
     }
     text.append("\t1\n");
   }

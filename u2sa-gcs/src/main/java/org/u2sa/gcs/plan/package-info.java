@@ -1,5 +1,6 @@
 /**
- * Missions in the file formats of other ground stations: QGroundControl's plans and lists of
- * waypoints (QGC WPL 110), item by item as MAVLink has them. What a format cannot say is named.
+ * Missions as other ground stations have them, item by item as MAVLink defines them, and in the
+ * file formats: QGroundControl's plans and lists of waypoints (QGC WPL 110). What items or goals
+ * cannot say is named.
  */
 package org.u2sa.gcs.plan;

@@ -27,14 +27,15 @@ class PlanFormatsTest {
   private final List<String> lost = new ArrayList<>();
 
   private List<GoalInformation> thereAndBack(List<GoalInformation> goals, boolean isPlan) {
-    StationPlan plan = new StationPlan(Optional.of(HOME), GoalItems.of(goals, lost), List.of());
+    StationPlan plan =
+        new StationPlan(Optional.of(HOME), GoalItems.of(goals, lost, lost).items(), List.of());
     StationPlan read =
         isPlan
             ? QgcPlan.read("test", QgcPlan.text(plan), lost)
             : WaypointList.read("test", WaypointList.text(plan));
     assertThat(read.home()).contains(HOME);
     assertThat(lost).isEmpty();
-    List<GoalInformation> back = ItemGoals.of(read, lost);
+    List<GoalInformation> back = ItemGoals.of(read, lost, lost).goals();
     assertThat(lost).isEmpty();
     return back;
   }
@@ -95,7 +96,7 @@ class PlanFormatsTest {
   @Test
   void export_speedOfSomeGoals_isSetBeforeThemAndGivenBackAfterwards() {
     List<PlanItem> items =
-        GoalItems.of(List.of(waypoint(1), waypoint(2).speed(7.0), waypoint(3)), lost);
+        GoalItems.of(List.of(waypoint(1), waypoint(2).speed(7.0), waypoint(3)), lost, lost).items();
 
     assertThat(items).extracting(PlanItem::command).containsExactly(16, 178, 16, 178, 16);
     assertThat(items.get(1).parameter(2)).isEqualTo(7.0);
@@ -109,7 +110,7 @@ class PlanFormatsTest {
     named.uid("gate").next(List.of("1", "2"));
     named.nextIf(GoalResult.FAILED, List.of("1")).timeLimit(60.0);
 
-    GoalItems.of(List.of(local.next(List.of("gate")), named), lost);
+    GoalItems.of(List.of(local.next(List.of("gate")), named), lost, lost);
 
     assertThat(lost)
         .containsExactlyInAnyOrder(
@@ -128,7 +129,8 @@ class PlanFormatsTest {
             + "0\t1\t0\t16\t0\t0\t0\t0\t50\t8\t120\t1\n"
             + "1\t0\t3\t16\t0\t5\t0\t0\t50.1\t8.1\t30\t1\n";
 
-    Waypoint goal = (Waypoint) ItemGoals.of(WaypointList.read("a", list), lost).get(0);
+    Waypoint goal =
+        (Waypoint) ItemGoals.of(WaypointList.read("a", list), lost, lost).goals().get(0);
 
     assertThat(goal.z()).hasValue(150.0);
     assertThat(goal.horizontalThreshold()).isEqualTo(5.0);
@@ -146,7 +148,10 @@ class PlanFormatsTest {
     "'16,3,0,0,50,0,50,8,30,1', 'a radius of 50.0 m'",
     "'16,3,0,0,0,0,50,8,30,0', 'waits for an operator'",
     "'177,2,5,1,0,0,0,0,0,1', 'jumps to item 5.0, which no goal before it is'",
-    "'178,2,1,5,-1,0,0,0,0,1', 'a speed over ground'",
+    "'178,2,2,5,-1,0,0,0,0,1', 'a speed of type 2.0; expected 0 or 1'",
+    "'178,2,0,0,-1,0,0,0,0,1', 'a speed of 0.0 m/s; expected more than 0'",
+    "'16,1,0,0,0,0,50,8,30,1', 'frame 1'",
+    "'20,2,0,0,0,0,0,0,0,1', 'nothing comes before it'",
     "'178,2,0,5,50,0,0,0,0,1', 'a throttle of 50.0 %'",
   })
   void import_whatGoalsCannotSay_isNamed(String item, String what) {
@@ -154,7 +159,7 @@ class PlanFormatsTest {
         "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t50\t8\t120\t1\n1\t0\t"
             + item.replaceFirst("(\\d+),(\\d+)", "$2,$1").replace(',', '\t');
 
-    ItemGoals.of(WaypointList.read("a", list), lost);
+    ItemGoals.of(WaypointList.read("a", list), lost, lost);
 
     assertThat(lost).anyMatch(each -> each.contains(what));
   }

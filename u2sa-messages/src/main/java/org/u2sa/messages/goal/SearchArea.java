@@ -26,8 +26,7 @@ public class SearchArea extends GoalInformation {
   private static final NumberField<SearchArea> GROUND = SCHEMA.number("ground", "m", 0.0);
   private static final NumberField<SearchArea> LOWEST = SCHEMA.optionalNumber("lowest", "m");
   private static final NumberField<SearchArea> HIGHEST = SCHEMA.optionalNumber("highest", "m");
-  private static final NumberField<SearchArea> SPEED =
-      SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final NumberField<SearchArea> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
   private static final NumberField<SearchArea> SHARE =
       SCHEMA.optionalNumber("share", "1", 0.0, 1.0);
   private static final NumberField<SearchArea> SEEN = SCHEMA.optionalNumber("seen", "1", 0.0, 1.0);

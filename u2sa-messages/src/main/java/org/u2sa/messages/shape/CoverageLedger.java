@@ -63,6 +63,21 @@ public final class CoverageLedger extends Polygon {
     return require(CELL);
   }
 
+  /** Best ground resolution of each cell, in steps of {@link #RESOLUTION_STEP_M}; 0: not seen. */
+  public ByteString resolutions() {
+    return require(RESOLUTIONS);
+  }
+
+  /** Angle of that view from the vertical, for each cell [deg]; 255 outside the area. */
+  public ByteString angles() {
+    return require(ANGLES);
+  }
+
+  /** Number of that image modulo 65,536, two bytes for each cell, the higher first. */
+  public ByteString images() {
+    return require(IMAGES);
+  }
+
   /** Cells in a row. */
   public int columns() {
     return (int) (long) get(COLUMNS);

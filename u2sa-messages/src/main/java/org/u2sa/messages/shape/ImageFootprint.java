@@ -17,8 +17,7 @@ public class ImageFootprint extends Polygon {
   private static final ValueField<ImageFootprint, Long> IMAGE = SCHEMA.count("image", "");
   private static final NumberField<ImageFootprint> RESOLUTION =
       SCHEMA.requiredNumber("resolution", "m", 0.0, Double.POSITIVE_INFINITY);
-  private static final NumberField<ImageFootprint> ANGLE =
-      SCHEMA.number("angle", "rad", 0.0, 0.0);
+  private static final NumberField<ImageFootprint> ANGLE = SCHEMA.number("angle", "rad", 0.0, 0.0);
 
   public static final MessageType<ImageFootprint> TYPE = SCHEMA.build();
 

@@ -1,5 +1,6 @@
 package org.u2sa.messages.schema;
 
+import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,6 +15,7 @@ import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.registry.StandardTypes;
+import org.u2sa.messages.shape.CoverageLedger;
 
 /**
  * Messages of any type with any legal values, made from the schema alone: a new field is covered
@@ -66,6 +68,9 @@ final class MessageArbitraries {
       grid.cells(2, new byte[] {1, -2, 3, OccupancyGrid.UNKNOWN});
     } else if (message instanceof CameraImage image) {
       image.size(4, 3);
+    } else if (message instanceof CoverageLedger ledger) {
+      byte[] cells = {0, 10, (byte) 200, 40};
+      ledger.cells(Point.of(11.5, 48.5, 400.0), 5.0, 2, cells, cells, new byte[8]);
     }
     if (message.type().frameField != null && message.frame().equals(ReferenceFrame.GLOBAL)) {
       for (MessageField<U2SAData> field : message.ownType().fields()) {
@@ -78,11 +83,19 @@ final class MessageArbitraries {
     }
   }
 
+  /** Decimal places of a limit. */
+  private static int decimals(double limit) {
+    return BigDecimal.valueOf(limit).stripTrailingZeros().scale();
+  }
+
   private static Arbitrary<Object> value(MessageType<?> type, MessageField<?> field, int depth) {
     switch (field.kind()) {
       case DOUBLE:
         NumberField<?> number = (NumberField<?>) field;
-        return Arbitraries.doubles().between(number.least, number.most).asGeneric();
+        return Arbitraries.doubles()
+            .between(number.least, number.most)
+            .ofScale(Math.max(2, Math.max(decimals(number.least), decimals(number.most))))
+            .asGeneric();
       case LONG:
         long most = field instanceof TimestampField<?> ? Limits.TIMESTAMP_MICROS : Long.MAX_VALUE;
         return Arbitraries.longs().between(-most, most).asGeneric();

@@ -148,8 +148,8 @@ public final class Avoidance {
   }
 
   /**
-   * Whether something is in the way of a vehicle that flies straight on to a place: an obstacle near
-   * the line, or traffic that comes near within the horizon.
+   * Whether something is in the way of a vehicle that flies straight on to a place: an obstacle
+   * near the line, or traffic that comes near within the horizon.
    */
   public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     AvoidanceVariables now = settings.get();

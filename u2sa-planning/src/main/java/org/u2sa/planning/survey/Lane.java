@@ -14,8 +14,7 @@ import org.u2sa.planning.curve.Pose;
 record Lane(double northM, double eastM, double courseRad, double lengthM, int[] cells) {
   /** The same lane in the other direction. */
   Lane reversed() {
-    return new Lane(
-        northAt(lengthM), eastAt(lengthM), courseRad + Math.PI, lengthM, cells);
+    return new Lane(northAt(lengthM), eastAt(lengthM), courseRad + Math.PI, lengthM, cells);
   }
 
   /** Where the straight way before it begins. */

@@ -6,14 +6,14 @@ import org.u2sa.planning.curve.Dubins;
 import org.u2sa.planning.curve.Pose;
 
 /**
- * Chooses the order and directions of lanes: the nearest next lane by Dubins paths, then improved by
- * reversing parts of the sequence (2-opt: Croes, A Method for Solving Traveling-Salesman Problems,
- * Operations Research 6, 1958).
+ * Chooses the order and directions of lanes: the nearest next lane by Dubins paths, then improved
+ * by reversing parts of the sequence (2-opt: Croes, A Method for Solving Traveling-Salesman
+ * Problems, Operations Research 6, 1958).
  */
 final class LaneOrder {
   private static final int MAX_IMPROVED = 80; // lanes
   private static final int MAX_ROUNDS = 20;
-  private static final double LEAST_M = 0.1;
+  private static final double MIN_M = 0.1;
 
   private final List<Lane> both = new ArrayList<>(); // lane i in its directions: 2 i, 2 i + 1
   private final double[][] wayM; // from the end of one to the entry of another
@@ -80,9 +80,7 @@ final class LaneOrder {
     double sum = before(sequence, first, reverse ? sequence[last] ^ 1 : sequence[first]);
     for (int i = first; i < last; i++) {
       sum +=
-          reverse
-              ? wayM[sequence[i + 1] ^ 1][sequence[i] ^ 1]
-              : wayM[sequence[i]][sequence[i + 1]];
+          reverse ? wayM[sequence[i + 1] ^ 1][sequence[i] ^ 1] : wayM[sequence[i]][sequence[i + 1]];
     }
     int end = reverse ? sequence[first] ^ 1 : sequence[last];
     return last + 1 < sequence.length ? sum + wayM[end][sequence[last + 1]] : sum;
@@ -94,9 +92,8 @@ final class LaneOrder {
       better = false;
       for (int first = 0; first < sequence.length; first++) {
         for (int last = first; last < sequence.length; last++) {
-          double gain =
-              partM(sequence, first, last, false) - partM(sequence, first, last, true);
-          if (gain > LEAST_M) {
+          double gain = partM(sequence, first, last, false) - partM(sequence, first, last, true);
+          if (gain > MIN_M) {
             reverse(sequence, first, last);
             better = true;
           }

@@ -22,5 +22,6 @@ public record SurveyVariables(
         @Description("Straight way before each lane, to become level and settle on its line.")
         double surveyLeadIn,
     @Variable(min = 1, max = 50, ifAbsent = 8)
-        @Description("Number of times that what is missing is flown over before the goal is given up.")
+        @Description(
+            "Number of times that what is missing is flown over before the goal is given up.")
         int surveyPasses) {}

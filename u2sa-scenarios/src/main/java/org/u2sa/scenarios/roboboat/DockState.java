@@ -106,8 +106,7 @@ final class DockState extends StationTaskState {
   }
 
   private boolean isStill(double toGoM, StateInformation state) {
-    boolean isStill =
-        phase == Phase.ENTER && Math.abs(toGoM) < IN_M && speed(state) < STILL_MPS;
+    boolean isStill = phase == Phase.ENTER && Math.abs(toGoM) < IN_M && speed(state) < STILL_MPS;
     if (!isStill) {
       stillMicros = Long.MIN_VALUE;
     } else if (stillMicros == Long.MIN_VALUE) {

@@ -90,7 +90,8 @@ abstract class SightState implements PlannerState {
     SubTask task = (SubTask) pursuit.goal();
     StateInformation state = pursuit.state();
     if (task.objectTypes().size() < typesNeeded()) {
-      return abandoned("objectTypes: " + task.objectTypes() + ", expected " + typesNeeded() + " types");
+      return abandoned(
+          "objectTypes: " + task.objectTypes() + ", expected " + typesNeeded() + " types");
     }
     long now = micros(state);
     Optional<Point> seen = aim(task, state);

@@ -45,7 +45,7 @@ final class FieldPainter {
 
   byte[] picture(VehicleTruth truth) {
     byte[] pixels = new byte[3 * optics.width() * optics.height()];
-    int row = (int) Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
+    int row = Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
     System.arraycopy(grass, 3 * row * optics.width(), pixels, 0, pixels.length);
     Rotation nedFromFrd = truth.attitude().nedFromFrd();
     for (SuasTarget target : targets) {
@@ -74,20 +74,13 @@ final class FieldPainter {
     }
   }
 
-  private void mix(
-      SuasTarget target,
-      Rotation nedFromFrd,
-      Point at,
-      int x,
-      int y,
-      byte[] pixels) {
+  private void mix(SuasTarget target, Rotation nedFromFrd, Point at, int x, int y, byte[] pixels) {
     int i = 3 * (y * optics.width() + x);
     double[] sum = new double[3];
     for (int k = 0; k < 4; k++) {
       double u = x + 0.5 * (k % 2) - 0.25 - 0.5 * (optics.width() - 1);
       double v = y + 0.5 * (k / 2) - 0.25 - 0.5 * (optics.height() - 1);
-      Point ray =
-          nedFromFrd.times(Point.of(-v / optics.focalPx(), u / optics.focalPx(), 1.0));
+      Point ray = nedFromFrd.times(Point.of(-v / optics.focalPx(), u / optics.focalPx(), 1.0));
       double north = at.y() + at.z() / ray.z() * ray.x() - target.northM();
       double east = at.x() + at.z() / ray.z() * ray.y() - target.eastM();
       double cos = Math.cos(target.headingRad());

@@ -8,7 +8,7 @@ import java.util.stream.DoubleStream;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.report.ReportFile;
 import org.u2sa.scenarios.suas.score.ObjectScore;
-import org.u2sa.scenarios.suas.score.Telemetry;
+import org.u2sa.scenarios.suas.score.ReportedTrack;
 
 /**
  * Writes what a flight is scored by as {@code score-input.csv}, for scorers that share no code with
@@ -26,7 +26,7 @@ final class ScoreInput {
    */
   static void write(
       SuasField field,
-      List<Telemetry.Sample> telemetry,
+      List<ReportedTrack.Sample> telemetry,
       List<ObjectScore.Sheet> reports,
       List<ObjectScore.Sheet> targets,
       List<Double> out,
@@ -36,7 +36,7 @@ final class ScoreInput {
     for (Point each : field.waypoints()) {
       input.line("waypoint", each.x(), each.y(), each.z());
     }
-    for (Telemetry.Sample each : telemetry) {
+    for (ReportedTrack.Sample each : telemetry) {
       input.line("telemetry", each.timeS(), each.eastM(), each.northM(), each.upM());
     }
     out.forEach(each -> input.line("out", each));

@@ -7,9 +7,9 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * The judge's own record of what was truly seen: cells of 5 m of which all corners were in one image
- * at the required resolution, by the true pose of the camera, which looks straight down from the
- * aircraft's reference point.
+ * The judge's own record of what was truly seen: cells of 5 m of which all corners were in one
+ * image at the required resolution, by the true pose of the camera, which looks straight down from
+ * the aircraft's reference point.
  */
 final class SeenCells {
   private static final double CELL_M = 5.0;

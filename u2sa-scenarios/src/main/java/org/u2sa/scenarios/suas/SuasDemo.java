@@ -84,8 +84,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
   /** {@inheritDoc} Only the waypoints, which have numbers for names. */
   @Override
   public RunPlan plan(Mission mission) {
-    RunPlan all =
-        RunPlans.placed(profile().domain(), mission, start(mission), SuasField.plane());
+    RunPlan all = RunPlans.placed(profile().domain(), mission, start(mission), SuasField.plane());
     List<RunPlan.Waypoint> numbered =
         all.waypoints().stream()
             .filter(each -> Character.isDigit(each.name().charAt(0)))
@@ -108,9 +107,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
     SuasField drawn = SuasFieldGenerator.field(seed, windMps);
     field = drawn;
     Mission mission =
-        frame.isOwnMission()
-            ? SuasMission.write(drawn, directory.resolve("mission.xml"))
-            : given;
+        frame.isOwnMission() ? SuasMission.write(drawn, directory.resolve("mission.xml")) : given;
     Path world = SuasMission.world(drawn, directory.resolve("world.xml"));
     Path fence = SuasMission.fence(drawn, directory.resolve("fence.xml"));
     Point start = drawn.start();

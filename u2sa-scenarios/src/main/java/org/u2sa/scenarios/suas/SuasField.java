@@ -14,8 +14,8 @@ import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.sim.world.World;
 
 /**
- * A field of the competition. Places are east, north, up of the middle of the runway [m]; the ground
- * is level.
+ * A field of the competition. Places are east, north, up of the middle of the runway [m]; the
+ * ground is level.
  *
  * @param runwayRad direction of take-off and landing, clockwise from north [rad]
  * @param boundary corners of the area that may not be left
@@ -60,12 +60,8 @@ record SuasField(
   /** A cylinder from the ground up [m]. */
   record Pillar(double eastM, double northM, double radiusM, double heightM) {}
 
-  /**
-   * An aircraft to and fro.
-   *
-   * @param hasTransponder heard by the traffic receiver; else it is seen by radar
-   */
-  record Traffic(String name, Point from, Point to, double speedMps, boolean hasTransponder) {}
+  /** An aircraft with a transponder, to and fro. */
+  record Traffic(String name, Point from, Point to, double speedMps) {}
 
   /** Converts between the field and the earth. */
   static LocalPlane plane() {
@@ -132,16 +128,14 @@ record SuasField(
               ScriptedMover.End.RETURN,
               0.0,
               false,
-              each.hasTransponder()));
+              true));
     }
     return movers;
   }
 
   /** The world of the run. The pillars are virtual: whoever flies through one only loses points. */
   World world() {
-    return World.at(ORIGIN)
-        .withMovers(movers())
-        .with(Wind.gusty(windFromRad, windMps, seed));
+    return World.at(ORIGIN).withMovers(movers()).with(Wind.gusty(windFromRad, windMps, seed));
   }
 
   /** Whether a place lies in a polygon of the field. */
@@ -174,8 +168,7 @@ record SuasField(
     double dx = b.x() - a.x();
     double dy = b.y() - a.y();
     double square = dx * dx + dy * dy;
-    double share =
-        square == 0.0 ? 0.0 : ((eastM - a.x()) * dx + (northM - a.y()) * dy) / square;
+    double share = square == 0.0 ? 0.0 : ((eastM - a.x()) * dx + (northM - a.y()) * dy) / square;
     double on = Math.max(0.0, Math.min(1.0, share));
     return Math.hypot(eastM - a.x() - on * dx, northM - a.y() - on * dy);
   }

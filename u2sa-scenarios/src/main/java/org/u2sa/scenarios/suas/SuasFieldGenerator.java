@@ -81,11 +81,18 @@ final class SuasFieldGenerator {
     double[][] shape =
         random.nextBoolean()
             ? new double[][] {
-              {0, 0}, {length, 0}, {length, width * depth}, {length * notch, width * depth},
-              {length * notch, width}, {0, width}
+              {0, 0},
+              {length, 0},
+              {length, width * depth},
+              {length * notch, width * depth},
+              {length * notch, width},
+              {0, width}
             }
             : new double[][] {
-              {0, 0}, {length, 0}, {length, width}, {length * notch, width * (1 - depth)},
+              {0, 0},
+              {length, 0},
+              {length, width},
+              {length * notch, width * (1 - depth)},
               {0, width}
             };
     double side = random.nextBoolean() ? 1.0 : -1.0;
@@ -141,8 +148,7 @@ final class SuasFieldGenerator {
       } else if (tries % 200 == 199 && !waypoints.isEmpty()) { // a dead end
         waypoints.remove(waypoints.size() - 1);
         last = waypoints.isEmpty() ? axis(400.0) : waypoints.get(waypoints.size() - 1);
-        before =
-            waypoints.size() < 2 ? axis(0.0) : waypoints.get(waypoints.size() - 2);
+        before = waypoints.size() < 2 ? axis(0.0) : waypoints.get(waypoints.size() - 2);
       }
     }
   }
@@ -211,8 +217,7 @@ final class SuasFieldGenerator {
               "aircraft " + (i + 1),
               Point.of(-way * sin + aside * cos, -way * cos - aside * sin, up),
               Point.of(way * sin + aside * cos, way * cos - aside * sin, up),
-              between(15.0, 25.0),
-              i % 2 == 0));
+              between(15.0, 25.0)));
     }
     return traffic;
   }

@@ -21,8 +21,8 @@ import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.scenarios.suas.score.BoundaryCount;
 import org.u2sa.scenarios.suas.score.ObjectScore;
+import org.u2sa.scenarios.suas.score.ReportedTrack;
 import org.u2sa.scenarios.suas.score.ScoreSheet;
-import org.u2sa.scenarios.suas.score.Telemetry;
 import org.u2sa.scenarios.suas.score.WaypointScore;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.ScriptedMover;
@@ -47,7 +47,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   private final SeenCells cells;
   private final Path directory;
   private final List<ScriptedMover> movers;
-  private final Telemetry telemetry = new Telemetry();
+  private final ReportedTrack telemetry = new ReportedTrack();
   private final BoundaryCount boundary = new BoundaryCount();
   private final List<Double> outS = new ArrayList<>();
   private final Set<String> hit = new LinkedHashSet<>();
@@ -76,8 +76,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   @Override
   public boolean heard(U2SAData data) {
     if (data instanceof SurveyTarget report) {
-      Point at =
-          SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
+      Point at = SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
       reports.add(new ObjectScore.Sheet(at.x(), at.y(), report.fields()));
       say("report: " + String.join(", ", report.fields()));
       return true;
@@ -96,10 +95,8 @@ final class SuasJudge implements TruthObserver.Scorer {
           SuasField.plane()
               .point(
                   new Geodetic(
-                      state.x().getAsDouble(),
-                      state.y().getAsDouble(),
-                      state.z().getAsDouble()));
-      telemetry.add(new Telemetry.Sample(nowS, at.x(), at.y(), at.z()));
+                      state.x().getAsDouble(), state.y().getAsDouble(), state.z().getAsDouble()));
+      telemetry.add(new ReportedTrack.Sample(nowS, at.x(), at.y(), at.z()));
     }
     return true;
   }

@@ -67,11 +67,11 @@ final class SuasMission {
   }
 
   private String mission() {
-    StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
+    StringBuilder text =
+        new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
     text.append("  <home>").append(place(field.start())).append(altitude(0.0));
     text.append(
-        String.format(
-            Locale.ROOT, "<psi>%.4f</psi></home>%n", Math.toDegrees(field.runwayRad())));
+        String.format(Locale.ROOT, "<psi>%.4f</psi></home>%n", Math.toDegrees(field.runwayRad())));
     text.append("  <takeOff><name>take-off</name>").append(place(field.start().times(-1.0)));
     text.append(altitude(TAKE_OFF_M));
     text.append("<horizontalThreshold>60</horizontalThreshold></takeOff>\n");
@@ -86,9 +86,7 @@ final class SuasMission {
     List<String> corners =
         field.searchArea().stream()
             .map(corner -> SuasField.plane().at(corner.x(), corner.y(), 0.0))
-            .map(
-                at ->
-                    String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
+            .map(at -> String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
             .collect(Collectors.toList());
     text.append(String.join("; ", corners)).append("</corners>");
     text.append(

@@ -32,6 +32,12 @@ record SuasTarget(
     return String.format(
         Locale.ROOT,
         "%s %s with %s %s facing %s at %.1f, %.1f m",
-        colour, shape, letterColour, letter, orientation(), eastM, northM);
+        colour,
+        shape,
+        letterColour,
+        letter,
+        orientation(),
+        eastM,
+        northM);
   }
 }

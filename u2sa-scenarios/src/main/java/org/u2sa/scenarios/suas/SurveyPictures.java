@@ -37,10 +37,7 @@ final class SurveyPictures extends SimulatedDevice<CameraFrame> implements Camer
    * @param exposed called with the truth of each image
    */
   SurveyPictures(
-      Optics optics,
-      RunningVehicle vehicle,
-      FieldPainter painter,
-      Consumer<VehicleTruth> exposed) {
+      Optics optics, RunningVehicle vehicle, FieldPainter painter, Consumer<VehicleTruth> exposed) {
     super(optics.rateHz(), 0.0);
     this.optics = optics;
     this.vehicle = vehicle;

@@ -19,7 +19,7 @@ import org.u2sa.vision.ground.CameraMount;
  * <p>Camera axes are x ahead, y right, z down in the image.
  */
 final class AerialView {
-  private static final double LEAST_SINE = 0.2; // of a ray's angle below the horizon
+  private static final double MIN_SINE = 0.2; // of a ray's angle below the horizon
 
   private final Intrinsics lens;
   private final int width;
@@ -59,7 +59,7 @@ final class AerialView {
   Optional<Geodetic> ground(double column, double row) {
     Point ray = ray(column, row);
     double heightM = camera.altitudeM() - groundM;
-    if (heightM <= 0.0 || ray.z() < LEAST_SINE * ray.distance()) {
+    if (heightM <= 0.0 || ray.z() < MIN_SINE * ray.distance()) {
       return Optional.empty();
     }
     Point way = ray.times(heightM / ray.z());

@@ -23,14 +23,14 @@ import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * A camera that looks down, while a search area is current: publishes which ground each image shows,
- * and, when the area has been searched, the targets that it found. In: state, goals. Out:
+ * A camera that looks down, while a search area is current: publishes which ground each image
+ * shows, and, when the area has been searched, the targets that it found. In: state, goals. Out:
  * sensed-objects, survey-targets. Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
   private static final int MAX_WAITING = 8; // images for the state of their time
-  private static final double LEAST_M = 0.7; // of a target
-  private static final double MOST_M = 2.8;
+  private static final double MIN_M = 0.7; // of a target
+  private static final double MAX_M = 2.8;
   private static final double SIGMA_M = 2.0; // of a place, by position and attitude
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   private static final long GAP_MICROS = Clock.micros(0.5);
@@ -132,7 +132,7 @@ public final class SurveyCamera extends CameraSensor {
     publish(Channels.SENSED_OBJECTS, footprint);
     if (frame.format() == CameraFrame.PixelFormat.RGB24) {
       double pixelM = view.resolutionM(0.5 * frame.width(), 0.5 * frame.height());
-      for (TargetPatch patch : TargetFinder.in(frame, LEAST_M / pixelM, MOST_M / pixelM)) {
+      for (TargetPatch patch : TargetFinder.in(frame, MIN_M / pixelM, MAX_M / pixelM)) {
         find(frame, view, patch);
       }
     }

@@ -34,9 +34,34 @@ public final class SurveyTarget extends ObjectDescription {
     return TYPE;
   }
 
-  /** Shape, colour, letter, letter's colour, and orientation of its top as a point of the compass. */
+  /** Shape, such as "circle"; empty if unknown. */
+  public String shape() {
+    return get(SHAPE);
+  }
+
+  /** Colour of the shape; empty if unknown. */
+  public String colour() {
+    return get(COLOUR);
+  }
+
+  /** Letter on it; empty if unknown. */
+  public String letter() {
+    return get(LETTER);
+  }
+
+  /** Colour of the letter; empty if unknown. */
+  public String letterColour() {
+    return get(LETTER_COLOUR);
+  }
+
+  /** Point of the compass to which the top of the letter points; empty if unknown. */
+  public String orientation() {
+    return get(ORIENTATION);
+  }
+
+  /** These five, in this order. */
   public List<String> fields() {
-    return List.of(get(SHAPE), get(COLOUR), get(LETTER), get(LETTER_COLOUR), get(ORIENTATION));
+    return List.of(shape(), colour(), letter(), letterColour(), orientation());
   }
 
   SurveyTarget fields(List<String> fields) {

@@ -9,11 +9,16 @@ final class TargetColours {
     "white", "black", "red", "blue", "yellow", "orange", "purple"
   };
   private static final int[][] RGB = {
-    {235, 235, 235}, {25, 25, 25}, {200, 30, 35}, {35, 60, 190}, {235, 215, 40}, {240, 125, 25},
+    {235, 235, 235},
+    {25, 25, 25},
+    {200, 30, 35},
+    {35, 60, 190},
+    {235, 215, 40},
+    {240, 125, 25},
     {120, 40, 150}
   };
   private static final double LETTER_SHARE = 0.12; // of the patch, the pixels that differ most
-  private static final double LEAST_APART = 60.0;
+  private static final double MIN_APART = 60.0;
 
   private final double[] shape = new double[3];
   private final double[] letter = new double[3];
@@ -124,7 +129,7 @@ final class TargetColours {
 
   /** Whether there are two colours at all. */
   boolean hasLetter() {
-    return apart(shape, letter) > LEAST_APART;
+    return apart(shape, letter) > MIN_APART;
   }
 
   /** Pixels of the letter, row by row in the patch's box. */

@@ -8,7 +8,9 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** Joins sightings of the same target: its place is their mean, each field what most of them say. */
+/**
+ * Joins sightings of the same target: its place is their mean, each field what most of them say.
+ */
 final class TargetLog {
   private static final double SAME_M = 10.0;
   private static final int LEAST = 2; // sightings
@@ -29,8 +31,7 @@ final class TargetLog {
     }
 
     Geodetic place() {
-      return first.fromEnu(
-          Point.of(eastM / count, northM / count, 0.0));
+      return first.fromEnu(Point.of(eastM / count, northM / count, 0.0));
     }
   }
 

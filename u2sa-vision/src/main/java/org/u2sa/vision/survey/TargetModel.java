@@ -12,13 +12,13 @@ import org.u2sa.interfaces.BadInputException;
 
 /**
  * What shapes and letters look like on average: the nearest is chosen, in any direction. Ships as
- * {@code targets.model}, lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining} makes
- * it.
+ * {@code targets.model}, lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining}
+ * makes it.
  */
 final class TargetModel {
   private static final String FILE = "targets.model";
   private static final int TURNS = 36;
-  private static final double LEAST_LIKENESS = 0.35;
+  private static final double MIN_LIKENESS = 0.35;
 
   private final Map<String, double[]> shapes = new TreeMap<>();
   private final Map<String, double[]> letters = new TreeMap<>();
@@ -90,7 +90,7 @@ final class TargetModel {
   /** The most similar letter in the most similar direction. */
   Read letter(TargetPatch patch, boolean[] ink) {
     Read best = new Read("", 0.0);
-    double most = LEAST_LIKENESS;
+    double most = MIN_LIKENESS;
     for (int turn = 0; turn < TURNS; turn++) {
       double up = 2.0 * Math.PI * turn / TURNS;
       double[] seen = TargetFeatures.letter(patch, ink, up);

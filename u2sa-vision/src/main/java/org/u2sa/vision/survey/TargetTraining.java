@@ -32,7 +32,9 @@ public final class TargetTraining {
       turned[i] = outline[Math.floorMod(i + turn, outline.length)];
     }
     add("SHAPE " + shape, turned);
-    add("LETTER " + letter, TargetFeatures.letter(patch, new TargetColours(frame, patch).ink(), upRad));
+    add(
+        "LETTER " + letter,
+        TargetFeatures.letter(patch, new TargetColours(frame, patch).ink(), upRad));
     return true;
   }
 

@@ -99,7 +99,9 @@ final class AreaCells {
     int steps = (int) Math.ceil(seen.resolution() / CoverageLedger.RESOLUTION_STEP_M - 1e-9);
     int fine = Math.max(1, Math.min(COARSEST, steps));
     for (int row = index(south, bottom, rows); row <= index(north, bottom, rows); row++) {
-      for (int column = index(west, left, columns); column <= index(east, left, columns); column++) {
+      for (int column = index(west, left, columns);
+          column <= index(east, left, columns);
+          column++) {
         int cell = row * columns + column;
         int before = resolutions[cell] & 0xff;
         boolean isBetter = before == 0 || fine < before;
@@ -114,8 +116,7 @@ final class AreaCells {
     return (int) Math.max(0.0, Math.min(count - 1.0, Math.floor((metres - from) / cellM)));
   }
 
-  private void mark(
-      int cell, ImageFootprint seen, List<Point> outline, double marginM, int fine) {
+  private void mark(int cell, ImageFootprint seen, List<Point> outline, double marginM, int fine) {
     double x = left + cell % columns * cellM;
     double y = bottom + cell / columns * cellM;
     if (depthM(outline, x, y) < marginM
@@ -157,7 +158,8 @@ final class AreaCells {
       next.uid("coverage of " + goal.uid());
       next.objectType("search area");
       next.referenceFrame(goal.referenceFrame());
-      Point middle = metric.point(Point.of(left + columns * cellM / 2, bottom + rows * cellM / 2, 0));
+      Point middle =
+          metric.point(Point.of(left + columns * cellM / 2, bottom + rows * cellM / 2, 0));
       next.x(middle.x());
       next.y(middle.y());
       next.z(goal.ground());

@@ -52,7 +52,7 @@ final class ModeOrders {
   /** Goes on with the mission; one that is over begins again. */
   void mission(Answer answer) {
     if (vehicle.current().isEmpty()) {
-      goTo(book.first(), answer);
+      goTo(book.firstGoal(), answer);
     } else if (vehicle.mode() == VehicleMode.MISSION) {
       answer.done(true, "the mission is pursued");
     } else {
@@ -63,7 +63,7 @@ final class ModeOrders {
             if (resumed) {
               answer.done(true, why);
             } else {
-              goTo(book.first(), answer);
+              goTo(book.firstGoal(), answer);
             }
           });
     }

@@ -41,7 +41,7 @@ public final class ParameterService {
     this.orders = orders;
     this.station = station;
     this.casts = casts;
-    table = new ParameterTable(vehicle.configurations());
+    table = new ParameterTable(vehicle.configurations().byService());
   }
 
   /** Handles a message; false if it is not of this protocol. */
@@ -60,10 +60,10 @@ public final class ParameterService {
   }
 
   private void renew() {
-    long changes = vehicle.configurationChanges();
+    long changes = vehicle.configurations().changes();
     if (changes != tableMicros) {
       tableMicros = changes;
-      table = new ParameterTable(vehicle.configurations());
+      table = new ParameterTable(vehicle.configurations().byService());
     }
   }
 
@@ -72,7 +72,7 @@ public final class ParameterService {
     for (int sent = 0; sent < PER_STEP && next < table.size() && station.hasRoom(); sent++) {
       send(next++);
     }
-    if (next >= table.size() && vehicle.configurationChanges() != tableMicros) {
+    if (next >= table.size() && vehicle.configurations().changes() != tableMicros) {
       ParameterTable before = table;
       renew();
       tellChanges(before);

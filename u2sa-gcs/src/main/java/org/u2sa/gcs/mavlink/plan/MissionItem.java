@@ -5,7 +5,9 @@ import io.dronefleet.mavlink.common.MavFrame;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.util.EnumValue;
+import java.util.List;
 import org.u2sa.gcs.mavlink.station.GroundStation;
+import org.u2sa.gcs.plan.PlanItem;
 
 /**
  * A mission item as it travels (MISSION_ITEM_INT); equal items are equal on the wire.
@@ -27,20 +29,6 @@ record MissionItem(
     int x,
     int y,
     float z) {
-  static final int WAYPOINT = 16;
-  static final int LOITER_UNLIMITED = 17;
-  static final int LOITER_TIME = 19;
-  static final int RETURN = 20;
-  static final int TAKE_OFF = 22;
-  static final int JUMP = 177;
-  static final int CHANGE_SPEED = 178;
-
-  static final int GLOBAL = 0;
-  static final int GLOBAL_RELATIVE = 3;
-  static final int GLOBAL_INT = 5;
-  static final int GLOBAL_RELATIVE_INT = 6;
-  static final int MISSION_FRAME = 2;
-
   private static final double PER_DEGREE = 1.0e7;
 
   static MissionItem of(MissionItemInt item) {
@@ -57,28 +45,50 @@ record MissionItem(
         item.z());
   }
 
-  /** An item at a place with no other parameters. */
-  static MissionItem at(int frame, int command, double latitudeDeg, double longitudeDeg, double z) {
+  /**
+   * An item of a plan.
+   *
+   * @param first sequence number of the plan's item 1
+   */
+  static MissionItem of(PlanItem item, int first) {
+    PlanItem plain = item.withNorth360();
+    boolean jumps = item.command() == PlanItem.JUMP;
     return new MissionItem(
-        frame,
-        command,
-        1,
-        0.0f,
-        0.0f,
-        0.0f,
-        Float.NaN,
-        (int) Math.round(latitudeDeg * PER_DEGREE),
-        (int) Math.round(longitudeDeg * PER_DEGREE),
-        (float) z);
+        item.frame(),
+        item.command(),
+        item.goesOn() ? 1 : 0,
+        (float) (plain.parameter(1) + (jumps ? first - 1 : 0)),
+        (float) plain.parameter(2),
+        (float) plain.parameter(3),
+        (float) plain.parameter(4),
+        (int) Math.round(plain.parameter(5) * PER_DEGREE),
+        (int) Math.round(plain.parameter(6) * PER_DEGREE),
+        (float) plain.parameter(7));
   }
 
-  /** An item that is not a place. */
-  static MissionItem action(int command, float param1, float param2) {
-    return new MissionItem(MISSION_FRAME, command, 1, param1, param2, 0.0f, 0.0f, 0, 0, 0.0f);
+  /**
+   * The item as plans have it, in which items are numbered from 1.
+   *
+   * @param id its number
+   * @param first sequence number of item 1
+   */
+  PlanItem planItem(int id, int first) {
+    boolean jumps = command == PlanItem.JUMP;
+    List<Double> parameters =
+        List.of(
+            decimal(param1) + (jumps ? 1 - first : 0),
+            decimal(param2),
+            decimal(param3),
+            decimal(param4),
+            latitudeDeg(),
+            longitudeDeg(),
+            decimal(z));
+    return new PlanItem(command, frame, parameters, autocontinue != 0, id).withoutHeading0();
   }
 
-  MissionItem with(float first, float second, float fourth) {
-    return new MissionItem(frame, command, autocontinue, first, second, param3, fourth, x, y, z);
+  /** The shortest decimal number that is this one on the wire. */
+  private static double decimal(float value) {
+    return Double.parseDouble(Float.toString(value));
   }
 
   MissionItemInt message(int seq, boolean isCurrent, GroundStation.Sender to) {
@@ -107,10 +117,5 @@ record MissionItem(
 
   double longitudeDeg() {
     return y / PER_DEGREE;
-  }
-
-  /** Whether it has a horizontal position; 0/0 means none. */
-  boolean hasPlace() {
-    return x != 0 || y != 0;
   }
 }

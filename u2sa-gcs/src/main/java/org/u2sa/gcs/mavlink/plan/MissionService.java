@@ -12,8 +12,6 @@ import io.dronefleet.mavlink.common.MissionRequestInt;
 import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.common.MissionSetCurrent;
 import io.dronefleet.mavlink.common.MissionWritePartialList;
-import io.dronefleet.mavlink.util.EnumValue;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -31,26 +29,8 @@ import org.u2sa.messages.mission.MissionOrder;
  * points are refused by name: the Safety Manager reads its fence from a file.
  */
 public final class MissionService {
-  private static final int MISSION = MavMissionType.MAV_MISSION_TYPE_MISSION.ordinal();
-  private static final int FENCE = MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal();
-  private static final int MAX_ITEMS = 1000;
+  private static final int MISSION = MissionAnswers.MISSION;
   private static final long REPORT_MICROS = 1_000_000;
-  private static final long RETRY_MICROS = 700_000;
-  private static final int MAX_RETRIES = 25;
-
-  /** An upload under way. */
-  private static final class Incoming {
-    private final Sender from;
-    private final int count;
-    private final List<MissionItem> items = new ArrayList<>();
-    private long askedMicros;
-    private int retries;
-
-    Incoming(Sender from, int count) {
-      this.from = from;
-      this.count = count;
-    }
-  }
 
   /** A mission that is acknowledged as soon as it can be read back. */
   private record Confirmation(String origin, int type, Sender to, long deadlineMicros) {}
@@ -59,7 +39,8 @@ public final class MissionService {
   private final VehicleOrders orders;
   private final PlanBook book;
   private final GroundStation station;
-  private Optional<Incoming> incoming = Optional.empty();
+  private final MissionAnswers answers;
+  private final MissionUpload upload;
   private Optional<Confirmation> confirmation = Optional.empty();
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
   private long nowMicros;
@@ -73,6 +54,8 @@ public final class MissionService {
     this.orders = orders;
     this.book = book;
     this.station = station;
+    answers = new MissionAnswers(station);
+    upload = new MissionUpload(answers, this::replace);
   }
 
   /** Handles a message; false if it is not of this protocol. */
@@ -87,13 +70,13 @@ public final class MissionService {
     } else if (message instanceof MissionCount count) {
       begin(count, from);
     } else if (message instanceof MissionItemInt item) {
-      take(item, from);
+      upload.take(item, from);
     } else if (message instanceof MissionClearAll clear) {
       clear(clear.missionType().value(), from);
     } else if (message instanceof MissionSetCurrent request) {
       setCurrent(request.seq());
     } else if (message instanceof MissionWritePartialList) {
-      acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, MISSION, from);
+      answers.acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, MISSION, from);
     } else {
       return message instanceof MissionAck;
     }
@@ -102,14 +85,14 @@ public final class MissionService {
 
   private void list(int type, Sender from) {
     if (type != MISSION) {
-      refuseType(type, from, type == FENCE);
+      answers.refuseType(type, from);
       return;
     }
     try {
       outgoing = book.listed();
     } catch (PlanRefusal e) {
       outgoing = List.of();
-      station.text(MavSeverity.MAV_SEVERITY_WARNING, "mission not shown: " + e.getMessage());
+      answers.warn("mission not shown: " + e.getMessage());
     }
     station.send(
         MissionCount.builder()
@@ -120,18 +103,9 @@ public final class MissionService {
             .build());
   }
 
-  private void refuseType(int type, Sender from, boolean isFence) {
-    station.text(
-        MavSeverity.MAV_SEVERITY_WARNING,
-        isFence
-            ? "fence: the vehicle reads it from the file of FENCE of the SafetyManager"
-            : "rally points: the vehicle has none; it returns to its home");
-    acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, type, from);
-  }
-
   private void item(int seq, int type, Sender from) {
     if (type != MISSION || seq < 0 || seq >= outgoing.size()) {
-      acknowledge(MavMissionResult.MAV_MISSION_INVALID_SEQUENCE, type, from);
+      answers.acknowledge(MavMissionResult.MAV_MISSION_INVALID_SEQUENCE, type, from);
       return;
     }
     boolean isCurrent = vehicle.current().flatMap(book::index).filter(at -> at == seq).isPresent();
@@ -141,76 +115,44 @@ public final class MissionService {
   private void begin(MissionCount count, Sender from) {
     int type = count.missionType().value();
     if (type != MISSION) {
-      refuseType(type, from, type == FENCE);
-    } else if (incoming.filter(other -> !other.from.equals(from)).isPresent()) {
-      acknowledge(MavMissionResult.MAV_MISSION_ERROR, type, from);
-    } else if (count.count() > MAX_ITEMS) {
-      station.text(
-          MavSeverity.MAV_SEVERITY_ERROR,
-          "mission of " + count.count() + " items: expected at most " + MAX_ITEMS);
-      acknowledge(MavMissionResult.MAV_MISSION_NO_SPACE, type, from);
+      answers.refuseType(type, from);
     } else if (count.count() == 0) {
       clear(type, from);
     } else {
-      incoming = Optional.of(new Incoming(from, count.count()));
-      ask(incoming.get());
-    }
-  }
-
-  private void ask(Incoming upload) {
-    upload.askedMicros = nowMicros;
-    station.send(
-        MissionRequestInt.builder()
-            .targetSystem(upload.from.system())
-            .targetComponent(upload.from.component())
-            .seq(upload.items.size())
-            .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
-            .build());
-  }
-
-  private void take(MissionItemInt item, Sender from) {
-    if (incoming.isEmpty() || !incoming.get().from.equals(from)) {
-      return; // a repetition after the acknowledgement, or nobody asked
-    }
-    Incoming upload = incoming.get();
-    if (item.seq() != upload.items.size()) {
-      return; // a repetition: the item asked for is on its way, or is asked for again
-    }
-    upload.items.add(MissionItem.of(item));
-    upload.retries = 0;
-    if (upload.items.size() < upload.count) {
-      ask(upload);
-    } else {
-      incoming = Optional.empty();
-      replace(upload.items, from);
+      upload.begin(count.count(), from);
     }
   }
 
   private void replace(List<MissionItem> items, Sender from) {
-    PlanBook.Upload upload;
+    PlanBook.Upload read;
     try {
-      upload = book.read(items);
+      read = book.read(items);
     } catch (PlanRefusal e) {
-      station.text(MavSeverity.MAV_SEVERITY_ERROR, e.getMessage());
-      acknowledge(e.result(), MISSION, from);
+      answers.refuse(e.result(), e.getMessage(), MISSION, from);
       return;
     }
     boolean goesOn = vehicle.isArmed() && vehicle.mode() == VehicleMode.MISSION;
     orders.mission(
         new MissionOrder()
             .action(MissionAction.REPLACE)
-            .file(upload.plan().origin())
-            .goals(upload.xml())
+            .file(read.plan().origin())
+            .goals(read.xml())
             .now(goesOn),
         (accepted, text) -> {
           if (accepted) {
-            book.accepted(upload.plan());
-            confirm(upload.plan().origin(), MISSION, from);
+            book.accepted(read.plan());
+            if (!read.details().isEmpty()) {
+              answers.warn("left out: " + PlanRefusal.some(read.details()));
+            }
+            confirm(read.plan().origin(), MISSION, from);
           } else {
-            station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission refused: " + text);
-            acknowledge(MavMissionResult.MAV_MISSION_ERROR, MISSION, from);
+            refuse("mission refused: " + text, MISSION, from);
           }
         });
+  }
+
+  private void refuse(String why, int type, Sender to) {
+    answers.refuse(MavMissionResult.MAV_MISSION_ERROR, why, type, to);
   }
 
   private void confirm(String origin, int type, Sender to) {
@@ -221,14 +163,13 @@ public final class MissionService {
   /** A mission has at least one goal, so a cleared one has a place to hold at. */
   private void clear(int type, Sender from) {
     if (type != MISSION && type != MavMissionType.MAV_MISSION_TYPE_ALL.ordinal() && type != 255) {
-      refuseType(type, from, type == FENCE);
+      answers.refuseType(type, from);
       return;
     }
     Optional<StateInformation> here =
         vehicle.state().filter(state -> state.x().isPresent() && state.y().isPresent());
     if (here.isEmpty()) {
-      station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission not cleared: no position to hold at");
-      acknowledge(MavMissionResult.MAV_MISSION_ERROR, type, from);
+      refuse("mission not cleared: no position to hold at", type, from);
       return;
     }
     String goal =
@@ -244,8 +185,7 @@ public final class MissionService {
           if (accepted) {
             confirm(PlanBook.CLEARED, type, from);
           } else {
-            station.text(MavSeverity.MAV_SEVERITY_ERROR, "mission not cleared: " + text);
-            acknowledge(MavMissionResult.MAV_MISSION_ERROR, type, from);
+            refuse("mission not cleared: " + text, type, from);
           }
         });
   }
@@ -265,39 +205,20 @@ public final class MissionService {
         });
   }
 
-  /** Asks again for what did not arrive. */
+  /** Asks again for what did not arrive, and acknowledges what was carried out. */
   public void step(long micros) {
     nowMicros = micros;
+    upload.step(micros);
     confirmation
         .filter(each -> micros > each.deadlineMicros() || isReported(each.origin()))
         .ifPresent(
             each -> {
               confirmation = Optional.empty();
-              acknowledge(MavMissionResult.MAV_MISSION_ACCEPTED, each.type(), each.to());
+              answers.acknowledge(MavMissionResult.MAV_MISSION_ACCEPTED, each.type(), each.to());
             });
-    if (incoming.isEmpty() || micros - incoming.get().askedMicros < RETRY_MICROS) {
-      return;
-    }
-    Incoming upload = incoming.get();
-    if (upload.retries++ < MAX_RETRIES) {
-      ask(upload);
-    } else {
-      incoming = Optional.empty();
-      acknowledge(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, MISSION, upload.from);
-    }
   }
 
   private boolean isReported(String origin) {
     return vehicle.report().filter(report -> report.mission().equals(origin)).isPresent();
-  }
-
-  private void acknowledge(MavMissionResult result, int type, Sender to) {
-    station.send(
-        MissionAck.builder()
-            .targetSystem(to.system())
-            .targetComponent(to.component())
-            .type(result)
-            .missionType(EnumValue.create(MavMissionType.class, type))
-            .build());
   }
 }

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.gcs.plan.PlanItem;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
@@ -47,21 +48,20 @@ public final class PlanBook {
    * @throws PlanRefusal if one cannot be expressed
    */
   Upload read(List<MissionItem> items) {
-    boolean skipsHome = identity.startsWithHome() && !items.isEmpty();
-    List<MissionItem> own = skipsHome ? items.subList(1, items.size()) : items;
-    PlanReader reader = new PlanReader(vehicle.kind(), placement.home(), own);
+    List<MissionItem> own = items.subList(Math.min(first(), items.size()), items.size());
+    PlanReader reader = new PlanReader(vehicle.kind(), placement.home(), own, first());
     String xml = reader.xml();
     if (xml.length() > MAX_CHARACTERS) {
       throw new PlanRefusal(
           MavMissionResult.MAV_MISSION_NO_SPACE,
-          "mission of " + own.size() + " items: too long for one order; expected about 500");
+          "mission of " + own.size() + " items: too long for one order; expected about 400");
     }
     String origin = "uploaded by a ground station, no. " + ++uploads;
-    return new Upload(new MissionPlan(origin, own, reader.names()), xml);
+    return new Upload(new MissionPlan(origin, own, reader.names()), xml, reader.details());
   }
 
-  /** An upload and its mission in XML. */
-  record Upload(MissionPlan plan, String xml) {}
+  /** An upload, its mission in XML, and what that leaves out. */
+  record Upload(MissionPlan plan, String xml, List<String> details) {}
 
   /** Remembers an upload that the Mission Manager has accepted. */
   void accepted(MissionPlan accepted) {
@@ -93,7 +93,7 @@ public final class PlanBook {
       plan =
           report.mission().equals(CLEARED)
               ? new MissionPlan(CLEARED, List.of(), List.of())
-              : isUploaded(report) ? uploaded : PlanWriter.plan(report, vehicle.kind());
+              : isUploaded(report) ? uploaded : PlanWriter.plan(report, vehicle.kind(), first());
     } catch (PlanRefusal e) {
       plan = new MissionPlan(report.mission(), List.of(), List.of());
       refusal = Optional.of(e);
@@ -130,37 +130,43 @@ public final class PlanBook {
     Geodetic home = placement.home().orElse(new Geodetic(0.0, 0.0, 0.0));
     List<MissionItem> listed = new ArrayList<>();
     listed.add(
-        MissionItem.at(
-            MissionItem.GLOBAL,
-            MissionItem.WAYPOINT,
-            home.latitudeDeg(),
-            home.longitudeDeg(),
-            home.altitudeM()));
+        MissionItem.of(
+            PlanItem.at(
+                0,
+                PlanItem.WAYPOINT,
+                PlanItem.GLOBAL,
+                List.of(home.latitudeDeg(), home.longitudeDeg(), home.altitudeM()),
+                0.0,
+                0.0,
+                0.0,
+                Double.NaN),
+            0));
     listed.addAll(items);
     return listed;
   }
 
-  private int offset() {
+  /** Sequence number of the mission's first item. */
+  private int first() {
     return identity.startsWithHome() ? 1 : 0;
   }
 
   /** Number of items as stations count them; 0 if the mission cannot be expressed. */
   public int size() {
     view();
-    return plan.items().size() + (plan.items().isEmpty() ? 0 : offset());
+    return plan.items().size() + (plan.items().isEmpty() ? 0 : first());
   }
 
   /** Index of a goal as stations count it; empty if it is no item. */
   public Optional<Integer> index(String goal) {
     view();
     int index = plan.indexOf(goal);
-    return index < 0 ? Optional.empty() : Optional.of(index + offset());
+    return index < 0 ? Optional.empty() : Optional.of(index + first());
   }
 
   /** Goal of an index as stations count it; empty if there is none. */
   public Optional<String> goal(int index) {
     view();
-    int own = index - offset();
+    int own = index - first();
     return IntStream.range(0, plan.goals().size())
         .filter(each -> each == own)
         .mapToObj(plan.goals()::get)
@@ -169,7 +175,7 @@ public final class PlanBook {
   }
 
   /** First goal of the mission; empty without one. */
-  public Optional<String> first() {
+  public Optional<String> firstGoal() {
     view();
     return plan.goals().stream().filter(goal -> !goal.isEmpty()).findFirst();
   }

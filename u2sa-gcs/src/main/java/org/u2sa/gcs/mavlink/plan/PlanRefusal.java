@@ -1,6 +1,7 @@
 package org.u2sa.gcs.mavlink.plan;
 
 import io.dronefleet.mavlink.common.MavMissionResult;
+import java.util.List;
 
 /** A mission that cannot be expressed in the other system; the message names what and why. */
 final class PlanRefusal extends RuntimeException {
@@ -11,6 +12,12 @@ final class PlanRefusal extends RuntimeException {
   PlanRefusal(MavMissionResult result, String message) {
     super(message);
     this.result = result;
+  }
+
+  /** The first of several reasons, for one line. */
+  static String some(List<String> reasons) {
+    int others = reasons.size() - 1;
+    return reasons.get(0) + (others == 0 ? "" : " (and " + others + " more)");
   }
 
   MavMissionResult result() {

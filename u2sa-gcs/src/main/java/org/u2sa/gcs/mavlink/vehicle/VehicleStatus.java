@@ -1,13 +1,10 @@
 package org.u2sa.gcs.mavlink.vehicle;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ConcurrentSkipListMap;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
@@ -15,8 +12,6 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ConfigurationRequest;
-import org.u2sa.messages.contract.ConfigurationResponse;
-import org.u2sa.messages.contract.ConfigurationTransactionResult;
 import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.goal.GoalInformation;
@@ -41,6 +36,9 @@ public final class VehicleStatus {
   /** Goal that names the home position. */
   public static final String HOME = "home";
 
+  /** Beginning of the names of goals that a landing adds to the mission. */
+  public static final String LAND_PREFIX = "LAND ";
+
   /** Channels to subscribe to. */
   public static final List<Channel<?>> CHANNELS =
       List.of(
@@ -55,18 +53,14 @@ public final class VehicleStatus {
           Channels.CONFIGURATION,
           Channels.DISCOVERY);
 
-  private static final String LAND_PREFIX = "LAND ";
   private static final long FRESH_MICROS = 2_000_000;
-  private static final int MAX_SERVICES = 256;
   private static final int MAX_STOPS = 256;
 
   private final LongSupplier micros;
   private final Optional<VehicleKind> statedKind;
   private final VehicleOrders orders;
-  private final Map<String, ConfigurationResponse> configurations = new ConcurrentSkipListMap<>();
+  private final ServiceConfigurations configurations = new ServiceConfigurations();
   private final Set<String> stops = ConcurrentHashMap.newKeySet();
-  private final AtomicLong configurationChanges = new AtomicLong();
-  private final Set<String> changed = ConcurrentHashMap.newKeySet(); // services to ask again
   private volatile boolean isReportWanted;
   private volatile VehicleKind heardKind = VehicleKind.GENERIC;
   private volatile StateInformation state; // null until heard, as the others
@@ -112,8 +106,11 @@ public final class VehicleStatus {
       navigation = now;
     } else if (message instanceof EmergencyStop stop) {
       take(stop);
+    } else if (message instanceof DiscoveryResponse response) {
+      VehicleKind kind = VehicleKind.ofControl(response.className().orElse(""));
+      heardKind = kind == VehicleKind.GENERIC ? heardKind : kind;
     } else {
-      takeAnswer(message);
+      configurations.take(message);
     }
   }
 
@@ -129,31 +126,13 @@ public final class VehicleStatus {
     }
   }
 
-  private void takeAnswer(U2SAData message) {
-    if (message instanceof ConfigurationResponse response) {
-      boolean known = configurations.containsKey(response.serviceName());
-      if (known || configurations.size() < MAX_SERVICES) {
-        configurations.put(response.serviceName(), response);
-        configurationChanges.incrementAndGet();
-      }
-    } else if (message instanceof ConfigurationTransactionResult result && result.accepted()) {
-      changed.add(result.serviceName());
-    } else if (message instanceof DiscoveryResponse response) {
-      VehicleKind kind = VehicleKind.ofControl(response.className().orElse(""));
-      heardKind = kind == VehicleKind.GENERIC ? heardKind : kind;
-    }
-  }
-
   /** Asks for what has changed since the last call; not to be called on the transport's thread. */
   public void refresh() {
     if (isReportWanted) {
       isReportWanted = false;
       orders.tell(Channels.MISSION, new MissionRequest().requestId(UUID.randomUUID().toString()));
     }
-    for (String service : List.copyOf(changed)) {
-      changed.remove(service);
-      orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(service));
-    }
+    configurations.refresh(orders);
   }
 
   /** Asks for the mission's state at the next {@link #refresh}. */
@@ -240,14 +219,9 @@ public final class VehicleStatus {
     return !stops.isEmpty();
   }
 
-  /** Configurations by service. */
-  public Map<String, ConfigurationResponse> configurations() {
+  /** Configurations of the vehicle's services. */
+  public ServiceConfigurations configurations() {
     return configurations;
-  }
-
-  /** Number of configurations heard; a change means that one may have changed. */
-  public long configurationChanges() {
-    return configurationChanges.get();
   }
 
   /** UID of the goal being pursued; empty if none is. */
@@ -257,16 +231,14 @@ public final class VehicleStatus {
 
   /** What the vehicle is doing. */
   public VehicleMode mode() {
-    Optional<VehicleMode> forced =
-        switch (failsafe()) {
-          case HOLD, STOP -> Optional.of(VehicleMode.HOLD);
-          case RETURN -> Optional.of(VehicleMode.RETURN);
-          case LAND -> Optional.of(VehicleMode.LAND);
-          case CONTINUE -> Optional.empty();
-        };
     boolean holds = goals == null || goals.paused() || isStopped();
-    return forced.orElseGet(
-        () -> holds ? VehicleMode.HOLD : current().map(this::mode).orElse(VehicleMode.HOLD));
+    return switch (failsafe()) {
+      case HOLD, STOP -> VehicleMode.HOLD;
+      case RETURN -> VehicleMode.RETURN;
+      case LAND -> VehicleMode.LAND;
+      case CONTINUE ->
+          holds ? VehicleMode.HOLD : current().map(this::mode).orElse(VehicleMode.HOLD);
+    };
   }
 
   private VehicleMode mode(String uid) {

@@ -7,7 +7,7 @@ public final class BoundaryCount {
   private double lastOutS = Double.NEGATIVE_INFINITY;
   private int count;
 
-  /** Adds a position of a later time; true if it counts anew. */
+  /** Adds a position of a later time; true if it counts again. */
   public boolean see(double timeS, boolean isInside) {
     if (isInside) {
       return false;

@@ -7,8 +7,8 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * Score of the targets: each counts the share of right fields (0.2), its place (0.3 · (150 ft − d) /
- * 150 ft), being reported in flight (0.3) and without a person (0.2), as in the rules of 2019. A
+ * Score of the targets: each counts the share of right fields (0.2), its place (0.3 · (150 ft − d)
+ * / 150 ft), being reported in flight (0.3) and without a person (0.2), as in the rules of 2019. A
  * report counts for one target, the one that it fits best. Further reports cost 0.05 of a target
  * each.
  */

@@ -37,8 +37,7 @@ public record ScoreSheet(
 
   /** Score of the flight, 0…1. */
   public double flight() {
-    double score =
-        waypoints - 0.1 * takeovers - 0.1 * outOfBounds - (crashed ? 0.5 : 0.0);
+    double score = waypoints - 0.1 * takeovers - 0.1 * outOfBounds - (crashed ? 0.5 : 0.0);
     return gapS > LONGEST_GAP_S ? 0.0 : Math.max(0.0, score);
   }
 

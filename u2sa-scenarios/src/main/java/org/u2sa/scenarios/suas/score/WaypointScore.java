@@ -15,7 +15,7 @@ public final class WaypointScore {
   private WaypointScore() {}
 
   /** Score of each waypoint in the best ordered sequence, 0…1. */
-  public static List<Double> scores(List<Point> waypoints, List<Telemetry.Sample> track) {
+  public static List<Double> scores(List<Point> waypoints, List<ReportedTrack.Sample> track) {
     int count = track.size();
     double[] best = new double[count]; // sum of the waypoints so far, positions up to j
     int[][] chosen = new int[waypoints.size()][count];
@@ -39,7 +39,7 @@ public final class WaypointScore {
     return scores;
   }
 
-  private static double score(Point waypoint, Telemetry.Sample at) {
+  private static double score(Point waypoint, ReportedTrack.Sample at) {
     double distance = at.distanceM(waypoint.x(), waypoint.y(), waypoint.z());
     return Math.max(0.0, (WIDE_M - distance) / WIDE_M);
   }

@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Point;
 
 class SuasScoreTest {
-  private static Telemetry.Sample at(double time, double east) {
-    return new Telemetry.Sample(time, east, 0.0, 0.0);
+  private static ReportedTrack.Sample at(double time, double east) {
+    return new ReportedTrack.Sample(time, east, 0.0, 0.0);
   }
 
   @Test
   void interpolated_gapOfSixSeconds_isNotBridged() {
-    Telemetry telemetry = new Telemetry();
+    ReportedTrack telemetry = new ReportedTrack();
     telemetry.add(at(0.0, 0.0));
     telemetry.add(at(1.0, 10.0));
     telemetry.add(at(1.5, 10.0)); // a duplicate
@@ -28,7 +28,7 @@ class SuasScoreTest {
 
   @Test
   void scores_waypointsPassedInTheWrongOrder_onlyOneCounts() {
-    List<Telemetry.Sample> track = List.of(at(0.0, 0.0), at(1.0, 100.0));
+    List<ReportedTrack.Sample> track = List.of(at(0.0, 0.0), at(1.0, 100.0));
     List<Point> wrong = List.of(Point.of(100.0, 0.0, 0.0), Point.ORIGIN);
     assertThat(WaypointScore.scores(wrong, track).stream().mapToDouble(each -> each).sum())
         .isEqualTo(1.0);
@@ -38,7 +38,7 @@ class SuasScoreTest {
   void scores_randomTracks_areTheBestOfAllSequences() {
     Random random = new Random(5);
     for (int run = 0; run < 200; run++) {
-      List<Telemetry.Sample> track = new ArrayList<>();
+      List<ReportedTrack.Sample> track = new ArrayList<>();
       for (int i = 0; i < 8; i++) {
         track.add(at(i, 60.0 * random.nextDouble()));
       }
@@ -46,15 +46,14 @@ class SuasScoreTest {
       for (int i = 0; i < 3; i++) {
         waypoints.add(Point.of(60.0 * random.nextDouble(), 0.0, 0.0));
       }
-      double sum =
-          WaypointScore.scores(waypoints, track).stream().mapToDouble(each -> each).sum();
+      double sum = WaypointScore.scores(waypoints, track).stream().mapToDouble(each -> each).sum();
       assertThat(sum).isCloseTo(best(waypoints, 0, track, 0), within(1e-9));
     }
   }
 
   /** Tries all ordered sequences. */
   private static double best(
-      List<Point> waypoints, int waypoint, List<Telemetry.Sample> track, int from) {
+      List<Point> waypoints, int waypoint, List<ReportedTrack.Sample> track, int from) {
     double best = 0.0;
     for (int j = from; waypoint < waypoints.size() && j < track.size(); j++) {
       double away = Math.abs(track.get(j).eastM() - waypoints.get(waypoint).x());
@@ -91,8 +90,7 @@ class SuasScoreTest {
 
   @Test
   void total_partsByHand_isTheirWeightedSum() {
-    ScoreSheet sheet =
-        new ScoreSheet(1.0, 0.9, 0.5, 1, 1, false, 9, 10, 0.5, 1.0, 0.0, 1.0);
+    ScoreSheet sheet = new ScoreSheet(1.0, 0.9, 0.5, 1, 1, false, 9, 10, 0.5, 1.0, 0.0, 1.0);
     // 0.1 + 0.2 · 0.7 + 0.1 · 0.729 + 0.2 · 0.5 + 0.1 + 0 + 0.1
     assertThat(sheet.total()).isCloseTo(0.6129, within(1e-9));
     assertThat(new ScoreSheet(1, 1, 1.5, 0, 0, false, 0, 0, 0, 0, 0, 0).flight()).isZero();

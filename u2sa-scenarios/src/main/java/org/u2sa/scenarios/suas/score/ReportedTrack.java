@@ -7,7 +7,7 @@ import java.util.List;
  * The aircraft's positions as reported to the judges, at 0.1 s: duplicates dropped, gaps of more
  * than 5 s not bridged.
  */
-public final class Telemetry {
+public final class ReportedTrack {
   private static final double STEP_S = 0.1;
   private static final double GAP_S = 5.0;
 
@@ -30,7 +30,7 @@ public final class Telemetry {
 
   private final List<Sample> reports = new ArrayList<>();
 
-  /** Adds a report, unless its position is that of the one before. */
+  /** Adds a report, unless its position is that of the previous one. */
   public void add(Sample report) {
     if (!reports.isEmpty()) {
       Sample last = reports.get(reports.size() - 1);

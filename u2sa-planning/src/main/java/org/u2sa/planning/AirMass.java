@@ -1,4 +1,4 @@
-package org.u2sa.planning.flight;
+package org.u2sa.planning;
 
 import java.util.Optional;
 import org.u2sa.messages.StateInformation;

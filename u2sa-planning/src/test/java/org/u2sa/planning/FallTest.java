@@ -1,4 +1,4 @@
-package org.u2sa.planning.flight;
+package org.u2sa.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

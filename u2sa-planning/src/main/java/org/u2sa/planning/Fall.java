@@ -1,4 +1,4 @@
-package org.u2sa.planning.flight;
+package org.u2sa.planning;
 
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Gravity;

@@ -1,4 +1,4 @@
-package org.u2sa.planning.flight;
+package org.u2sa.planning;
 
 import java.util.List;
 import java.util.Locale;
@@ -10,9 +10,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.PayloadDrop;
-import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerState;
-import org.u2sa.planning.Pursuit;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;

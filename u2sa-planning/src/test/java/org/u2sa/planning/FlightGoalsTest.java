@@ -1,4 +1,4 @@
-package org.u2sa.planning.flight;
+package org.u2sa.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -19,7 +19,6 @@ import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
-import org.u2sa.planning.PathPlanner;
 import org.u2sa.testkit.ServiceKit;
 
 /**

@@ -1,4 +1,4 @@
-package org.u2sa.planning.flight;
+package org.u2sa.planning;
 
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;

@@ -1,0 +1,45 @@
+package org.u2sa.gcs.mavlink.plan;
+
+import io.dronefleet.mavlink.common.MavMissionResult;
+import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.common.MavSeverity;
+import io.dronefleet.mavlink.common.MissionAck;
+import io.dronefleet.mavlink.util.EnumValue;
+import org.u2sa.gcs.mavlink.station.GroundStation;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
+
+/** Acknowledgements to one station, with reasons as texts. */
+record MissionAnswers(GroundStation station) {
+  static final int MISSION = MavMissionType.MAV_MISSION_TYPE_MISSION.ordinal();
+
+  /**
+   * @param type MAV_MISSION_TYPE
+   */
+  void acknowledge(MavMissionResult result, int type, Sender to) {
+    station.send(
+        MissionAck.builder()
+            .targetSystem(to.system())
+            .targetComponent(to.component())
+            .type(result)
+            .missionType(EnumValue.create(MavMissionType.class, type))
+            .build());
+  }
+
+  void refuse(MavMissionResult result, String why, int type, Sender to) {
+    station.text(MavSeverity.MAV_SEVERITY_ERROR, why);
+    acknowledge(result, type, to);
+  }
+
+  void warn(String text) {
+    station.text(MavSeverity.MAV_SEVERITY_WARNING, text);
+  }
+
+  /** Refuses fences and rally points by name. */
+  void refuseType(int type, Sender to) {
+    warn(
+        type == MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal()
+            ? "fence: the vehicle reads it from the file of FENCE of the SafetyManager"
+            : "rally points: the vehicle has none; it returns to its home");
+    acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, type, to);
+  }
+}

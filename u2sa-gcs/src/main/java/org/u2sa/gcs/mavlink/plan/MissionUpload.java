@@ -1,0 +1,112 @@
+package org.u2sa.gcs.mavlink.plan;
+
+import io.dronefleet.mavlink.common.MavMissionResult;
+import io.dronefleet.mavlink.common.MavMissionType;
+import io.dronefleet.mavlink.common.MissionItemInt;
+import io.dronefleet.mavlink.common.MissionRequestInt;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
+
+/** Fetches the items of an upload one by one. */
+final class MissionUpload {
+  /** Receives all items of an upload. */
+  @FunctionalInterface
+  interface Complete {
+    void take(List<MissionItem> items, Sender from);
+  }
+
+  private static final int MAX_ITEMS = 1000;
+  private static final long RETRY_MICROS = 700_000;
+  private static final int MAX_RETRIES = 25;
+
+  /** An upload under way. */
+  private static final class Incoming {
+    private final Sender from;
+    private final int count;
+    private final List<MissionItem> items = new ArrayList<>();
+    private long askedMicros;
+    private int retries;
+
+    Incoming(Sender from, int count) {
+      this.from = from;
+      this.count = count;
+    }
+  }
+
+  private final MissionAnswers answers;
+  private final Complete complete;
+  private Optional<Incoming> incoming = Optional.empty();
+  private long nowMicros;
+
+  MissionUpload(MissionAnswers answers, Complete complete) {
+    this.answers = answers;
+    this.complete = complete;
+  }
+
+  /**
+   * @param count number of items announced, at least one
+   */
+  void begin(int count, Sender from) {
+    if (incoming.filter(other -> !other.from.equals(from)).isPresent()) {
+      answers.acknowledge(MavMissionResult.MAV_MISSION_ERROR, MissionAnswers.MISSION, from);
+    } else if (count > MAX_ITEMS) {
+      answers.refuse(
+          MavMissionResult.MAV_MISSION_NO_SPACE,
+          "mission of " + count + " items: expected at most " + MAX_ITEMS,
+          MissionAnswers.MISSION,
+          from);
+    } else {
+      incoming = Optional.of(new Incoming(from, count));
+      ask(incoming.get());
+    }
+  }
+
+  private void ask(Incoming upload) {
+    upload.askedMicros = nowMicros;
+    answers
+        .station()
+        .send(
+            MissionRequestInt.builder()
+                .targetSystem(upload.from.system())
+                .targetComponent(upload.from.component())
+                .seq(upload.items.size())
+                .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
+                .build());
+  }
+
+  void take(MissionItemInt item, Sender from) {
+    if (incoming.isEmpty() || !incoming.get().from.equals(from)) {
+      return; // a repetition after the acknowledgement, or nobody asked
+    }
+    Incoming upload = incoming.get();
+    if (item.seq() != upload.items.size()) {
+      return; // a repetition: the item asked for is on its way, or is asked for again
+    }
+    upload.items.add(MissionItem.of(item));
+    upload.retries = 0;
+    if (upload.items.size() < upload.count) {
+      ask(upload);
+    } else {
+      incoming = Optional.empty();
+      complete.take(upload.items, from);
+    }
+  }
+
+  /** Asks again for what did not arrive. */
+  void step(long micros) {
+    nowMicros = micros;
+    if (incoming.isEmpty() || micros - incoming.get().askedMicros < RETRY_MICROS) {
+      return;
+    }
+    Incoming upload = incoming.get();
+    if (upload.retries++ < MAX_RETRIES) {
+      ask(upload);
+    } else {
+      incoming = Optional.empty();
+      answers.acknowledge(
+          MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, MissionAnswers.MISSION, upload.from);
+    }
+  }
+}

@@ -1,0 +1,55 @@
+package org.u2sa.gcs.mavlink.vehicle;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.concurrent.atomic.AtomicLong;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ConfigurationRequest;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.schema.U2SAData;
+
+/** The newest configuration of each service of the vehicle. */
+public final class ServiceConfigurations {
+  private static final int MAX_SERVICES = 256;
+
+  private final Map<String, ConfigurationResponse> byService = new ConcurrentSkipListMap<>();
+  private final AtomicLong changes = new AtomicLong();
+  private final Set<String> changed = ConcurrentHashMap.newKeySet(); // services to ask again
+
+  ServiceConfigurations() {}
+
+  /** Takes a message, on any thread; others than of configurations do nothing. */
+  void take(U2SAData message) {
+    if (message instanceof ConfigurationResponse response) {
+      boolean known = byService.containsKey(response.serviceName());
+      if (known || byService.size() < MAX_SERVICES) {
+        byService.put(response.serviceName(), response);
+        changes.incrementAndGet();
+      }
+    } else if (message instanceof ConfigurationTransactionResult result && result.accepted()) {
+      changed.add(result.serviceName());
+    }
+  }
+
+  /** Asks the services whose configuration has changed. */
+  void refresh(VehicleOrders orders) {
+    for (String service : List.copyOf(changed)) {
+      changed.remove(service);
+      orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(service));
+    }
+  }
+
+  /** Configurations by service. */
+  public Map<String, ConfigurationResponse> byService() {
+    return byService;
+  }
+
+  /** Number of configurations heard; a change means that one may have changed. */
+  public long changes() {
+    return changes.get();
+  }
+}
