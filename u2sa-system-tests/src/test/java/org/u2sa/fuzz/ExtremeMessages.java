@@ -14,6 +14,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
+import org.u2sa.messages.shape.CoverageLedger;
 
 /**
  * A message of every type at the bounds of its schema: all that a reader lets through, however odd.
@@ -41,6 +42,7 @@ final class ExtremeMessages {
   private static final double POLE_DEG = 90.0;
   private static final long LAST_MICROS = Long.MAX_VALUE / 1_000;
   private static final int GRID_SIDE = 300;
+  private static final int LEDGER_SIDE = 100;
 
   private final String serviceName;
 
@@ -82,6 +84,11 @@ final class ExtremeMessages {
       grid.cells(side, new byte[side * side]);
     } else if (message instanceof CameraImage image) {
       image.size(extreme == Extreme.LARGE ? 65_535 : 1, extreme == Extreme.LARGE ? 65_535 : 1);
+    }
+    if (message instanceof CoverageLedger ledger) {
+      int side = extreme == Extreme.LONG ? LEDGER_SIDE : extreme == Extreme.EMPTY ? 1 : 3;
+      byte[] cells = new byte[side * side];
+      ledger.cells(ledger.corner(), ledger.cell(), side, cells, cells, new byte[2 * cells.length]);
     }
     return message;
   }
