@@ -5,7 +5,7 @@ import zipfile
 
 from .programs import Refused
 
-SERVICES = "META-INF/services/"
+SERVICES = ("META-INF/services/", "META-INF/u2sa/services")  # lists, of which every jar may have its own
 # Of these the first of the class path counts, as on a desktop: each library asks for its own, and shows it at most.
 FIRST_COUNTS = ("version.properties",)
 TIME = (1980, 1, 1, 0, 0, 0)  # of every entry: the same input gives the same bytes
@@ -20,7 +20,7 @@ LICENCE = re.compile(r"(META-INF/)?(.*/)?([^/]*(LICEN[CS]E|NOTICE|COPYING|COPYRI
 
 
 def of_libraries(jars):
-    """Entries by path from jars: name in the application → bytes. Services of one name are joined; licences go to assets."""
+    """Entries by path from jars: name in the application → bytes. Lists of services of one name are joined; licences go to assets."""
     entries = {}
     owners = {}
     services = {}
@@ -47,7 +47,7 @@ def of_libraries(jars):
 
 
 def providers(content):
-    """The classes that a file of java.util.ServiceLoader names."""
+    """The lines of a list of services, such as a file of java.util.ServiceLoader, without comments."""
     lines = (line.split("#")[0].strip() for line in content.decode("utf-8").splitlines())
     return [line for line in lines if line]
 
