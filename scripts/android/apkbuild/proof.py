@@ -76,12 +76,13 @@ def python_with_enjarify():
 
 
 def check_services(apk, jar):
-    """Refuses names of java.util.ServiceLoader without a class."""
+    """Refuses lists of services with a name without a class."""
     with zipfile.ZipFile(apk) as resources, zipfile.ZipFile(jar) as classes:
         there = set(classes.namelist())
         for name in resources.namelist():
             if name.startswith(contents.SERVICES):
-                for provider in contents.providers(resources.read(name)):
+                for line in contents.providers(resources.read(name)):
+                    provider = line.split()[-1]  # in a list for swaps, after the role
                     if provider.replace(".", "/") + ".class" not in there:
                         raise Refused(f"{name} names {provider}, which is no class of the application", 1)
 
