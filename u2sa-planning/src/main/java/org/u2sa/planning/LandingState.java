@@ -24,7 +24,7 @@ final class LandingState implements PlannerState {
   interface Descent {
     void begin(Landing goal, StateInformation state, Vehicle vehicle);
 
-    Plan plan(Landing goal, Vehicle vehicle);
+    Plan plan(Landing goal, StateInformation state, Vehicle vehicle);
   }
 
   private final Supplier<LineSettings> lines;
@@ -33,10 +33,13 @@ final class LandingState implements PlannerState {
   private long sinceMicros = Long.MIN_VALUE; // it stands
 
   LandingState(
-      Supplier<LineSettings> lines, Supplier<Double> loiter, Supplier<FlightVariables> settings) {
+      Detour detour,
+      Supplier<LineSettings> lines,
+      Supplier<Double> loiter,
+      Supplier<FlightVariables> settings) {
     this.lines = lines;
-    straight = new StraightApproach(lines, loiter, settings);
-    vertical = new VerticalDescent(lines, settings);
+    straight = new StraightApproach(detour, lines, loiter, settings);
+    vertical = new VerticalDescent(detour, lines, settings);
   }
 
   @Override
@@ -65,7 +68,7 @@ final class LandingState implements PlannerState {
   public Plan plan(Pursuit pursuit) {
     Landing goal = (Landing) pursuit.goal();
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
-    Plan plan = descent().plan(goal, vehicle);
+    Plan plan = descent().plan(goal, pursuit.state(), vehicle);
     boolean isLow = vehicle.nedOf(Place.of(goal)).z() < LOW_M;
     double climbMps = pursuit.state().zDot().orElse(0.0);
     if (!isLow || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {

@@ -85,6 +85,7 @@ public class PathPlanner extends EventDrivenService {
             this::say,
             this::remark);
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
+    Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     states =
         new PlannerStates(
@@ -95,8 +96,9 @@ public class PathPlanner extends EventDrivenService {
                 new SearchAreaState(
                     avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines),
                 new TakeOffState(this::lines, flight),
-                new LandingState(this::lines, () -> settings.get().loiterRadius(), flight),
-                new PayloadDropState(this::lines, flight)));
+                new LandingState(
+                    detour, this::lines, () -> settings.get().loiterRadius(), flight),
+                new PayloadDropState(detour, this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);
     registerPublisher(Channels.NAVIGATION);

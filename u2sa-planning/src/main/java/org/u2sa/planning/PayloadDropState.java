@@ -3,6 +3,7 @@ package org.u2sa.planning;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -10,6 +11,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
@@ -25,6 +27,7 @@ final class PayloadDropState implements PlannerState {
   private static final double HOVERS_MPS = 0.5;
   private static final double HOVER_SHARE = 0.5; // of the threshold, before a hovering release
 
+  private final Detour detour;
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;
   private final LineGuidance guidance;
@@ -34,7 +37,9 @@ final class PayloadDropState implements PlannerState {
   private long releasedMicros;
   private String remark = "";
 
-  PayloadDropState(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+  PayloadDropState(
+      Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+    this.detour = detour;
     this.lines = lines;
     this.settings = settings;
     guidance = new LineGuidance(lines);
@@ -60,6 +65,12 @@ final class PayloadDropState implements PlannerState {
   }
 
   private void approach() {
+    detour.begin();
+    straighten();
+  }
+
+  /** Begins the straight way to the release. */
+  private void straighten() {
     guidance.begin(Optional.empty());
     beforeM = Double.NEGATIVE_INFINITY;
   }
@@ -85,6 +96,22 @@ final class PayloadDropState implements PlannerState {
     double flyAtM = goal.height().isPresent() ? upM + goal.height().getAsDouble() : altitudeM;
     Point aside = hovers ? impact : sideways(impact, course);
     Place aim = place.moved(-aside.x(), -aside.y()).at(flyAtM);
+    Optional<Plan> around =
+        releasedMicros == Long.MIN_VALUE
+            ? detour.ifHindered(
+                vehicle,
+                pursuit.state(),
+                new Avoidance.Wanted(
+                    goal.uid(),
+                    aim,
+                    goal.horizontalThreshold(),
+                    OptionalDouble.empty(),
+                    goal.speed()))
+            : Optional.empty();
+    if (around.isPresent()) {
+      straighten();
+      return around.get();
+    }
     NavigationPoint point =
         NavigationPoint.at(guidance.towards(vehicle, aim, 1.0, Optional.empty()));
     goal.speed().ifPresent(point::speed);

@@ -3,11 +3,13 @@ package org.u2sa.planning;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
@@ -16,15 +18,17 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
 /**
- * Landing of an aeroplane: to a place on the extended centreline, circling there down or up to the
- * altitude of the approach, level along the line, then down the slope and along the runway. Control
- * flares. An approach that is off at the start of the descent is flown again.
+ * Landing of an aeroplane: to a place on the extended centreline, around obstacles if the planner
+ * avoids them, circling there down or up to the altitude of the approach, level along the line,
+ * then down the slope and along the runway. Control flares. An approach that is off at the start of
+ * the descent is flown again.
  */
 final class StraightApproach implements LandingState.Descent {
   private static final double LEAD_RADII = 3.0; // of turns downwind, to settle on the line
   private static final double ROLL_OUT_M = 500.0; // line behind the position
   private static final double PASSED_M = 50.0; // beyond the position …
   private static final double HIGH_M = 10.0; // … so high, control refuses to land
+  private static final double ALONG_RAD = Math.toRadians(30.0); // course on the line, at most off
   private static final int ATTEMPTS = 3;
 
   private enum Phase {
@@ -38,6 +42,7 @@ final class StraightApproach implements LandingState.Descent {
     DOWN
   }
 
+  private final Detour detour;
   private final Supplier<LineSettings> lines;
   private final Supplier<Double> loiterRadiusM;
   private final Supplier<FlightVariables> settings;
@@ -49,7 +54,11 @@ final class StraightApproach implements LandingState.Descent {
   private Optional<LoiterCircle> circle = Optional.empty();
 
   StraightApproach(
-      Supplier<LineSettings> lines, Supplier<Double> loiter, Supplier<FlightVariables> settings) {
+      Detour detour,
+      Supplier<LineSettings> lines,
+      Supplier<Double> loiter,
+      Supplier<FlightVariables> settings) {
+    this.detour = detour;
     this.lines = lines;
     loiterRadiusM = loiter;
     this.settings = settings;
@@ -83,10 +92,11 @@ final class StraightApproach implements LandingState.Descent {
     phase = Phase.JOIN;
     circle = Optional.empty();
     guidance.begin(Optional.empty());
+    detour.begin();
   }
 
   @Override
-  public Plan plan(Landing goal, Vehicle vehicle) {
+  public Plan plan(Landing goal, StateInformation state, Vehicle vehicle) {
     Place place = Place.of(goal);
     double lengthM = goal.approach().orElse(settings.get().approachLength());
     double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
@@ -97,6 +107,9 @@ final class StraightApproach implements LandingState.Descent {
     double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
     Point toEntry = vehicle.nedOf(entry);
     proceed(vehicle, entry, toEntry);
+    if (phase == Phase.JOIN && detour.isPossible()) {
+      return around(goal, state, vehicle, entry);
+    }
     if (phase == Phase.JOIN) {
       return underWay(
           guidance.towards(vehicle, entry, settings.get().approachAccuracy(), Optional.of(end)));
@@ -124,6 +137,19 @@ final class StraightApproach implements LandingState.Descent {
     return Plan.underWay(List.of(point));
   }
 
+  /** To the entry, in the direction of the line. */
+  private Plan around(Landing goal, StateInformation state, Vehicle vehicle, Place entry) {
+    return detour.step(
+        vehicle,
+        state,
+        new Avoidance.Wanted(
+            goal.uid(),
+            entry,
+            settings.get().approachAccuracy(),
+            OptionalDouble.of(courseRad),
+            OptionalDouble.empty()));
+  }
+
   /** A place on the centreline, a distance behind the position. */
   private Place onLine(Place place, double behindM) {
     return place.moved(behindM * Math.cos(courseRad), behindM * Math.sin(courseRad));
@@ -133,8 +159,10 @@ final class StraightApproach implements LandingState.Descent {
   private void proceed(Vehicle vehicle, Place entry, Point toEntry) {
     double accuracyM = settings.get().approachAccuracy();
     boolean isThere =
-        guidance.isApproaching() && guidance.hasPassed()
-            || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
+        detour.isPossible()
+            ? isOnLine(vehicle, toEntry)
+            : guidance.isApproaching() && guidance.hasPassed()
+                || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
     boolean isLevel = Math.abs(toEntry.z()) < accuracyM / 2.0;
     if (phase == Phase.JOIN && isThere && !isLevel && loiterRadiusM.get() > 0.0) {
       phase = Phase.CIRCLE;
@@ -145,6 +173,15 @@ final class StraightApproach implements LandingState.Descent {
     } else if (phase == Phase.CIRCLE && isLevel) {
       join();
     }
+  }
+
+  /** Whether the vehicle flies along the line, at the entry or beyond it. */
+  private boolean isOnLine(Vehicle vehicle, Point toEntry) {
+    double toGoM = toEntry.x() * Math.cos(courseRad) + toEntry.y() * Math.sin(courseRad);
+    double acrossM = toEntry.x() * Math.sin(courseRad) - toEntry.y() * Math.cos(courseRad);
+    double turn = Math.IEEEremainder(vehicle.courseRad() - courseRad, 2.0 * Math.PI);
+    double accuracyM = settings.get().approachAccuracy();
+    return toGoM < accuracyM && Math.abs(acrossM) < accuracyM && Math.abs(turn) < ALONG_RAD;
   }
 
   private Plan again(double acrossM, double aboveM, Point body) {

@@ -2,11 +2,13 @@ package org.u2sa.planning;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
@@ -16,12 +18,15 @@ import org.u2sa.planning.guidance.Vehicle;
 final class VerticalDescent implements LandingState.Descent {
   private static final double SLOW_BELOW_M = 4.0; // above the ground as the goal has it
 
+  private final Detour detour;
   private final Supplier<FlightVariables> settings;
   private final LineGuidance guidance;
   private boolean above;
   private double altitudeM; // of the way there
 
-  VerticalDescent(Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+  VerticalDescent(
+      Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+    this.detour = detour;
     this.settings = settings;
     guidance = new LineGuidance(lines);
   }
@@ -29,19 +34,33 @@ final class VerticalDescent implements LandingState.Descent {
   @Override
   public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
     guidance.begin(Optional.empty());
+    detour.begin();
     above = false;
     altitudeM = vehicle.place().upM().orElse(0.0);
   }
 
   @Override
-  public Plan plan(Landing goal, Vehicle vehicle) {
+  public Plan plan(Landing goal, StateInformation state, Vehicle vehicle) {
     Place place = Place.of(goal);
     Point to = vehicle.nedOf(place);
     above |= Math.hypot(to.x(), to.y()) <= goal.horizontalThreshold();
     if (!above) {
+      Place over = place.at(altitudeM);
+      Optional<Plan> around =
+          detour.ifHindered(
+              vehicle,
+              state,
+              new Avoidance.Wanted(
+                  goal.uid(),
+                  over,
+                  goal.horizontalThreshold(),
+                  OptionalDouble.empty(),
+                  goal.speed()));
+      if (around.isPresent()) {
+        return around.get();
+      }
       Point body =
-          guidance.towards(
-              vehicle, place.at(altitudeM), goal.horizontalThreshold(), Optional.empty());
+          guidance.towards(vehicle, over, goal.horizontalThreshold(), Optional.empty());
       NavigationPoint point = NavigationPoint.at(body);
       goal.speed().ifPresent(point::speed);
       return Plan.underWay(List.of(point));

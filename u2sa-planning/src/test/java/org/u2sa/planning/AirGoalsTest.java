@@ -3,6 +3,7 @@ package org.u2sa.planning;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
@@ -17,7 +18,9 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.guidance.Leg;
 
 /** What an aircraft's planner makes of a waypoint's heading, time and threshold. */
@@ -156,5 +159,39 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(report.completed()).isFalse();
     assertThat(report.reason().orElseThrow()).contains("no nearer to the goal for");
     assertThat(given).isBetween(250.0, 599.0); // 4 times 3 to 6 km at 46 m/s, and 20 s
+  }
+
+  /** The tower stands where the aircraft would turn onto the line of its approach. */
+  @Test
+  void landing_towerBesideTheEntry_isNotTouchedOnTheWayToTheLine() {
+    double towerNorth = -2790.0;
+    double towerEast = -370.0;
+    Sphere tower = new Sphere().radius(150.0);
+    tower.uid("tower").objectType("tower").referenceFrame(ReferenceFrame.LOCAL_NED);
+    tower.x(towerNorth).y(towerEast).z(-500.0);
+    start("AIR");
+    Waypoint landing = new Landing().approach(1000.0).slope(0.5);
+    landing.uid("1").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goals(landing.x(0.0).y(0.0).z(0.0).psi(0.0).horizontalThreshold(30.0));
+    aircraft.north = 2000.0;
+    aircraft.east = 800.0;
+    aircraft.heading = Math.PI;
+    double nearestM = Double.POSITIVE_INFINITY;
+    boolean descends = false;
+    while (kit.nowS() < 300.0 && !descends) {
+      kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(tower)));
+      kit.publish(Channels.STATE, aircraft.state());
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      nearestM =
+          Math.min(nearestM, Math.hypot(aircraft.north - towerNorth, aircraft.east - towerEast));
+      boolean goesNorth = Math.cos(aircraft.heading) > 0.0;
+      descends = goesNorth && Math.abs(aircraft.east) < 300.0 && aircraft.north > -1000.0;
+    }
+
+    assertThat(descends).isTrue();
+    assertThat(nearestM).isGreaterThan(150.0);
+    assertThat(Math.abs(aircraft.east)).isLessThan(50.0);
+    assertThat(Math.abs(Math.toDegrees(Leg.wrapped(aircraft.heading)))).isLessThan(10.0);
   }
 }

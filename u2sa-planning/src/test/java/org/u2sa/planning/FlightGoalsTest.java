@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
@@ -19,6 +21,7 @@ import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.Sphere;
 import org.u2sa.testkit.ServiceKit;
 
 /**
@@ -33,6 +36,8 @@ class FlightGoalsTest {
   private Point wind = Point.ORIGIN;
   private double heading;
   private boolean released;
+  private Optional<Sphere> tower = Optional.empty();
+  private double nearestM = Double.POSITIVE_INFINITY; // to the middle of the tower
 
   private void pursue(Waypoint goal) {
     goal.uid("G").referenceFrame(ReferenceFrame.LOCAL_NED);
@@ -45,6 +50,16 @@ class FlightGoalsTest {
     kit.with("LOOK AHEAD", 50.0);
     kit.with("LOITER RADIUS", 100.0);
     kit.start(PathPlanner::new);
+  }
+
+  /** A route planner, and something that reaches from the ground to the sky. */
+  private void tower(String planner, double north, double radiusM) {
+    kit.with("PLANNER", planner).with("CLEARANCE", 2.0).with("PLANNING SPAN", 400.0);
+    kit.with("VEHICLE WIDTH", 2.0).with("PLANNING CELL", 1.0).with("VERTICAL CLEARANCE", 500.0);
+    Sphere body = new Sphere().radius(radiusM);
+    body.uid("tower").objectType("tower").referenceFrame(ReferenceFrame.LOCAL_NED);
+    body.x(north).y(1.0).z(0.0);
+    tower = Optional.of(body);
   }
 
   /** One state and the answer to it, north, east, down of the vehicle. */
@@ -67,6 +82,7 @@ class FlightGoalsTest {
             .fluidyDot(through.y())
             .fluidzDot(through.z());
     state.timestamp(kit.clock().micros());
+    tower.ifPresent(this::passBy);
     kit.publish(Channels.STATE, state);
     Point to = Point.ORIGIN;
     for (NavigationPoint point : kit.<NavigationPoint>published(Channels.NAVIGATION)) {
@@ -91,6 +107,11 @@ class FlightGoalsTest {
     }
     ned = ned.plus(velocity.times(STEP_S));
     return to;
+  }
+
+  private void passBy(Sphere obstacle) {
+    nearestM = Math.min(nearestM, Math.hypot(ned.x() - obstacle.x(), ned.y() - obstacle.y()));
+    kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(obstacle)));
   }
 
   private List<GoalInformation> reports() {
@@ -201,5 +222,35 @@ class FlightGoalsTest {
     assertThat(reports()).isNotEmpty();
     assertThat(reports().get(0).completed()).isTrue();
     assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(1.1);
+  }
+
+  @Test
+  void landing_towerBeforeTheMultirotor_isFlownAround() {
+    tower("GRID", 60.0, 10.0);
+    kit.start(PathPlanner::new);
+    ned = Point.of(120.0, 0.0, -20.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    for (int i = 0; i < 2000 && ned.z() < -1.0; i++) {
+      step(5.0);
+    }
+
+    assertThat(nearestM).isGreaterThan(10.0);
+    assertThat(ned.z()).isGreaterThan(-1.0);
+  }
+
+  @Test
+  void payloadDrop_towerOnTheWay_isFlownAroundBeforeTheRelease() {
+    tower("AIR", -500.0, 20.0);
+    kit.with("PLANNED SPEED", 20.0).with("MIN SPEED", 15.0).with("MAX SPEED", 25.0);
+    plane();
+    ned = Point.of(-900.0, 0.0, -40.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new PayloadDrop().payload("BOTTLE").height(40.0).z(0.0).x(0.0).y(0.0));
+    for (int i = 0; i < 2000 && !released; i++) {
+      step(20.0);
+    }
+
+    assertThat(nearestM).isGreaterThan(20.0);
+    assertThat(released).isTrue();
   }
 }

@@ -1,0 +1,51 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Optional;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.guidance.Vehicle;
+
+/**
+ * The way around obstacles and traffic for states that otherwise follow lines. Without a route
+ * planner there is none.
+ */
+final class Detour {
+  private final Avoidance avoidance;
+  private boolean isTaken;
+
+  Detour(Avoidance avoidance) {
+    this.avoidance = avoidance;
+  }
+
+  void begin() {
+    isTaken = false;
+    avoidance.begin();
+  }
+
+  /** Whether the planner avoids anything. */
+  boolean isPossible() {
+    return avoidance.isOn();
+  }
+
+  /** The next step around what is in the way; empty if the straight way is free. */
+  Optional<Plan> ifHindered(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+    boolean isHindered =
+        avoidance.isOn() && avoidance.isHindered(vehicle, state, wanted.target());
+    if (isHindered != isTaken) {
+      begin();
+      isTaken = isHindered;
+    }
+    return isHindered ? Optional.of(step(vehicle, state, wanted)) : Optional.empty();
+  }
+
+  /** The next step of the planned route; ends the pursuit if there is none. */
+  Plan step(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
+    Avoidance.Step step = avoidance.step(vehicle, state, wanted);
+    List<NavigationPoint> points = List.of(step.point(vehicle));
+    return step.givenUp()
+        .map(reason -> new Plan(points, Plan.Progress.ABANDONED, "given up: " + reason))
+        .orElseGet(() -> Plan.underWay(points));
+  }
+}
