@@ -13,6 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
@@ -24,6 +26,7 @@ import org.u2sa.messages.safety.EmergencyStop;
 @SuppressWarnings("deprecation") // stations still send these
 class StationCommandTest {
   private static final int ARM = 400;
+  private static final int TERMINATE = 185;
   private static final int REPOSITION = 192;
   private static final int PX4_LAND = 4 << 16 | 6 << 24;
 
@@ -131,11 +134,40 @@ class StationCommandTest {
     assertThat(kit.orders(MissionOrder.class).get(0).action()).isEqualTo(MissionAction.RESUME);
   }
 
+  private void confirm(EmergencyStop stop) {
+    HealthReport report = new HealthReport().serviceName("Control").status(ServiceStatus.RUNNING);
+    kit.says(report.emergencyStops(List.of(stop.identity())));
+    kit.advance(0.1);
+  }
+
   @Test
-  void terminate_stopsEverything() {
-    kit.command(185, 1);
+  void terminate_isAcknowledgedWhenAServiceReportsTheStop() {
+    kit.command(TERMINATE, 1);
+    EmergencyStop stop = kit.orders(EmergencyStop.class).get(0);
+    assertThat(stop.active()).isTrue();
+    assertThat(kit.received(CommandAck.class)).isEmpty();
+    confirm(new EmergencyStop().stopId("somebody else's"));
+    assertThat(kit.received(CommandAck.class)).isEmpty();
+    confirm(stop);
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
-    assertThat(kit.orders(EmergencyStop.class).get(0).active()).isTrue();
+  }
+
+  @Test
+  void terminate_vehicleSilent_isDenied() {
+    kit.command(TERMINATE, 1);
+    kit.advance(4.0);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains("may lack the role operator");
+  }
+
+  @Test
+  void terminate_again_isTheSameStop() {
+    kit.command(TERMINATE, 1);
+    EmergencyStop first = kit.orders(EmergencyStop.class).get(0);
+    confirm(first);
+    kit.command(TERMINATE, 1);
+    EmergencyStop second = kit.orders(EmergencyStop.class).get(0);
+    assertThat(second.identity()).isEqualTo(first.identity());
   }
 
   @Test

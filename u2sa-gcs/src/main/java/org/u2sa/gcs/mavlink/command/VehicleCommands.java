@@ -2,7 +2,6 @@ package org.u2sa.gcs.mavlink.command;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.UUID;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
@@ -11,10 +10,8 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
-import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
-import org.u2sa.messages.safety.EmergencyStop;
 
 /** Commands that change what the vehicle does. */
 public final class VehicleCommands {
@@ -108,17 +105,10 @@ public final class VehicleCommands {
 
   private void terminate(Command command, Answer answer) {
     if (command.param1() < 0.5f) {
-      answer.done(false, "an emergency stop is cleared by ./u2sa emergency-stop --clear only");
-      return;
+      answer.done(false, "an emergency stop is lifted by ./u2sa estop --clear only");
+    } else {
+      orders.stop("terminated by a ground station", answer);
     }
-    orders.tell(
-        Channels.EMERGENCY_STOP,
-        new EmergencyStop()
-            .active(true)
-            .operator(orders.operator())
-            .reason("terminated by a ground station")
-            .stopId(orders.operator() + " " + UUID.randomUUID()));
-    answer.done(true, "emergency stop sent");
   }
 
   private void takeOff(Command command, Answer answer) {

@@ -1,6 +1,7 @@
 package org.u2sa.gcs.mavlink.vehicle;
 
 import java.util.Iterator;
+import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.UUID;
@@ -11,10 +12,12 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -44,7 +47,14 @@ public final class VehicleOrders {
     void done(boolean accepted, String text);
   }
 
-  private record Pending(long deadlineMicros, boolean arms, Answer answer) {}
+  private enum Kind {
+    ARM,
+    DISARM,
+    STOP,
+    OTHER
+  }
+
+  private record Pending(long deadlineMicros, Kind kind, Answer answer) {}
 
   private record Result(String id, boolean accepted, String text) {}
 
@@ -55,6 +65,7 @@ public final class VehicleOrders {
   private final String operator;
   private final Map<String, Pending> pending = new ConcurrentHashMap<>();
   private final Queue<Result> results = new ConcurrentLinkedQueue<>();
+  private final String stopId; // one: stations repeat a stop until it is acknowledged
   private long nowMicros;
 
   /**
@@ -63,11 +74,7 @@ public final class VehicleOrders {
   public VehicleOrders(Publisher publisher, String operator) {
     this.publisher = publisher;
     this.operator = operator;
-  }
-
-  /** Name under which the orders are given. */
-  public String operator() {
-    return operator;
+    stopId = operator + " " + UUID.randomUUID();
   }
 
   /** Arms or disarms. */
@@ -75,22 +82,32 @@ public final class VehicleOrders {
     String id = UUID.randomUUID().toString();
     send(
         id,
-        arm,
+        arm ? Kind.ARM : Kind.DISARM,
         Channels.ARMING,
         new ArmCommand().requestId(id).arm(arm).operator(operator),
+        answer);
+  }
+
+  /** Stops the vehicle; accepted once a service reports that the stop is in force there. */
+  public void stop(String reason, Answer answer) {
+    send(
+        UUID.randomUUID().toString(),
+        Kind.STOP,
+        Channels.EMERGENCY_STOP,
+        new EmergencyStop().active(true).operator(operator).reason(reason).stopId(stopId),
         answer);
   }
 
   /** Changes the mission. */
   public void mission(MissionOrder order, Answer answer) {
     String id = UUID.randomUUID().toString();
-    send(id, false, Channels.MISSION, order.requestId(id).operator(operator), answer);
+    send(id, Kind.OTHER, Channels.MISSION, order.requestId(id).operator(operator), answer);
   }
 
   /** Changes the configuration. */
   public void configure(ConfigurationTransaction change, Answer answer) {
     String id = UUID.randomUUID().toString();
-    send(id, false, Channels.CONFIGURATION, change.requestId(id).author(operator), answer);
+    send(id, Kind.OTHER, Channels.CONFIGURATION, change.requestId(id).author(operator), answer);
   }
 
   /** Publishes a message that is not answered. */
@@ -98,12 +115,12 @@ public final class VehicleOrders {
     publisher.publish(channel, message);
   }
 
-  private void send(String id, boolean arms, Channel<?> channel, U2SAData order, Answer answer) {
-    if (pending.size() >= MAX_PENDING) {
+  private void send(String id, Kind kind, Channel<?> channel, U2SAData order, Answer answer) {
+    if (pending.size() >= MAX_PENDING && kind != Kind.STOP) {
       answer.done(false, "too many orders at once");
       return;
     }
-    pending.put(id, new Pending(nowMicros + ANSWER_WITHIN_MICROS, arms, answer));
+    pending.put(id, new Pending(nowMicros + ANSWER_WITHIN_MICROS, kind, answer));
     try {
       publisher.publish(channel, order);
     } catch (CommunicationException e) {
@@ -121,8 +138,18 @@ public final class VehicleOrders {
       String id = state.requestId().get();
       Pending asked = pending.get(id);
       if (asked != null) {
-        answered(id, state.armed() == asked.arms(), String.join("; ", state.reasons()));
+        boolean isDone = state.armed() == (asked.kind() == Kind.ARM);
+        answered(id, isDone, String.join("; ", state.reasons()));
       }
+    } else if (message instanceof HealthReport report
+        && report.emergencyStops().orElse(List.of()).contains(stopId)) {
+      String by = "in force at " + report.serviceName();
+      pending.forEach(
+          (id, asked) -> {
+            if (asked.kind() == Kind.STOP) {
+              answered(id, true, by);
+            }
+          });
     }
   }
 

@@ -48,6 +48,7 @@ public final class VehicleStatus {
           Channels.ARMING_STATE,
           Channels.FAILSAFE,
           Channels.EMERGENCY_STOP,
+          Channels.HEALTH,
           Channels.POWER,
           Channels.NAVIGATION,
           Channels.CONFIGURATION,
