@@ -318,6 +318,7 @@ public final class RemoteSystem {
             id,
             new MessageCodec(MessageTypes.discovered()),
             BrokerAccess.of(user, passwordFile, !caFile.isEmpty(), caFile))
+        .ofTool()
         .waiting(timeoutS); // the broker may be restarting
   }
 

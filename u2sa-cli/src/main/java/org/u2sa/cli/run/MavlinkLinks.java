@@ -105,6 +105,7 @@ public final class MavlinkLinks {
                 systemId,
                 new MessageCodec(MessageTypes.discovered()),
                 BrokerAccess.of("", "", false, ""))
+            .ofTool()
             .waiting(TIMEOUT_S);
     MavlinkBridge bridge =
         new MavlinkBridge(

@@ -154,7 +154,7 @@ public final class CommunicationManager implements AutoCloseable {
               "rosbridge",
               new ClientBridge.Setting(
                   new InetSocketAddress(manager.bindAddress(), manager.rosbridgePort()),
-                  new MqttTransport(reached, bound.getPort(), systemId, codec),
+                  new MqttTransport(reached, bound.getPort(), systemId, codec).ofTool(),
                   security.directory(),
                   security.isOpen(),
                   log));

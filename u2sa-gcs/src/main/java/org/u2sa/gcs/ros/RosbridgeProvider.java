@@ -2,6 +2,7 @@ package org.u2sa.gcs.ros;
 
 import org.u2sa.core.communication.bridge.ClientBridge;
 import org.u2sa.core.communication.bridge.ClientBridgeProvider;
+import org.u2sa.interfaces.time.SystemClock;
 
 /** Finds the rosbridge server for the Communication Manager. */
 public final class RosbridgeProvider implements ClientBridgeProvider {
@@ -12,6 +13,6 @@ public final class RosbridgeProvider implements ClientBridgeProvider {
 
   @Override
   public ClientBridge start(ClientBridge.Setting setting) {
-    return new RosbridgeServer(setting);
+    return new RosbridgeServer(setting, new SystemClock());
   }
 }

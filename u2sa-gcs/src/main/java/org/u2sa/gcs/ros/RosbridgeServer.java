@@ -17,7 +17,6 @@ import org.u2sa.gcs.socket.WebSocketServer;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageTypes;
 
 /** Serves clients of the rosbridge protocol beside the embedded broker. */
@@ -34,13 +33,17 @@ final class RosbridgeServer implements ClientBridge {
   private final List<RosTopic> topics = RosTopic.all(frames);
   private final RosServices services = new RosServices(topics);
   private final MessageTypes messageTypes = MessageTypes.discovered();
-  private final Clock clock = new SystemClock();
+  private final Clock clock;
   private final Lock writing = new ReentrantLock(true);
   private final AtomicLong clients = new AtomicLong();
   private final WebSocketServer server;
 
-  RosbridgeServer(Setting setting) {
+  /**
+   * @param clock real time, for rates and throttling
+   */
+  RosbridgeServer(Setting setting, Clock clock) {
     this.setting = setting;
+    this.clock = clock;
     server =
         new WebSocketServer(
             new WebSocketServer.Offer(

@@ -38,6 +38,11 @@ final class RosClient implements WebSocket.Listener, AutoCloseable {
     socket.sendText(message.replace('\'', '"'), true).join();
   }
 
+  /** Sends more than the server takes: it may close before all has been sent. */
+  void flood(String message) {
+    socket.sendText(message.replace('\'', '"'), true).exceptionally(closed -> socket).join();
+  }
+
   void sendBytes(byte[] message) {
     socket.sendBinary(ByteBuffer.wrap(message), true).join();
   }

@@ -3,10 +3,12 @@ package org.u2sa.gcs.ros;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -18,18 +20,22 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.core.communication.CommunicationManager;
+import org.u2sa.core.communication.bridge.ClientBridge;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Connection;
 import org.u2sa.interfaces.communication.Receiver;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.interfaces.mqtt.MqttTransport;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.testkit.FreePort;
 
@@ -63,6 +69,18 @@ class RosbridgeServerTest {
                   throw new AssertionError(what);
                 }
               });
+
+  private static final class StoppedClock implements Clock {
+    @Override
+    public long micros() {
+      return 1_000_000L;
+    }
+
+    @Override
+    public Waiter newWaiter(String name) {
+      throw new IllegalStateException(name + " does not wait");
+    }
+  }
 
   @AfterEach
   void end() {
@@ -203,6 +221,15 @@ class RosbridgeServerTest {
     }
   }
 
+  /** The broker judges last wills when a client connects. */
+  @Test
+  void call_withoutALogIn_leavesTheBrokerNothingToComplainOf() throws Exception {
+    try (RosClient client = new RosClient(port)) {
+      client.call("/rosapi/get_param_names", "{}");
+    }
+    assertThat(log).noneMatch(line -> line.contains("refused"));
+  }
+
   @Test
   void publish_withoutALogIn_isRefusedWithTheReasonAndReachesNobody() throws Exception {
     vehicle.subscribe(Channels.EMERGENCY_STOP);
@@ -274,22 +301,35 @@ class RosbridgeServerTest {
         hostile.send("{'op':'subscribe','id':'s" + i + "','topic':'/clock'}");
       }
       assertThat(hostile.nextStatus()).containsAnyOf("256 subscriptions", "too many operations");
-      hostile.send("{'op':'" + "a".repeat(2 << 20) + "'}");
+      hostile.flood("{'op':'" + "a".repeat(2 << 20) + "'}");
       assertThat(hostile.isClosed()).isTrue();
       other.send("{'op':'subscribe','topic':'/clock'}");
       assertThat(firstAfterStates(other).get("msg").get("clock").get("sec").asLong()).isPositive();
     }
   }
 
-  /** The reason may be lost with the connection, of which the server leaves the rest unread. */
+  /**
+   * Without the passing of time the allowance is not refilled. The reason may be lost with the
+   * connection, of which the server leaves the rest unread.
+   */
   @Test
-  void take_aFlood_endsThatClient() throws Exception {
-    try (RosClient flood = new RosClient(port)) {
+  void take_moreThanItsAllowance_endsThatClient() throws Exception {
+    int other = FreePort.find();
+    ClientBridge.Setting setting =
+        new ClientBridge.Setting(
+            new InetSocketAddress("127.0.0.1", other),
+            new MqttTransport(
+                "127.0.0.1", brokerPort, "rover", new MessageCodec(StandardTypes.registry())),
+            Optional.empty(),
+            false,
+            log::add);
+    try (ClientBridge server = new RosbridgeServer(setting, new StoppedClock());
+        RosClient flood = new RosClient(other)) {
       String padding = " ".repeat(900_000);
-      for (int i = 0; i < 8; i++) {
-        flood.send("{'op':'set_level'" + padding + "}");
+      for (int i = 0; i < 6; i++) {
+        flood.flood("{'op':'set_level'" + padding + "}");
       }
-      assertThat(flood.isClosed()).isTrue();
+      assertThat(flood.isClosed()).as("by " + server).isTrue();
     }
   }
 

@@ -37,6 +37,7 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   private final IncomingMessages incoming;
   private final RetainedTopics retained;
   private final MqttSubscriptions subscriptions;
+  private final boolean isService; // whose loss the broker reports
   private final TopicNames topics;
   private final Map<String, Topic> parsed = new ConcurrentHashMap<>(); // cache of parsed topics
   private final MqttLink link;
@@ -49,7 +50,9 @@ final class MqttConnection implements Connection, MqttSession.Owner {
       String serviceName,
       MessageCodec codec,
       Receiver receiver,
-      MqttClient client) {
+      MqttClient client,
+      boolean isService) {
+    this.isService = isService && !systemId.equals(Topic.ANY_SYSTEM);
     this.address = address;
     this.systemId = systemId;
     this.serviceName = serviceName;
@@ -87,7 +90,7 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   }
 
   private MqttConnectOptions withWill(MqttConnectOptions options) {
-    if (!systemId.equals(Topic.ANY_SYSTEM)) {
+    if (isService) {
       ConnectionLost lost = new ConnectionLost();
       lost.serviceName(serviceName).status(ServiceStatus.FAILED).lastError("connection lost");
       lost.instance(instance).systemId(systemId);

@@ -17,6 +17,8 @@ import org.u2sa.messages.schema.MessageCodec;
  * @param systemId system whose messages are exchanged; {@link Topic#ANY_SYSTEM} receives from all
  *     systems on the broker and publishes only messages that name their system
  * @param patienceS time limit of the first connection [s]
+ * @param isService whether the broker reports a lost connection as the failure of a service, as its
+ *     last will
  */
 public record MqttTransport(
     String host,
@@ -25,7 +27,8 @@ public record MqttTransport(
     MessageCodec codec,
     BrokerAccess access,
     double patienceS,
-    MqttClient client)
+    MqttClient client,
+    boolean isService)
     implements Transport {
   /** A dead link is detected within twice this time here, within 1.5 times by the broker. */
   private static final int KEEP_ALIVE_S = 2;
@@ -56,7 +59,7 @@ public record MqttTransport(
   /** Creates a transport with one client per service. */
   public MqttTransport(
       String host, int port, String systemId, MessageCodec codec, BrokerAccess access) {
-    this(host, port, systemId, codec, access, 0.0, MqttClient.ofProcess());
+    this(host, port, systemId, codec, access, 0.0, MqttClient.ofProcess(), true);
   }
 
   /**
@@ -65,22 +68,28 @@ public record MqttTransport(
    * @param seconds time limit [s], at least 0
    */
   public MqttTransport waiting(double seconds) {
-    return new MqttTransport(host, port, systemId, codec, access, seconds, client);
+    return new MqttTransport(host, port, systemId, codec, access, seconds, client, isService);
   }
 
   /** Copy with another client implementation than the process default. */
   public MqttTransport by(MqttClient other) {
-    return new MqttTransport(host, port, systemId, codec, access, patienceS, other);
+    return new MqttTransport(host, port, systemId, codec, access, patienceS, other, isService);
   }
 
   /** Copy that logs in otherwise. */
   public MqttTransport as(BrokerAccess other) {
-    return new MqttTransport(host, port, systemId, codec, other, patienceS, client);
+    return new MqttTransport(host, port, systemId, codec, other, patienceS, client, isService);
   }
 
   /** Copy for another system on the same broker, or {@link Topic#ANY_SYSTEM}. */
   public MqttTransport ofSystem(String otherSystemId) {
-    return new MqttTransport(host, port, otherSystemId, codec, access, patienceS, client);
+    return new MqttTransport(
+        host, port, otherSystemId, codec, access, patienceS, client, isService);
+  }
+
+  /** Copy for a program that joins a system without being one of its services. */
+  public MqttTransport ofTool() {
+    return new MqttTransport(host, port, systemId, codec, access, patienceS, client, false);
   }
 
   @Override
@@ -92,7 +101,8 @@ public record MqttTransport(
             serviceName,
             codec,
             receiver,
-            client);
+            client,
+            isService);
     connection.open(this::options, patienceS, new SystemClock(), new Random());
     return connection;
   }

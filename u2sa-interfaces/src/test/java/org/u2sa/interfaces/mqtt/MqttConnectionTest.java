@@ -36,7 +36,8 @@ class MqttConnectionTest {
               troubles.add(what);
             }
           },
-          MqttClient.DIRECT);
+          MqttClient.DIRECT,
+          true);
 
   private void arrives(int topicLength) {
     connection.arrived(
