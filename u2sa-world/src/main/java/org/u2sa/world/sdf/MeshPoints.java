@@ -74,12 +74,18 @@ final class MeshPoints {
 
   /** Searched by hand: a pattern would go back and forth in a file that closes no tag. */
   private static void readCollada(String text, List<Point> points) throws IOException {
-    for (int at = text.indexOf(DAE_ARRAY); at >= 0; at = text.indexOf(DAE_ARRAY, at + 1)) {
-      String head = text.substring(at, Math.min(text.length(), at + LONGEST_TAG));
-      int tagEnd = head.indexOf('>');
-      if (tagEnd >= 0 && DAE_POSITION.matcher(head.substring(0, tagEnd)).find()) {
-        int end = text.indexOf('<', at + tagEnd);
-        readPositions(text.substring(at + tagEnd + 1, end < 0 ? text.length() : end), points);
+    int tagEnd = -1;
+    int next;
+    for (int at = text.indexOf(DAE_ARRAY); at >= 0; at = next) {
+      next = text.indexOf(DAE_ARRAY, at + 1);
+      tagEnd = tagEnd < at ? text.indexOf('>', at) : tagEnd;
+      if (tagEnd < 0) {
+        return;
+      }
+      boolean isTag = next < 0 || tagEnd < next;
+      if (isTag && tagEnd - at < LONGEST_TAG && DAE_POSITION.matcher(text.substring(at, tagEnd)).find()) {
+        int end = text.indexOf('<', tagEnd);
+        readPositions(text.substring(tagEnd + 1, end < 0 ? text.length() : end), points);
       }
     }
   }

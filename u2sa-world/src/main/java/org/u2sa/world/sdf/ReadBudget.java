@@ -11,7 +11,7 @@ import org.u2sa.interfaces.BadInputException;
  */
 final class ReadBudget {
   private static final long MAX_BYTES = 512L << 20;
-  private static final long MIN_COST = 16_384; // of opening a file, however short it is
+  private static final long MIN_COST = 65_536; // of opening a file, however short it is
 
   private long left = MAX_BYTES;
 
