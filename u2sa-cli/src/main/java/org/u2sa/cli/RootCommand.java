@@ -17,7 +17,7 @@ import picocli.CommandLine.Spec;
     synopsisHeading = "%n@|bold USAGE|@%n  ",
     customSynopsis = "u2sa [--debug] <command> [<options>]",
     header = {
-      "@|bold U2SA|@ - one architecture for unmanned vehicles; aircraft and ground vehicles run today.",
+      "@|bold U2SA|@ - one architecture for unmanned vehicles on the ground, on and under water, and in the air.",
     },
     description = {
       "",
