@@ -16,23 +16,23 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Geofence: a keep-in polygon, keep-out polygons and two altitude limits. Uses a local plane in
+ * Geofence: a keep-in polygon, keep-out polygons and two altitude limits, each optional. Uses a local plane in
  * metres east and north of the polygon's first corner, accurate enough for fences of some tens of
  * kilometres. Immutable.
  */
 final class Fence {
   private final Optional<Geodetic> origin; // empty on a local plane
-  private final Polygon keepIn;
+  private final Optional<Polygon> keepIn;
   private final List<Polygon> keepOuts;
   final OptionalDouble floorM;
   final OptionalDouble ceilingM;
-  private final Geometry border; // of the keep-in area
-  private final PreparedGeometry inside;
+  private final Optional<Geometry> border; // of the keep-in area
+  private final Optional<PreparedGeometry> inside;
   private final List<PreparedGeometry> outside;
 
   Fence(
       Optional<Geodetic> origin,
-      Polygon keepIn,
+      Optional<Polygon> keepIn,
       List<Polygon> keepOuts,
       OptionalDouble floorM,
       OptionalDouble ceilingM) {
@@ -41,8 +41,8 @@ final class Fence {
     this.keepOuts = List.copyOf(keepOuts);
     this.floorM = floorM;
     this.ceilingM = ceilingM;
-    border = keepIn.getBoundary();
-    inside = PreparedGeometryFactory.prepare(keepIn);
+    border = keepIn.map(Polygon::getBoundary);
+    inside = keepIn.map(PreparedGeometryFactory::prepare);
     outside =
         List.of(
             keepOuts.stream()
@@ -55,10 +55,7 @@ final class Fence {
     if (marginM == 0.0) {
       return this;
     }
-    if (!(keepIn.buffer(-marginM) instanceof Polygon smaller) || smaller.isEmpty()) {
-      throw new IllegalArgumentException(
-          "a margin of " + CauseText.metres(marginM) + " leaves no keep-in area in one piece");
-    }
+    Optional<Polygon> smaller = keepIn.map(area -> shrunk(area, marginM));
     List<Polygon> larger =
         List.of(
             keepOuts.stream().map(each -> (Polygon) each.buffer(marginM)).toArray(Polygon[]::new));
@@ -66,13 +63,21 @@ final class Fence {
         origin, smaller, larger, shifted(floorM, marginM), shifted(ceilingM, -marginM));
   }
 
+  private static Polygon shrunk(Polygon area, double marginM) {
+    if (!(area.buffer(-marginM) instanceof Polygon smaller) || smaller.isEmpty()) {
+      throw new IllegalArgumentException(
+          "a margin of " + CauseText.metres(marginM) + " leaves no keep-in area in one piece");
+    }
+    return smaller;
+  }
+
   private static OptionalDouble shifted(OptionalDouble altitude, double byM) {
     return altitude.isPresent() ? OptionalDouble.of(altitude.getAsDouble() + byM) : altitude;
   }
 
-  /** The corners of the keep-in area; empty on a local plane. */
+  /** The corners of the keep-in area; empty on a local plane, or if there is none. */
   List<Geodetic> corners() {
-    return corners(keepIn);
+    return keepIn.map(this::corners).orElse(List.of());
   }
 
   /** The corners of each keep-out area; without corners on a local plane. */
@@ -135,7 +140,8 @@ final class Fence {
 
   /** Whether an entire region is allowed, ignoring altitude. */
   boolean allows(Geometry region) {
-    return inside.covers(region) && outside.stream().noneMatch(each -> each.intersects(region));
+    return inside.map(area -> area.covers(region)).orElse(true)
+        && outside.stream().noneMatch(each -> each.intersects(region));
   }
 
   /** Whether a position is allowed, ignoring altitude. */
@@ -146,7 +152,8 @@ final class Fence {
   /** Distance from an allowed position to the nearest forbidden one [m]. */
   double clearanceM(Point place) {
     Geometry here = geometry(place);
-    double clearance = border.distance(here);
+    double clearance =
+        border.map(line -> line.distance(here)).orElse(Double.POSITIVE_INFINITY);
     for (Polygon keepOut : keepOuts) {
       clearance = Math.min(clearance, keepOut.distance(here));
     }

@@ -20,6 +20,8 @@ import org.u2sa.messages.frame.Point;
 final class FenceReader {
   private static final int MIN_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
+  private static final double INSIDE = 1.0; // corners on the circle
+  private static final double AROUND = 1.0 / Math.cos(Math.PI / CIRCLE_CORNERS); // edges on it
 
   private final GeometryFactory geometry = new GeometryFactory();
   private final boolean onEarth;
@@ -31,7 +33,11 @@ final class FenceReader {
 
   /** Reads a fence; errors name file, line, element, value and what was expected. */
   static Fence read(Path file) {
-    XmlElement root = XmlReader.read(file, "fence");
+    return read(XmlReader.read(file, "fence"));
+  }
+
+  /** {@link #read(Path)} of an element {@code <fence>}. */
+  static Fence read(XmlElement root) {
     root.refuseUnknownAttributes();
     root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
     return new FenceReader(isOnEarth(root)).fence(root);
@@ -47,14 +53,14 @@ final class FenceReader {
   }
 
   private Fence fence(XmlElement root) {
-    XmlElement keepIn =
-        root.child("keepIn")
-            .orElseThrow(() -> root.error("lacks <keepIn>; expected one, of 3 or more <corner>"));
-    Polygon inside = polygon(keepIn);
-    List<Polygon> outside = new ArrayList<>();
-    for (XmlElement keepOut : root.children("keepOut")) {
-      outside.add(keepOut.child("centre").isPresent() ? circle(keepOut) : polygon(keepOut));
+    Optional<XmlElement> keepIn = root.child("keepIn");
+    List<XmlElement> keepOuts = root.children("keepOut");
+    if (keepIn.isEmpty() && keepOuts.isEmpty()) {
+      throw root.error("lacks <keepIn>; expected one, or a <keepOut>");
     }
+    Optional<Polygon> inside = keepIn.map(area -> area(area, INSIDE));
+    List<Polygon> outside = new ArrayList<>();
+    keepOuts.forEach(area -> outside.add(area(area, AROUND)));
     OptionalDouble floor = altitude(root, "floor");
     OptionalDouble ceiling = altitude(root, "ceiling");
     if (floor.isPresent() && ceiling.isPresent() && floor.getAsDouble() >= ceiling.getAsDouble()) {
@@ -72,6 +78,13 @@ final class FenceReader {
     return element.isPresent()
         ? OptionalDouble.of(XmlNumbers.converted(element.get(), "m", "m"))
         : OptionalDouble.empty();
+  }
+
+  /**
+   * @param scale of a circle's radius to that of the corners
+   */
+  private Polygon area(XmlElement area, double scale) {
+    return area.child("centre").isPresent() ? circle(area, scale) : polygon(area);
   }
 
   private Polygon polygon(XmlElement area) {
@@ -96,7 +109,7 @@ final class FenceReader {
     return polygon;
   }
 
-  private Polygon circle(XmlElement area) {
+  private Polygon circle(XmlElement area, double scale) {
     area.refuseUnknownAttributes();
     area.refuseUnknownChildren("centre", "radius");
     Coordinate centre = place(area.child("centre").orElseThrow());
@@ -107,8 +120,7 @@ final class FenceReader {
     if (!(radiusM > 0.0)) {
       throw radius.error(radiusM + " m: expected more than 0 m");
     }
-    double around = radiusM / Math.cos(Math.PI / CIRCLE_CORNERS); // contains all of the circle
-    return (Polygon) geometry.createPoint(centre).buffer(around, CIRCLE_CORNERS / 4);
+    return (Polygon) geometry.createPoint(centre).buffer(radiusM * scale, CIRCLE_CORNERS / 4);
   }
 
   private Coordinate place(XmlElement element) {

@@ -36,7 +36,7 @@ class FenceProperties {
         (Polygon) GEOMETRY.createPoint(new Coordinate(0.3 * sizeM, 0.0)).buffer(0.05 * sizeM);
     return new Fence(
         Optional.empty(),
-        GEOMETRY.createPolygon(corners),
+        Optional.of(GEOMETRY.createPolygon(corners)),
         List.of(out),
         OptionalDouble.empty(),
         OptionalDouble.empty());

@@ -92,7 +92,7 @@ class FenceReaderTest {
         "<keepOut>            | <keepOut name=\"a\">  | line 11, <keepOut>: unknown attribute \"name\"",
         "<radius>             | <radius r=\"1\">      | line 13, <radius>: unknown attribute \"r\"",
         "<radius>             | <height>1</height><radius> | line 13, <height>: unknown element in <keepOut>",
-        "<keepIn>             | <keepIn><centre/>    | line 5, <centre>: unknown element in <keepIn>",
+        "<keepIn>             | <keepIn><centre/>    | line 6, <corner>: unknown element in <keepIn>",
         "<y>50</y>            | <y>50</y><z>1</z>    | line 12, <z>: unknown element in <centre>",
         "<keepIn>             | <roof/><keepIn>      | line 5, <roof>: unknown element in <fence>",
       })
@@ -175,5 +175,20 @@ class FenceReaderTest {
   @Test
   void read_exampleOfTheCessna_isRead() {
     assertThat(FenceReader.read(Path.of("../config/cessna/fence.xml")).ceilingM).isPresent();
+  }
+
+  /** A circle to stay within has its corners on it, one to stay out of its edges. */
+  @Test
+  void read_circles_areWithinTheKeepInAndAroundTheKeepOut() {
+    String circle = "<centre><x>0</x><y>0</y></centre><radius>100</radius>";
+    String form = "<fence><reference>Local ENU</reference><%1$s>%2$s</%1$s></fence>";
+    Fence in = read(String.format(form, "keepIn", circle));
+    Fence out = read(String.format(form, "keepOut", circle));
+
+    assertThat(in.allows(Point.of(99.8, 0.0, 0.0))).isTrue();
+    assertThat(in.allows(Point.of(0.0, 100.01, 0.0))).isFalse();
+    assertThat(out.allows(Point.of(99.99, 0.0, 0.0))).isFalse();
+    assertThat(out.allows(Point.of(100.2, 0.0, 0.0))).isTrue();
+    assertThat(out.clearanceM(Point.of(1000.0, 0.0, 0.0))).isCloseTo(900.0, within(0.2));
   }
 }

@@ -30,7 +30,7 @@ class FenceTest {
   private static Fence fence(Optional<Geodetic> origin) {
     return new Fence(
         origin,
-        square(100.0),
+        Optional.of(square(100.0)),
         List.of(square(10.0)),
         OptionalDouble.of(10.0),
         OptionalDouble.of(90.0));
@@ -80,7 +80,7 @@ class FenceTest {
                 .union(GEOMETRY.toGeometry(new Envelope(200.0, 300.0, 0.0, 100.0)));
     Fence fence =
         new Fence(
-            Optional.empty(), waisted, List.of(), OptionalDouble.empty(), OptionalDouble.empty());
+            Optional.empty(), Optional.of(waisted), List.of(), OptionalDouble.empty(), OptionalDouble.empty());
 
     assertThat(fence.drawnInBy(4.0).floorM).isEmpty();
     assertThatThrownBy(() -> fence.drawnInBy(6.0))
@@ -104,7 +104,7 @@ class FenceTest {
     Fence fence =
         new Fence(
             Optional.of(ZURICH),
-            around,
+            Optional.of(around),
             List.of(hole),
             OptionalDouble.empty(),
             OptionalDouble.empty());

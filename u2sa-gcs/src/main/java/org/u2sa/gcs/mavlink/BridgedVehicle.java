@@ -2,6 +2,7 @@ package org.u2sa.gcs.mavlink;
 
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import org.u2sa.gcs.mavlink.plan.FenceBook;
 import org.u2sa.gcs.mavlink.plan.MissionProgressMessages;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
@@ -22,6 +23,7 @@ final class BridgedVehicle {
   final Placement placement;
   final Uptime uptime;
   final PlanBook book;
+  final FenceBook fences;
   final MissionProgressMessages progress;
   final Telemetry telemetry;
 
@@ -45,6 +47,7 @@ final class BridgedVehicle {
     placement = new Placement(model);
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);
+    fences = new FenceBook(model);
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
     telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);

@@ -49,7 +49,7 @@ final class StationSession implements GroundStation {
     rates = new MessageRates(vehicle.telemetry);
     boolean casts = vehicle.identity.castsParameters();
     parameters = new ParameterService(vehicle.model, vehicle.orders, this, casts);
-    mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, this);
+    mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
     commands =
         new CommandService(
             this,

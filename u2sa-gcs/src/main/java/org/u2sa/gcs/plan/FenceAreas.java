@@ -21,7 +21,11 @@ public final class FenceAreas {
    * @throws org.u2sa.interfaces.BadInputException naming file, line and element
    */
   public static List<StationPlan.Area> read(Path file, List<String> lost) {
-    XmlElement root = XmlReader.read(file, "fence");
+    return read(XmlReader.read(file, "fence"), lost);
+  }
+
+  /** {@link #read(Path, List)} of an element {@code <fence>}. */
+  public static List<StationPlan.Area> read(XmlElement root, List<String> lost) {
     root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
     root.child("reference")
         .filter(reference -> !reference.text().equalsIgnoreCase("Global"))

@@ -69,12 +69,21 @@ public final class PlanXml {
    * @param lost receives areas that such a file cannot have
    */
   public static String fence(List<StationPlan.Area> areas, List<String> lost) {
-    StringBuilder text = new StringBuilder("<fence>\n");
+    return fence("", areas, lost);
+  }
+
+  /**
+   * {@link #fence(List, List)} with altitude limits.
+   *
+   * @param limits elements {@code <floor>} and {@code <ceiling>}
+   */
+  public static String fence(String limits, List<StationPlan.Area> areas, List<String> lost) {
+    StringBuilder text = new StringBuilder("<fence>\n").append(limits);
     int kept = 0;
     for (StationPlan.Area area : areas) {
       boolean isCircle = area.radiusM().isPresent();
-      if (area.isInclusion() && (isCircle || kept++ > 0)) {
-        lost.add("fence: " + (isCircle ? "a circle" : "a second polygon") + " to stay within");
+      if (area.isInclusion() && kept++ > 0) {
+        lost.add("fence: a second " + (isCircle ? "circle" : "polygon") + " to stay within");
         continue;
       }
       String tag = area.isInclusion() ? "keepIn" : "keepOut";
@@ -92,9 +101,6 @@ public final class PlanXml {
       }
       area.radiusM().ifPresent(radius -> element(text, "radius", radius));
       text.append("  </").append(tag).append(">\n");
-    }
-    if (kept == 0 && !areas.isEmpty()) {
-      lost.add("fence: no polygon to stay within, which a fence file needs");
     }
     return text.append("</fence>\n").toString();
   }

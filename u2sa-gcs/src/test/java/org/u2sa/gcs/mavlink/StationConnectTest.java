@@ -39,7 +39,7 @@ class StationConnectTest {
   }
 
   @Test
-  void requestMessage_autopilotVersion_claimsNoFenceAndNoRally() {
+  void requestMessage_autopilotVersion_claimsAFenceAndNoRally() {
     kit.command(REQUEST_MESSAGE, 148);
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
     AutopilotVersion version = kit.received(AutopilotVersion.class).get(0);
@@ -50,7 +50,7 @@ class StationConnectTest {
     assertThat(claimed.flagsEnabled(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_COMMAND_INT))
         .isTrue();
     assertThat(claimed.flagsEnabled(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_FENCE))
-        .isFalse();
+        .isTrue();
     assertThat(claimed.flagsEnabled(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_RALLY))
         .isFalse();
   }

@@ -184,20 +184,14 @@ class StationMissionTest {
   }
 
   @Test
-  void fenceAndRally_areRefusedByName() {
-    for (MavMissionType type :
-        List.of(MavMissionType.MAV_MISSION_TYPE_FENCE, MavMissionType.MAV_MISSION_TYPE_RALLY)) {
-      kit.send(
-          MissionRequestList.builder()
-              .targetSystem(1)
-              .targetComponent(1)
-              .missionType(type)
-              .build());
-      MissionAck answer = kit.received(MissionAck.class).get(0);
-      assertThat(answer.type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
-      assertThat(answer.missionType().entry()).isEqualTo(type);
-    }
-    assertThat(kit.texts()).contains("FENCE of the SafetyManager").contains("rally points");
+  void rally_isRefusedByName() {
+    MavMissionType type = MavMissionType.MAV_MISSION_TYPE_RALLY;
+    kit.send(
+        MissionRequestList.builder().targetSystem(1).targetComponent(1).missionType(type).build());
+    MissionAck answer = kit.received(MissionAck.class).get(0);
+    assertThat(answer.type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
+    assertThat(answer.missionType().entry()).isEqualTo(type);
+    assertThat(kit.texts()).contains("rally points");
   }
 
   @Test

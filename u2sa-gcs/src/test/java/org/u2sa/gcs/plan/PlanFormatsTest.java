@@ -217,7 +217,8 @@ class PlanFormatsTest {
         .contains("<keepIn>\n    <corner><x>8.0</x><y>50.0</y></corner>")
         .contains(
             "<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
-    PlanXml.fence(List.of(new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0))), lost);
-    assertThat(lost).first().isEqualTo("fence: a circle to stay within");
+    StationPlan.Area circle = new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0));
+    assertThat(PlanXml.fence(List.of(circle, circle), lost)).containsOnlyOnce("<keepIn>");
+    assertThat(lost).containsExactly("fence: a second circle to stay within");
   }
 }

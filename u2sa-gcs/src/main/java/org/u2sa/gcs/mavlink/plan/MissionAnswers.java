@@ -11,6 +11,7 @@ import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 /** Acknowledgements to one station, with reasons as texts. */
 record MissionAnswers(GroundStation station) {
   static final int MISSION = MavMissionType.MAV_MISSION_TYPE_MISSION.ordinal();
+  static final int FENCE = MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal();
 
   /**
    * @param type MAV_MISSION_TYPE
@@ -34,12 +35,9 @@ record MissionAnswers(GroundStation station) {
     station.text(MavSeverity.MAV_SEVERITY_WARNING, text);
   }
 
-  /** Refuses fences and rally points by name. */
+  /** Refuses what is neither mission nor fence by name. */
   void refuseType(int type, Sender to) {
-    warn(
-        type == MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal()
-            ? "fence: the vehicle reads it from the file of FENCE of the SafetyManager"
-            : "rally points: the vehicle has none; it returns to its home");
+    warn("rally points: the vehicle has none; it returns to its home");
     acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, type, to);
   }
 }

@@ -91,7 +91,10 @@ record MissionItem(
     return Double.parseDouble(Float.toString(value));
   }
 
-  MissionItemInt message(int seq, boolean isCurrent, GroundStation.Sender to) {
+  /**
+   * @param type MAV_MISSION_TYPE
+   */
+  MissionItemInt message(int seq, boolean isCurrent, int type, GroundStation.Sender to) {
     return MissionItemInt.builder()
         .targetSystem(to.system())
         .targetComponent(to.component())
@@ -107,7 +110,7 @@ record MissionItem(
         .x(x)
         .y(y)
         .z(z)
-        .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
+        .missionType(EnumValue.create(MavMissionType.class, type))
         .build();
   }
 

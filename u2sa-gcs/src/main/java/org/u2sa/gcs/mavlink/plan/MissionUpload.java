@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MissionItemInt;
 import io.dronefleet.mavlink.common.MissionRequestInt;
+import io.dronefleet.mavlink.util.EnumValue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -35,12 +36,20 @@ final class MissionUpload {
     }
   }
 
+  private final int type;
+  private final String what;
   private final MissionAnswers answers;
   private final Complete complete;
   private Optional<Incoming> incoming = Optional.empty();
   private long nowMicros;
 
-  MissionUpload(MissionAnswers answers, Complete complete) {
+  /**
+   * @param type MAV_MISSION_TYPE
+   * @param what it is, for texts
+   */
+  MissionUpload(int type, String what, MissionAnswers answers, Complete complete) {
+    this.type = type;
+    this.what = what;
     this.answers = answers;
     this.complete = complete;
   }
@@ -50,12 +59,12 @@ final class MissionUpload {
    */
   void begin(int count, Sender from) {
     if (incoming.filter(other -> !other.from.equals(from)).isPresent()) {
-      answers.acknowledge(MavMissionResult.MAV_MISSION_ERROR, MissionAnswers.MISSION, from);
+      answers.acknowledge(MavMissionResult.MAV_MISSION_ERROR, type, from);
     } else if (count > MAX_ITEMS) {
       answers.refuse(
           MavMissionResult.MAV_MISSION_NO_SPACE,
-          "mission of " + count + " items: expected at most " + MAX_ITEMS,
-          MissionAnswers.MISSION,
+          what + " of " + count + " items: expected at most " + MAX_ITEMS,
+          type,
           from);
     } else {
       incoming = Optional.of(new Incoming(from, count));
@@ -72,7 +81,7 @@ final class MissionUpload {
                 .targetSystem(upload.from.system())
                 .targetComponent(upload.from.component())
                 .seq(upload.items.size())
-                .missionType(MavMissionType.MAV_MISSION_TYPE_MISSION)
+                .missionType(EnumValue.create(MavMissionType.class, type))
                 .build());
   }
 
@@ -106,7 +115,7 @@ final class MissionUpload {
     } else {
       incoming = Optional.empty();
       answers.acknowledge(
-          MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, MissionAnswers.MISSION, upload.from);
+          MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, type, upload.from);
     }
   }
 }

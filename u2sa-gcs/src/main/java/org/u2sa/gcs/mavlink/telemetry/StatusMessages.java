@@ -28,6 +28,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FenceState;
 
 /** Messages about modes, readiness, battery, home and the way to the goal. */
 final class StatusMessages {
@@ -122,6 +123,9 @@ final class StatusMessages {
             | bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_GPS)
             | (vehicle.battery().isPresent()
                 ? bit(MavSysStatusSensor.MAV_SYS_STATUS_SENSOR_BATTERY)
+                : 0)
+            | (vehicle.fence().flatMap(FenceState::file).isPresent()
+                ? bit(MavSysStatusSensor.MAV_SYS_STATUS_GEOFENCE)
                 : 0);
     int healthy =
         (ready ? bit(MavSysStatusSensor.MAV_SYS_STATUS_PREARM_CHECK) : 0)

@@ -18,6 +18,8 @@ import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -104,6 +106,12 @@ public final class VehicleOrders {
     send(id, Kind.OTHER, Channels.MISSION, order.requestId(id).operator(operator), answer);
   }
 
+  /** Changes the fence. */
+  public void fence(FenceOrder order, Answer answer) {
+    String id = UUID.randomUUID().toString();
+    send(id, Kind.OTHER, Channels.FENCE_ORDERS, order.requestId(id).operator(operator), answer);
+  }
+
   /** Changes the configuration. */
   public void configure(ConfigurationTransaction change, Answer answer) {
     String id = UUID.randomUUID().toString();
@@ -131,6 +139,8 @@ public final class VehicleOrders {
   /** Takes a message that may be an answer; on any thread. */
   void take(U2SAData message) {
     if (message instanceof MissionOrderResult result) {
+      answered(result.requestId(), result.accepted(), result.outcome());
+    } else if (message instanceof FenceOrderResult result) {
       answered(result.requestId(), result.accepted(), result.outcome());
     } else if (message instanceof ConfigurationTransactionResult result) {
       answered(result.requestId(), result.accepted(), result.reason());

@@ -23,6 +23,7 @@ import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -47,6 +48,8 @@ public final class VehicleStatus {
           Channels.MISSION,
           Channels.ARMING_STATE,
           Channels.FAILSAFE,
+          Channels.FENCE,
+          Channels.FENCE_ORDERS,
           Channels.EMERGENCY_STOP,
           Channels.HEALTH,
           Channels.POWER,
@@ -71,6 +74,7 @@ public final class VehicleStatus {
   private volatile MissionReport report;
   private volatile ArmingState arming;
   private volatile FailsafeState failsafe;
+  private volatile FenceState fence;
   private volatile BatteryState battery;
   private volatile NavigationPoint navigation;
 
@@ -101,6 +105,8 @@ public final class VehicleStatus {
       arming = now;
     } else if (message instanceof FailsafeState now) {
       failsafe = now;
+    } else if (message instanceof FenceState now) {
+      fence = now;
     } else if (message instanceof BatteryState now) {
       battery = now;
     } else if (message instanceof NavigationPoint now) {
@@ -213,6 +219,11 @@ public final class VehicleStatus {
   /** Causes of the failsafe, most severe first. */
   public List<String> failsafeCauses() {
     return failsafe == null ? List.of() : failsafe.causes();
+  }
+
+  /** The fence in force; empty until heard. */
+  public Optional<FenceState> fence() {
+    return Optional.ofNullable(fence);
   }
 
   /** Whether an emergency stop is in force. */
