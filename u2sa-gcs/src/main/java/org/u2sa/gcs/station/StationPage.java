@@ -25,6 +25,8 @@ public final class StationPage implements WebSite {
           "configuration.js",
           "dom.js",
           "editor.js",
+          "goalform.js",
+          "goals.js",
           "graph.js",
           "insight.js",
           "land.json",
@@ -32,14 +34,18 @@ public final class StationPage implements WebSite {
           "link.js",
           "map.js",
           "maptools.js",
+          "missionlinks.js",
+          "missiontab.js",
           "model.js",
           "mqtt.js",
           "orders.js",
+          "outline.js",
           "panel.js",
           "place.js",
           "series.js",
           "services.js",
-          "texts.js");
+          "texts.js",
+          "xml.js");
 
   private static final Map<String, String> MEDIA_TYPES =
       Map.of(

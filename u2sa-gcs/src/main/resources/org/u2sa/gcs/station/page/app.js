@@ -8,6 +8,7 @@ import {InsightTab} from './insight.js';
 import {Link} from './link.js';
 import {MapView} from './map.js';
 import {MapTools} from './maptools.js';
+import {MissionTab} from './missiontab.js';
 import {Model} from './model.js';
 import {Orders} from './orders.js';
 import {Panel} from './panel.js';
@@ -28,7 +29,8 @@ const editor = new MissionEditor(orders);
 const services = new ServicesTab({link, orders, selected, order, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question)});
 const book = new SeriesBook();
 const insight = new InsightTab({link, book, selected});
-const panel = new Panel({services, insight, link, orders, editor, model, selected, select});
+const mission = new MissionTab({link, orders, editor, selected, order, askMission, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question), isNear: (a, b) => map.isNear(a, b), fitted: () => { wasFitted = false; }});
+const panel = new Panel({services, insight, mission, link, orders, editor, model, selected, select});
 const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
 const tools = new MapTools({map, extent: () => (selected() ? extent(selected(), editor.route(selected())) : [])});
 
@@ -66,7 +68,7 @@ function askMission(vehicle) {
   clearTimeout(vehicle.asking);
   vehicle.asking = setTimeout(() => {
     vehicle.askedAt = performance.now();
-    orders.report(vehicle).catch(() => {
+    orders.report(vehicle, vehicle.goalClasses.size === 0).catch(() => {
       if (!vehicle.isMissionMissed) vehicle.log('no Mission Manager answers', 'warn');
       vehicle.isMissionMissed = true;
     });
@@ -97,19 +99,6 @@ onClick('skip', vehicle => order(orders.mission(vehicle, 'SKIP', editor.route(ve
 onClick('clear', async vehicle => {
   if (await panel.confirm(`Clear the emergency stop of ${vehicle.id}? It may move again once armed.`)) order(orders.clearStops(vehicle));
 });
-onClick('goto', vehicle => (editor.selected ? order(orders.mission(vehicle, 'GOTO', {uid: editor.selected})) : panel.tell('choose a goal first', true)));
-onClick('add', () => {
-  editor.isAdding = !editor.isAdding;
-  byId('add').setAttribute('aria-pressed', editor.isAdding);
-});
-onClick('remove', vehicle => {
-  const refusal = editor.refusalToRemove(vehicle);
-  if (refusal) panel.tell(refusal, true);
-  else editor.remove();
-});
-onClick('undo', () => editor.undo());
-onClick('discard', () => editor.discard());
-onClick('upload', vehicle => order(editor.upload(vehicle).finally(() => askMission(vehicle))));
 
 document.addEventListener('keydown', event => {
   if (event.key !== 'Escape' || event.repeat) return;
@@ -121,29 +110,26 @@ document.addEventListener('keydown', event => {
 function tapped(at) {
   const vehicle = selected();
   if (!vehicle || tools.tapped(at)) return;
-  const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
-  if (editor.isAdding && !hit && vehicle.place.origin) editor.add(vehicle, at);
-  else editor.selected = hit ? hit.uid : null;
+  if (editor.isAdding && vehicle.place.origin) mission.tapped(vehicle, at);
+  else mission.choose(vehicle, at);
+  panel.show(vehicle);
 }
 
 /** Goals can be dragged while the mission is open, so that nobody moves one by accident. */
 function grabbed(at) {
   const vehicle = selected();
-  if (!vehicle || byId('mission').hidden) return null;
-  const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
-  return hit ? {uid: hit.uid, at: hit.at} : null;
+  return vehicle && mission.isOpen && !editor.isAdding ? mission.grabbed(vehicle, at) : null;
 }
 
 function dragged(handle, at) {
-  handle.at = at;
-  handle.isMoving = true;
+  handle.now = at;
   dragging = handle;
 }
 
 function dropped(handle, at) {
   dragging = null;
-  editor.selected = handle.uid;
-  editor.move(selected(), handle.uid, at);
+  mission.dropped(selected(), handle, at);
+  panel.show(selected());
 }
 
 let dragging = null;
@@ -166,11 +152,11 @@ function frame() {
   }
   if (!vehicle) return;
   const route = editor.route(vehicle);
-  const moving = dragging && route.find(goal => goal.uid === dragging.uid);
-  if (moving) moving.at = dragging.at;
+  const drawHandles = mission.draw(map, route, dragging);
   drawVehicle(map, vehicle, route, true, tools.layers);
+  drawHandles();
   tools.draw();
-  if (!wasFitted && vehicle.report && vehicle.place.pose) {
+  if (!wasFitted && (vehicle.report || editor.draft.whole) && vehicle.place.pose) {
     wasFitted = true;
     map.fit(extent(vehicle, route));
   }

@@ -20,6 +20,7 @@ export class Vehicle {
     this.goals = [];
     this.goalsPaused = false;
     this.report = null; // MissionReport
+    this.goalClasses = new Map(); // name -> GoalClass
     this.objects = [];
     this.objectsAt = -Infinity;
     this.grid = null;
@@ -85,6 +86,17 @@ function put(map, name, value) {
   if (map.has(name) || map.size < MAX_NAMES) map.set(name, value);
 }
 
+const NAME = /^[A-Za-z_][\w.-]{0,80}$/; // of a class or field in a mission file
+
+function putClass(vehicle, fields) {
+  const variables = variablesOf(fields).filter(each => NAME.test(each.name));
+  put(vehicle.goalClasses, fields.className, {variables, required: list(fields.required, isText), number: vehicle.goalClasses.size});
+}
+
+function variablesOf(fields) {
+  return list(fields.variables, each => each && isText(each.name) && isText(each.value)).map(each => ({...each, choices: list(each.choices, isText)}));
+}
+
 const isText = value => typeof value === 'string';
 const text = value => (isText(value) ? value : '');
 
@@ -114,7 +126,8 @@ const HANDLERS = {
   },
 
   mission(vehicle, fields, type, answers) {
-    if (type === 'MissionReport') vehicle.report = fields;
+    if (type === 'MissionReport') vehicle.report = {...fields, goals: list(fields.goals, each => each && isText(each.uid)).map(each => ({...each, next: list(each.next, isText)}))};
+    if (type === 'GoalClass' && isText(fields.className) && NAME.test(fields.className)) putClass(vehicle, fields);
     if (type === 'MissionReport' || type === 'MissionOrderResult') answers.answered(fields);
   },
 
@@ -169,7 +182,7 @@ const HANDLERS = {
 
   configuration(vehicle, fields, type, answers) {
     if (type === 'ConfigurationResponse') {
-      const variables = list(fields.variables, each => each && isText(each.name) && isText(each.value)).map(each => ({...each, choices: list(each.choices, isText)}));
+      const variables = variablesOf(fields);
       put(vehicle.configurations, text(fields.serviceName), {serviceName: text(fields.serviceName), revision: Number(fields.revision || 0), variables});
     }
     if (type !== 'ConfigurationTransactionResult') return;
