@@ -42,6 +42,7 @@ public final class StationPage implements WebSite {
           "outline.js",
           "panel.js",
           "place.js",
+          "playback.js",
           "series.js",
           "services.js",
           "texts.js",

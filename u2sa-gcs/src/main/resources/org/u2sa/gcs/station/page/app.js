@@ -12,6 +12,7 @@ import {MissionTab} from './missiontab.js';
 import {Model} from './model.js';
 import {Orders} from './orders.js';
 import {Panel} from './panel.js';
+import {Timeline} from './playback.js';
 import {SeriesBook} from './series.js';
 import {ServicesTab} from './services.js';
 import {texts} from './texts.js';
@@ -30,6 +31,7 @@ const services = new ServicesTab({link, orders, selected, order, tell: (...said)
 const book = new SeriesBook();
 const insight = new InsightTab({link, book, selected});
 const mission = new MissionTab({link, orders, editor, selected, order, askMission, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question), isNear: (a, b) => map.isNear(a, b), fitted: () => { wasFitted = false; }});
+const timeline = new Timeline({orders, selected, tell: (...said) => panel.tell(...said), jumped});
 const panel = new Panel({services, insight, mission, link, orders, editor, model, selected, select});
 const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
 const tools = new MapTools({map, extent: () => (selected() ? extent(selected(), editor.route(selected())) : [])});
@@ -48,6 +50,11 @@ function select(id) {
   wasFitted = false;
   editor.discard();
   editor.selected = null;
+}
+
+function jumped(vehicle) {
+  vehicle.jumped();
+  book.clear();
 }
 
 function received(system, channel, type, fields) {
@@ -103,7 +110,7 @@ onClick('clear', async vehicle => {
 document.addEventListener('keydown', event => {
   if (event.key !== 'Escape' || event.repeat) return;
   const now = performance.now();
-  if (now - escapeAt < TWICE_MS && selected() && link.state !== 'off') orders.emergencyStop(selected());
+  if (now - escapeAt < TWICE_MS && selected() && !selected().playback && link.state !== 'off') orders.emergencyStop(selected());
   escapeAt = now;
 });
 
@@ -173,9 +180,11 @@ setInterval(() => {
   const vehicle = selected();
   tools.show();
   panel.show(vehicle);
+  if (vehicle) timeline.show(vehicle);
+  link.isReadOnly = Boolean(vehicle && vehicle.playback);
   map.touch(); // what is stale turns grey without a message
-  if (vehicle && link.isUp && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
-  if (vehicle && link.isUp && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
+  if (vehicle && link.isUp && !vehicle.playback && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
+  if (vehicle && link.isUp && !vehicle.playback && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
     vehicle.beatAt = performance.now();
     link.publish(vehicle.id, 'operator', 'OperatorHeartbeat', {operator: orders.operator, interval: 1.0}).catch(() => undefined);
   }

@@ -2,6 +2,7 @@
 
 import {decode, encode} from './cbor.js';
 import {MqttConnection} from './mqtt.js';
+import {texts} from './texts.js';
 
 const KEEP_ALIVE_S = 60; // a hidden page may be woken once a minute only
 const PING_EVERY_MS = 1000;
@@ -29,6 +30,7 @@ export class Link {
     this.connection = null;
     this.login = null;
     this.attempts = 0;
+    this.isReadOnly = false; // a recording is shown
     this.extra = new Set(); // channels heard on demand
     setInterval(() => this.watch(), PING_EVERY_MS);
   }
@@ -139,6 +141,7 @@ export class Link {
   /** Publishes a message; rejects if there is no link. Resolves when the broker has it. */
   publish(system, channel, type, fields, retain = false) {
     if (!this.isUp) return Promise.reject(new Error('no link'));
+    if (this.isReadOnly && channel !== 'configuration') return Promise.reject(new Error(texts.recording));
     const payload = encode({systemId: system, ...fields});
     return this.connection.publish(`u2sa/${system}/${channel}/${type}`, payload, retain);
   }

@@ -90,7 +90,7 @@ export class Panel {
     let stopState = vehicle ? 'Esc Esc' : 'no vehicle';
     const inForce = vehicle ? vehicle.stops().inForce : [];
     if (link.state === 'lost') text = `Link lost: ${link.reason}. What you see is old. Reconnecting…`;
-    else if (link.isUp && vehicle && vehicle.isStale()) text = `No position from ${vehicle.id} for ${age(vehicle.stateAt)}.`;
+    else if (link.isUp && vehicle && vehicle.isStale() && !(vehicle.playback && vehicle.playback.isPaused)) text = `No position from ${vehicle.id} for ${age(vehicle.stateAt)}.`;
     if (link.unreadable > 0) text = text || `${link.unreadable} messages cannot be read.`;
     if (inForce.length > 0) {
       text = `Emergency stop in force on ${vehicle.id}.`;
