@@ -31,6 +31,8 @@ CHANNELS = {
     'operator': (0, False, ''),
     'arming': (1, False, ''),
     'arming-state': (1, True, ''),
+    'fence': (1, True, ''),
+    'fence-orders': (1, False, ''),
     'power': (0, False, ''),
 }
 
@@ -583,6 +585,30 @@ MESSAGES = [
         ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
         ('action', 'enum', 'required', None, None, None, ('CONTINUE', 'HOLD', 'RETURN', 'LAND', 'STOP'), 2, None, False),
         ('causes', 'texts', 'always', (), None, None, (), 2, 1000, True),
+    ]),
+    (('FenceState',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('fence', 'text', 'optional', None, None, None, (), 3, None, False),
+        ('file', 'text', 'optional', None, None, None, (), 3, None, False),
+        ('margin', 'float64', 'always', 0.0, 0.0, None, (), 3, None, False),
+    ]),
+    (('FenceOrder',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('requestId', 'text', 'required', None, None, None, (), 3, 1000, False),
+        ('action', 'enum', 'required', None, None, None, ('REPLACE', 'REMOVE', 'RELOAD'), 3, None, False),
+        ('fence', 'text', 'optional', None, None, None, (), 3, None, False),
+        ('file', 'text', 'optional', None, None, None, (), 3, None, False),
+        ('operator', 'text', 'always', '', None, None, (), 3, 255, False),
+    ]),
+    (('FenceOrderResult',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('requestId', 'text', 'required', None, None, None, (), 3, 1000, False),
+        ('serviceName', 'text', 'required', None, None, None, (), 3, 255, False),
+        ('accepted', 'bool', 'always', False, None, None, (), 3, None, False),
+        ('outcome', 'text', 'always', '', None, None, (), 3, 1000, True),
     ]),
     (('OperatorHeartbeat',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1741,4 +1767,6 @@ LABELS = (
     'cell',
     'resolutions',
     'images',
+    'fence',
+    'margin',
 )

@@ -9,6 +9,7 @@ import static org.u2sa.interfaces.communication.Channels.CONFIGURATION;
 import static org.u2sa.interfaces.communication.Channels.DISCOVERY;
 import static org.u2sa.interfaces.communication.Channels.EMERGENCY_STOP;
 import static org.u2sa.interfaces.communication.Channels.FAILSAFE;
+import static org.u2sa.interfaces.communication.Channels.FENCE;
 import static org.u2sa.interfaces.communication.Channels.FUNCTIONALITY;
 import static org.u2sa.interfaces.communication.Channels.GOALS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_COMMANDS;
@@ -60,7 +61,7 @@ public enum ServiceRole {
   HEALTH_MONITOR(List.of(CONDITIONS, SERVICE_ORDERS), List.of(HEALTH, SERVICE_ORDERS)),
   /** Decides on failsafe reactions and on arming. */
   SAFETY_MANAGER(
-      List.of(FAILSAFE, ARMING_STATE, EMERGENCY_STOP),
+      List.of(FAILSAFE, ARMING_STATE, EMERGENCY_STOP, FENCE),
       List.of(STATE, CONDITIONS, OPERATOR, POWER, ARMING, ACTUATORS, GOALS, EMERGENCY_STOP)),
   /** Starts, restarts and swaps the services of one process or host. */
   LAUNCHER(List.of(SERVICE_ORDERS, HEALTH), List.of(SERVICE_ORDERS)),
@@ -101,7 +102,8 @@ public enum ServiceRole {
           FAILSAFE,
           ARMING_STATE,
           POWER,
-          LOCAL_STATE));
+          LOCAL_STATE,
+          FENCE));
 
   private final List<Channel<?>> published;
   private final List<Channel<?>> subscribed;

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.LoadedFile;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
+import org.u2sa.interfaces.xml.XmlText;
 
 /** The file named by the variable FENCE; detects changes since loading. */
 final class FenceFile {
@@ -21,7 +22,7 @@ final class FenceFile {
    *
    * @throws BadInputException naming the variable, the file and the error
    */
-  Optional<Fence> load(SafetyVariables settings) {
+  Optional<GivenFence> load(SafetyVariables settings) {
     String path = settings.fence();
     double marginM = settings.fenceMargin();
     if (path.isEmpty()) {
@@ -30,26 +31,30 @@ final class FenceFile {
     }
     Path file = configuration.resolve(path);
     LoadedFile watched = new LoadedFile(file, each -> read(each, marginM));
-    Fence fence = read(file, marginM);
+    GivenFence fence = read(file, marginM);
     loaded = Optional.of(watched);
     return Optional.of(fence);
   }
 
-  private static Fence read(Path file, double marginM) {
+  /** {@link #load} without watching the file. */
+  Optional<GivenFence> read(SafetyVariables settings) {
+    String path = settings.fence();
+    return path.isEmpty()
+        ? Optional.empty()
+        : Optional.of(read(configuration.resolve(path), settings.fenceMargin()));
+  }
+
+  /** The file no longer counts: another fence is in force. */
+  void forget() {
+    loaded = Optional.empty();
+  }
+
+  private static GivenFence read(Path file, double marginM) {
     try {
-      return drawnIn(file, FenceReader.read(file), marginM);
+      return GivenFence.of(file.toString(), XmlText.read(file).text(), marginM);
     } catch (BadInputException e) {
       throw new BadInputException(
           "variable \"" + SafetyVariables.FENCE + "\": " + e.getMessage(), e);
-    }
-  }
-
-  private static Fence drawnIn(Path file, Fence fence, double marginM) {
-    try {
-      return fence.drawnInBy(marginM);
-    } catch (IllegalArgumentException e) {
-      throw new BadInputException(
-          file + ": " + SafetyVariables.FENCE_MARGIN + ": " + e.getMessage(), e);
     }
   }
 

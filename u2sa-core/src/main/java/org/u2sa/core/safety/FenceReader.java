@@ -31,7 +31,11 @@ final class FenceReader {
 
   /** Reads a fence; errors name file, line, element, value and what was expected. */
   static Fence read(Path file) {
-    XmlElement root = XmlReader.read(file, "fence");
+    return read(XmlReader.read(file, "fence"));
+  }
+
+  /** {@link #read(Path)} of an element {@code <fence>}. */
+  static Fence read(XmlElement root) {
     root.refuseUnknownAttributes();
     root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
     return new FenceReader(isOnEarth(root)).fence(root);

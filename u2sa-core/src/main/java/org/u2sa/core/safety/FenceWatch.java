@@ -1,12 +1,15 @@
 package org.u2sa.core.safety;
 
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
@@ -18,13 +21,18 @@ import org.u2sa.service.handover.HandOver;
 final class FenceWatch implements Watch {
   private static final double ROUNDING_M = 1e-3;
   private static final String ABOVE_FLOOR = "above floor";
+  private static final String ORDERED = "ordered fence";
+  private static final String ORDERED_FILE = "ordered fence's file";
   private static final String NO_ALTITUDE = "no altitude";
 
   private final Configurator matrix;
   private final Supplier<SafetyVariables> settings;
   private final FenceFile file;
   private final PositionWatch states;
+  private GivenFence given; // null if none
   private volatile Fence fence; // null if none; written by the Safety Manager's thread
+  private boolean isOrdered; // by an operator, instead of the configured one
+  private int changes; // of the fence in force
   private boolean aboveFloor;
   private Point clear =
       Point.of(0.0, 0.0, 0.0); // position at which the distance to the fence was last computed
@@ -43,10 +51,84 @@ final class FenceWatch implements Watch {
     load();
   }
 
+  /** Compares states with another fence, in the same condition as another watch. */
+  private FenceWatch(FenceWatch other, Fence fence) {
+    matrix = other.matrix;
+    settings = other.settings;
+    file = other.file;
+    states = other.states;
+    aboveFloor = other.aboveFloor;
+    this.fence = fence;
+  }
+
   /** Reloads the configured fence; if its file is invalid, throws and keeps the current one. */
   void load() {
-    fence = file.load(settings.get()).orElse(null);
+    use(file.load(settings.get()).orElse(null), false);
+  }
+
+  /** Puts an ordered fence in force instead of the configured one; empty: none. */
+  void order(Optional<GivenFence> ordered) {
+    use(ordered.orElse(null), true);
+    file.forget();
+  }
+
+  /** Applies FENCE MARGIN to the fence in force; throws if no area remains. */
+  void drawIn() {
+    if (!isOrdered) {
+      load();
+    } else if (given != null) {
+      use(given.drawnInBy(settings.get().fenceMargin()), true);
+    }
+  }
+
+  private void use(GivenFence next, boolean ordered) {
+    given = next;
+    fence = next == null ? null : next.fence();
+    isOrdered = ordered;
     clearM = 0.0;
+    changes++;
+  }
+
+  /** Reads an ordered fence; throws, naming what is wrong, if it is invalid. */
+  GivenFence given(String source, String xml) {
+    return GivenFence.of(source, xml, settings.get().fenceMargin());
+  }
+
+  /** The configured fence, read again; throws if its file is invalid. */
+  Optional<GivenFence> configured() {
+    return file.read(settings.get());
+  }
+
+  /** Trouble of the vehicle if another fence were in force; empty if none. */
+  Optional<String> refusal(GivenFence other, long nowMicros) {
+    return states.fresh(nowMicros).isEmpty()
+        ? Optional.of("without a position to compare")
+        : new FenceWatch(this, other.fence()).trouble(nowMicros);
+  }
+
+  /** Reason why the configuration with these values has an invalid fence; empty if none. */
+  Optional<String> configurationRefusal(Map<String, Object> values) {
+    boolean sameFile = settings.get().fence().equals(values.get(SafetyVariables.FENCE));
+    if (!isOrdered || !sameFile || given == null) {
+      return file.refusal(values, settings.get());
+    }
+    try {
+      given.drawnInBy((Double) values.get(SafetyVariables.FENCE_MARGIN));
+      return Optional.empty();
+    } catch (BadInputException e) {
+      return Optional.of(e.getMessage());
+    }
+  }
+
+  /** The fence in force, to be published. */
+  FenceState state() {
+    double marginM = settings.get().fenceMargin();
+    return given == null ? new FenceState().margin(marginM) : given.state(marginM);
+  }
+
+  /** Number of changes of the fence in force: whether it must be published again. */
+  int changes() {
+    return changes;
   }
 
   /** Fence in force, shrunk by its margin; empty if none. Thread-safe. */
@@ -67,16 +149,28 @@ final class FenceWatch implements Watch {
   @Override
   public void handOver(HandOver state, long nowMicros) {
     state.flag(ABOVE_FLOOR, aboveFloor);
+    if (isOrdered) {
+      state.text(ORDERED, given == null ? "" : given.xml());
+      state.text(ORDERED_FILE, given == null ? "" : given.file());
+    }
   }
 
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     aboveFloor = state.flag(ABOVE_FLOOR);
+    state
+        .text(ORDERED)
+        .ifPresent(
+            xml ->
+                order(
+                    xml.isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(given(state.text(ORDERED_FILE).orElse(""), xml))));
   }
 
   @Override
   public String saved() {
-    return String.valueOf(aboveFloor);
+    return isOrdered ? aboveFloor + " " + changes : String.valueOf(aboveFloor);
   }
 
   @Override

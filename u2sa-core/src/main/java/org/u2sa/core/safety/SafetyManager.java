@@ -18,6 +18,8 @@ import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
@@ -28,7 +30,7 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Decides by the failsafe matrix how the vehicle reacts to faults, and whether it may move at all
  * (arming). In: state, conditions, health, operator, power, actuators, goals, arming,
- * emergency-stop. Out: failsafe, arming-state, emergency-stop.
+ * emergency-stop, fence-orders. Out: failsafe, arming-state, emergency-stop, fence, fence-orders.
  *
  * <p>Failsafes act while it is armed. The most severe cause wins.
  */
@@ -39,8 +41,8 @@ public final class SafetyManager extends PeriodicService {
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
-  private final FenceFile fence;
   private final FenceWatch fenceWatch;
+  private final FenceOrders fenceOrders;
   private final List<Watch> watches;
   private final FailsafeDecision decision;
   private final Arming arming;
@@ -52,6 +54,7 @@ public final class SafetyManager extends PeriodicService {
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
+  private int saidFence; // changes of the fence when it was published
 
   /**
    * Launcher constructor.
@@ -61,9 +64,9 @@ public final class SafetyManager extends PeriodicService {
   public SafetyManager(ServiceContext context) {
     super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
     emergency = new EmergencyLatch(clock(), context.systemId());
-    fence = new FenceFile(context.configuration());
     PositionWatch position = new PositionWatch(settings);
-    fenceWatch = new FenceWatch(this, settings, fence, position);
+    fenceWatch = new FenceWatch(this, settings, new FenceFile(context.configuration()), position);
+    fenceOrders = new FenceOrders(fenceWatch);
     List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
     watches = new ArrayList<>(Watches.standard(settings, conditions, position));
     watches.add(new GuardedWatch(fenceWatch));
@@ -78,6 +81,8 @@ public final class SafetyManager extends PeriodicService {
     registerPublisher(Channels.FAILSAFE);
     registerPublisher(Channels.ARMING_STATE);
     registerPublisher(Channels.EMERGENCY_STOP);
+    registerPublisher(Channels.FENCE);
+    registerPublisher(Channels.FENCE_ORDERS);
     heedsEmergencyStops(emergency.identities());
     handleMessagesAtSteps();
     failAtFirstError();
@@ -89,6 +94,7 @@ public final class SafetyManager extends PeriodicService {
     subscribe(Channels.CONDITIONS, this::onCondition);
     subscribe(Channels.ARMING, this::obey);
     subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
+    subscribe(Channels.FENCE_ORDERS, this::onFenceOrder);
   }
 
   /**
@@ -106,15 +112,19 @@ public final class SafetyManager extends PeriodicService {
   /** Rejects an unreadable fence before it replaces a valid one. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    return fence.refusal(values, settings.get());
+    return fenceWatch.configurationRefusal(values);
   }
 
   @Override
   protected void configurationChanged(Set<String> variableNames) {
-    if (variableNames.contains(SafetyVariables.FENCE)
-        || variableNames.contains(SafetyVariables.FENCE_MARGIN)) {
+    boolean otherFile = variableNames.contains(SafetyVariables.FENCE);
+    if (otherFile || variableNames.contains(SafetyVariables.FENCE_MARGIN)) {
       try {
-        fenceWatch.load();
+        if (otherFile) {
+          fenceWatch.load();
+        } else {
+          fenceWatch.drawIn();
+        }
         log("fence " + settings.get().fence() + " loaded");
       } catch (BadInputException e) {
         log(LogLevelEnum.ERROR, e.getMessage() + ": fence unchanged");
@@ -206,6 +216,27 @@ public final class SafetyManager extends PeriodicService {
     publish(arming.state(now).requestId(command.requestId()));
   }
 
+  private void onFenceOrder(U2SAData message) {
+    if (!(message instanceof FenceOrder order)) {
+      return; // a result
+    }
+    boolean armed = begun ? arming.isArmed() : predecessor.wasArmed();
+    FenceOrderResult result = fenceOrders.obey(order, getServiceName(), armed, clock().micros());
+    log(
+        result.accepted() ? LogLevelEnum.INFO : LogLevelEnum.WARN,
+        "fence: " + order.action() + " by \"" + order.operator() + "\": " + result.outcome());
+    publishFence();
+    publish(Channels.FENCE_ORDERS, result);
+  }
+
+  private void publishFence() {
+    if (saidFence != fenceWatch.changes()) {
+      saidFence = fenceWatch.changes();
+      publish(Channels.FENCE, fenceWatch.state());
+      save();
+    }
+  }
+
   private void stopOrGo(EmergencyStop message) {
     boolean changed = emergency.accept(message);
     heedsEmergencyStops(emergency.identities());
@@ -240,6 +271,7 @@ public final class SafetyManager extends PeriodicService {
     if (repeat) {
       repeatDueS = nowS + REPEAT_INTERVAL_S;
     }
+    publishFence();
     if (arming.isArmed()) {
       decide(now);
     } else if (!emergency.isStopped()) {

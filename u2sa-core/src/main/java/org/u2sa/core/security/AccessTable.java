@@ -39,6 +39,8 @@ import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.schema.MessageType;
 
 /**
@@ -100,6 +102,9 @@ public final class AccessTable {
           row(Channels.OPERATOR, REPORT, Set.of(OPERATOR)),
           row(Channels.ARMING, URGENT, Set.of(OPERATOR)),
           row(Channels.ARMING_STATE, URGENT, Set.of(SAFETY)),
+          row(Channels.FENCE, REPORT, Set.of(SAFETY)),
+          row(Channels.FENCE_ORDERS, FenceOrder.TYPE, ORDER, Set.of(OPERATOR)),
+          row(Channels.FENCE_ORDERS, FenceOrderResult.TYPE, REPORT, Set.of(SAFETY)),
           row(Channels.POWER, REPORT, SERVICES));
 
   private static final Map<String, Map<String, AccessRule>> BY_CHANNEL = byChannel();

@@ -69,7 +69,8 @@ class AccessTableTest {
             "failsafe FailsafeState monitor, safety",
             "conditions ServiceCondition monitor",
             "goal-commands GoalCommand operator",
-            "mission MissionOrder operator");
+            "mission MissionOrder operator",
+            "fence-orders FenceOrder operator");
   }
 
   @Test

@@ -43,6 +43,9 @@ import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
@@ -186,6 +189,15 @@ public final class Channels {
   public static final Channel<ArmingState> ARMING_STATE =
       Channel.latest("arming-state", ArmingState.TYPE, state -> "").retained().reservingRoom();
 
+  /** The geofence in force; to screens. */
+  public static final Channel<FenceState> FENCE =
+      Channel.latest("fence", FenceState.TYPE, state -> "").retained();
+
+  /** Operators' orders to change the geofence, and their results. */
+  public static final Channel<U2SAData> FENCE_ORDERS =
+      Channel.every("fence-orders", U2SAData.TYPE)
+          .carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
+
   /** Battery states. */
   public static final Channel<BatteryState> POWER =
       Channel.latest("power", BatteryState.TYPE, BatteryState::sensorName);
@@ -221,6 +233,8 @@ public final class Channels {
           OPERATOR,
           ARMING,
           ARMING_STATE,
+          FENCE,
+          FENCE_ORDERS,
           POWER);
 
   private static final Map<String, Channel<?>> BY_NAME =

@@ -182,6 +182,10 @@ public final class XmlText {
     return ownLine ? with(lineStart, lineEnd, "") : with(from, to, "");
   }
 
+  public String text() {
+    return text;
+  }
+
   public byte[] bytes() {
     return text.getBytes(charset);
   }

@@ -52,6 +52,7 @@ public final class FieldLabels {
       excessTemperature
       turn duration approach slope payload terminalSpeed
       corners ground lowest highest share seen image area corner cell resolutions images
+      fence margin
       classes required
       """;
 

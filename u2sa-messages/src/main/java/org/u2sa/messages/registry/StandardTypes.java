@@ -65,6 +65,9 @@ import org.u2sa.messages.safety.ArmCommand;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.MessageType;
@@ -124,6 +127,9 @@ public final class StandardTypes implements MessageTypeProvider {
           ServiceOrderResult.TYPE,
           ServiceCondition.TYPE,
           FailsafeState.TYPE,
+          FenceState.TYPE,
+          FenceOrder.TYPE,
+          FenceOrderResult.TYPE,
           OperatorHeartbeat.TYPE,
           ArmCommand.TYPE,
           ArmingState.TYPE,

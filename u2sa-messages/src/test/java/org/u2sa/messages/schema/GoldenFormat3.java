@@ -24,6 +24,10 @@ import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.EmergencyStop;
+import org.u2sa.messages.safety.FenceAction;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.FenceState;
 
 /** What the third format brought: scans, and fields of older messages. */
 final class GoldenFormat3 {
@@ -176,6 +180,23 @@ final class GoldenFormat3 {
             .serviceName("MissionManager")
             .accepted(true)
             .outcome("goal \"2\" inserted after \"gate\""));
+    golden.add(
+        "FenceOrder",
+        new FenceOrder()
+            .requestId("o3")
+            .action(FenceAction.REPLACE)
+            .fence("<fence/>")
+            .file("field.xml")
+            .operator("anna"));
+    golden.add(
+        "FenceOrderResult",
+        new FenceOrderResult()
+            .requestId("o3")
+            .serviceName("SafetyManager")
+            .accepted(true)
+            .outcome("fence of field.xml in force"));
+    golden.add(
+        "FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
     golden.add("GoalList-paused", new GoalList().paused(true));
     golden.add(
         "DiscoveryResponse-choices",

@@ -36,7 +36,8 @@ public record SourceName(
           Channels.DISCOVERY,
           Channels.FUNCTIONALITY,
           Channels.CONFIGURATION,
-          Channels.MISSION);
+          Channels.MISSION,
+          Channels.FENCE_ORDERS);
 
   /** Fields that name the sources of other channels; empty for channels with one writer. */
   private static final Map<String, String> FIELDS = fields();
@@ -62,7 +63,8 @@ public record SourceName(
             Channels.OBJECTS,
             Channels.GRID,
             Channels.FAILSAFE,
-            Channels.ARMING_STATE)
+            Channels.ARMING_STATE,
+            Channels.FENCE)
         .forEach(channel -> fields.put(channel.name(), ONLY_WRITER));
     return fields;
   }

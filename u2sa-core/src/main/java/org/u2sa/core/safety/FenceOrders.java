@@ -1,0 +1,98 @@
+package org.u2sa.core.safety;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
+
+/**
+ * Carries out operators' orders about the fence and reports the results. Idempotent: a repeated
+ * order is answered again but not executed again.
+ */
+final class FenceOrders {
+  private static final int REMEMBERED = 64;
+
+  private final FenceWatch watch;
+  private final Map<String, FenceOrderResult> answered =
+      new LinkedHashMap<>() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<String, FenceOrderResult> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+
+  FenceOrders(FenceWatch watch) {
+    this.watch = watch;
+  }
+
+  /**
+   * Carries out an order unless already done. Returns the answer of the manager of that name.
+   *
+   * @param armed whether the vehicle is armed: it must then be well within the new fence
+   */
+  FenceOrderResult obey(FenceOrder order, String manager, boolean armed, long nowMicros) {
+    FenceOrderResult before = answered.get(order.requestId());
+    if (before != null) {
+      return (FenceOrderResult) before.copy();
+    }
+    FenceOrderResult result =
+        new FenceOrderResult().requestId(order.requestId()).serviceName(manager);
+    try {
+      result.accepted(true).outcome(outcome(order, armed, nowMicros));
+    } catch (BadInputException e) {
+      result.accepted(false).outcome(e.getMessage());
+    }
+    answered.put(order.requestId(), (FenceOrderResult) result.copy());
+    return result;
+  }
+
+  private String outcome(FenceOrder order, boolean armed, long nowMicros) {
+    switch (order.action()) {
+      case REPLACE:
+        GivenFence given = watch.given(source(order), text(order));
+        check(given, armed, nowMicros);
+        watch.order(Optional.of(given));
+        return "fence of " + given.file() + " in force" + remark(nowMicros);
+      case RELOAD:
+        Optional<GivenFence> configured = watch.configured();
+        configured.ifPresent(fence -> check(fence, armed, nowMicros));
+        watch.load();
+        return configured.isPresent()
+            ? "fence of " + configured.get().file() + " in force" + remark(nowMicros)
+            : "no fence is configured: none in force";
+      default:
+        watch.order(Optional.empty());
+        return "no fence in force";
+    }
+  }
+
+  private static String source(FenceOrder order) {
+    return order.file().orElse("an order by " + order.operator());
+  }
+
+  private static String text(FenceOrder order) {
+    return order
+        .fence()
+        .orElseThrow(() -> new BadInputException("no fence; expected one in XML"));
+  }
+
+  private void check(GivenFence given, boolean armed, long nowMicros) {
+    if (armed) {
+      watch
+          .refusal(given, nowMicros)
+          .ifPresent(
+              words -> {
+                throw new BadInputException(
+                    given.file() + ": the vehicle is armed, and to this fence it is: " + words);
+              });
+    }
+  }
+
+  private String remark(long nowMicros) {
+    return watch.objection(nowMicros).map(words -> "; not to be armed: " + words).orElse("");
+  }
+}

@@ -1,0 +1,219 @@
+package org.u2sa.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FenceAction;
+import org.u2sa.messages.safety.FenceOrder;
+import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.FenceState;
+
+/** Fences that operators order while a vehicle stands at the origin of its local frame. */
+class FenceOrdersTest extends WatchedVehicle {
+  @TempDir private Path folder;
+  private int orders;
+
+  /** A square around the origin, or beside it. */
+  private static String square(double fromX, double toX) {
+    return String.format(
+        """
+        <fence><reference>Local ENU</reference><keepIn>
+        <corner><x>%1$s</x><y>-50</y></corner><corner><x>%2$s</x><y>-50</y></corner>
+        <corner><x>%2$s</x><y>50</y></corner><corner><x>%1$s</x><y>50</y></corner>
+        </keepIn></fence>""",
+        fromX, toX);
+  }
+
+  private FenceOrderResult order(FenceOrder order) {
+    return repeated(order.requestId("o" + ++orders).operator("Ann"));
+  }
+
+  private FenceOrderResult repeated(FenceOrder order) {
+    kit.publish(Channels.FENCE_ORDERS, order);
+    live(0.2);
+    return kit.published(Channels.FENCE_ORDERS).stream()
+        .filter(FenceOrderResult.class::isInstance)
+        .map(FenceOrderResult.class::cast)
+        .filter(result -> result.requestId().equals(order.requestId()))
+        .reduce((first, second) -> second)
+        .orElseThrow();
+  }
+
+  private FenceOrderResult replace(String xml) {
+    return order(new FenceOrder().action(FenceAction.REPLACE).fence(xml).file("new.xml"));
+  }
+
+  private FenceState fence() {
+    return kit.latest(Channels.FENCE).orElseThrow();
+  }
+
+  private void configure(String xml) throws IOException {
+    Path file = Files.writeString(folder.resolve("configured.xml"), xml);
+    kit.with("FENCE", file.toString());
+  }
+
+  @Test
+  void start_withAFenceOfAFile_publishesItsTextFileAndMargin() throws IOException {
+    configure("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + square(-50, 50));
+    kit.with("FENCE MARGIN", 2.0);
+    start();
+    live(0.2);
+
+    assertThat(fence().fence()).contains("\n" + square(-50, 50));
+    assertThat(fence().file()).contains(folder.resolve("configured.xml").toString());
+    assertThat(fence().margin()).isEqualTo(2.0);
+  }
+
+  @Test
+  void start_withoutAFence_publishesThatThereIsNone() {
+    start();
+    live(0.2);
+
+    assertThat(fence().fence()).isEmpty();
+    assertThat(fence().file()).isEmpty();
+  }
+
+  @Test
+  void replace_aroundAnArmedVehicle_isInForceAtOnceAndPublished() {
+    startArmed();
+
+    FenceOrderResult result = replace(square(-50, 50));
+
+    assertThat(result.accepted()).as(result.outcome()).isTrue();
+    assertThat(fence().fence()).contains(square(-50, 50));
+    assertThat(fence().file()).contains("new.xml");
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void replace_besideAnArmedVehicle_isRefusedAndTheOldFenceStays() throws IOException {
+    configure(square(-50, 50));
+    startArmed();
+
+    FenceOrderResult result = replace(square(10, 50));
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.outcome())
+        .isEqualTo("new.xml: the vehicle is armed, and to this fence it is: outside");
+    assertThat(fence().fence()).contains(square(-50, 50));
+    live(1.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void replace_besideADisarmedVehicle_isInForceAndAReasonNotToArm() {
+    start();
+    live(0.3);
+
+    FenceOrderResult result = replace(square(10, 50));
+
+    assertThat(result.accepted()).isTrue();
+    assertThat(result.outcome()).contains("not to be armed: outside the keep-in area");
+    assertThat(arm(true).reasons())
+        .contains("geofence: outside the keep-in area, or inside a keep-out one");
+  }
+
+  @Test
+  void replace_armedWithoutAPosition_isRefused() {
+    startArmed();
+    kit.advance(5.0);
+    kit.publish(
+        Channels.FENCE_ORDERS,
+        new FenceOrder().requestId("o9").action(FenceAction.REPLACE).fence(square(-50, 50)));
+    kit.advance(0.2);
+
+    assertThat(kit.latest(Channels.FENCE_ORDERS).orElseThrow())
+        .isInstanceOfSatisfying(
+            FenceOrderResult.class,
+            result -> assertThat(result.outcome()).contains("without a position to compare"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "<fence/>, lacks <keepIn>",
+    "<mission/>, expected the root element <fence>",
+    "<fence><keepIn><corner><x>0</x><y>0</y></corner></keepIn></fence>, has 1 <corner>",
+    "<fence><keepIn><corner><x>NaN</x><y>0</y></corner></keepIn></fence>, NaN",
+    "no fence, new.xml"
+  })
+  void replace_byWhatIsNoFence_isRefusedNamingFileAndFault(String xml, String fault) {
+    start();
+
+    FenceOrderResult result = replace(xml);
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.outcome()).startsWith("new.xml").contains(fault);
+    assertThat(fence().file()).isEmpty();
+  }
+
+  @Test
+  void replace_thatCrossesItself_isRefused() {
+    start();
+    String bow = square(-50, 50).replaceFirst("<x>50.0</x><y>50", "<x>50.0</x><y>-80");
+
+    assertThat(replace(bow).outcome()).contains("encloses no area in one piece");
+  }
+
+  @Test
+  void remove_thenReload_leavesNoFenceAndThenThatOfTheFile() throws IOException {
+    configure(square(-50, 50));
+    startArmed();
+
+    assertThat(order(new FenceOrder().action(FenceAction.REMOVE)).accepted()).isTrue();
+    assertThat(fence().file()).isEmpty();
+
+    assertThat(order(new FenceOrder().action(FenceAction.RELOAD)).accepted()).isTrue();
+    assertThat(fence().fence()).contains(square(-50, 50));
+  }
+
+  @Test
+  void order_repeated_isAnsweredButNotExecutedAgain() {
+    start();
+    FenceOrder first = new FenceOrder().action(FenceAction.REPLACE).fence(square(-50, 50));
+    assertThat(order(first).accepted()).isTrue();
+    order(new FenceOrder().action(FenceAction.REMOVE));
+
+    assertThat(repeated((FenceOrder) first.copy()).accepted()).isTrue();
+
+    assertThat(fence().file()).isEmpty();
+  }
+
+  @Test
+  void vehicle_leavesAnOrderedFence_isAFailsafe() {
+    kit.with("ON FENCE", "HOLD");
+    startArmed();
+    replace(square(-1000, 1000));
+    kit.send(
+        Channels.STATE,
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .x(0.0)
+            .y(60.0)
+            .xSigma(1.0));
+    kit.advance(0.2);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.HOLD);
+    assertThat(failsafe().causes()).containsExactly("geofence: outside");
+  }
+
+  @Test
+  void restart_afterAnOrder_keepsTheOrderedFence() throws IOException {
+    configure(square(-50, 50));
+    SafetyManager manager = startArmedManager();
+    replace(square(-40, 40));
+    kit.restart(manager, SafetyManager::new);
+    live(1.0);
+
+    assertThat(fence().fence()).contains(square(-40, 40));
+  }
+}

@@ -1,0 +1,54 @@
+package org.u2sa.messages.safety;
+
+import java.util.Optional;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.NumberField;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
+
+/** The geofence in force, published at the start and at each change. */
+public final class FenceState extends U2SAData {
+  private static final Schema<FenceState> SCHEMA =
+      Schema.of(FenceState.class, FenceState::new, U2SAData.TYPE).since(3);
+  private static final ValueField<FenceState, String> FENCE = SCHEMA.optionalText("fence");
+  private static final ValueField<FenceState, String> FILE = SCHEMA.optionalText("file");
+  private static final NumberField<FenceState> MARGIN = SCHEMA.number("margin", "m", 0.0, 0.0);
+
+  public static final MessageType<FenceState> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<FenceState> type() {
+    return TYPE;
+  }
+
+  /**
+   * Fence XML as in a file of the Safety Manager's variable FENCE, without the margin; empty: no
+   * fence, or one that is longer than a text may be.
+   */
+  public Optional<String> fence() {
+    return Optional.ofNullable(get(FENCE));
+  }
+
+  public FenceState fence(String value) {
+    return put(FENCE, value);
+  }
+
+  /** File of the fence, or the operator whose order brought it; empty: no fence is in force. */
+  public Optional<String> file() {
+    return Optional.ofNullable(get(FILE));
+  }
+
+  public FenceState file(String value) {
+    return put(FILE, value);
+  }
+
+  /** Distance by which the areas are shrunk, and forbidden ones widened, on all sides [m]. */
+  public double margin() {
+    return require(MARGIN);
+  }
+
+  public FenceState margin(double metres) {
+    return put(MARGIN, metres);
+  }
+}
