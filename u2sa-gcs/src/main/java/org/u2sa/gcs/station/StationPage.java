@@ -25,6 +25,7 @@ public final class StationPage implements WebSite {
           "configuration.js",
           "dom.js",
           "editor.js",
+          "fence.js",
           "goalform.js",
           "goals.js",
           "graph.js",

@@ -2,6 +2,7 @@
 
 import {land} from './coast.js';
 import {byId} from './dom.js';
+import {FenceEditor} from './fence.js';
 import {MissionEditor} from './editor.js';
 import {drawVehicle, extent} from './layers.js';
 import {InsightTab} from './insight.js';
@@ -27,6 +28,7 @@ const link = new Link({changed: () => panel.showLink(), up: linkUp, message: rec
 const orders = new Orders(link);
 const model = new Model({answered: fields => orders.answered(fields), missionChanged: askMission});
 const editor = new MissionEditor(orders);
+const fence = new FenceEditor({link, orders, selected, order, confirm: question => panel.confirm(question), isNear: (a, b) => map.isNear(a, b)});
 const services = new ServicesTab({link, orders, selected, order, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question)});
 const book = new SeriesBook();
 const insight = new InsightTab({link, book, selected});
@@ -48,6 +50,7 @@ function select(id) {
   if (id === selectedId) return;
   selectedId = id;
   wasFitted = false;
+  fence.discard();
   editor.discard();
   editor.selected = null;
 }
@@ -116,7 +119,7 @@ document.addEventListener('keydown', event => {
 
 function tapped(at) {
   const vehicle = selected();
-  if (!vehicle || tools.tapped(at)) return;
+  if (!vehicle || tools.tapped(at) || fence.tapped(vehicle, at)) return;
   if (editor.isAdding && vehicle.place.origin) mission.tapped(vehicle, at);
   else mission.choose(vehicle, at);
   panel.show(vehicle);
@@ -125,7 +128,8 @@ function tapped(at) {
 /** Goals can be dragged while the mission is open, so that nobody moves one by accident. */
 function grabbed(at) {
   const vehicle = selected();
-  return vehicle && mission.isOpen && !editor.isAdding ? mission.grabbed(vehicle, at) : null;
+  if (!vehicle || !mission.isOpen || editor.isAdding) return null;
+  return fence.isOpen ? fence.grabbed(vehicle, at) : mission.grabbed(vehicle, at);
 }
 
 function dragged(handle, at) {
@@ -135,7 +139,7 @@ function dragged(handle, at) {
 
 function dropped(handle, at) {
   dragging = null;
-  mission.dropped(selected(), handle, at);
+  (handle.isFence ? fence : mission).dropped(selected(), handle, at);
   panel.show(selected());
 }
 
@@ -159,7 +163,8 @@ function frame() {
   }
   if (!vehicle) return;
   const route = editor.route(vehicle);
-  const drawHandles = mission.draw(map, route, dragging);
+  if (tools.layers.fence) fence.draw(map, vehicle, dragging);
+  const drawHandles = mission.draw(map, route, dragging && dragging.isFence ? null : dragging);
   drawVehicle(map, vehicle, route, true, tools.layers);
   drawHandles();
   tools.draw();
@@ -181,6 +186,7 @@ setInterval(() => {
   tools.show();
   panel.show(vehicle);
   if (vehicle) timeline.show(vehicle);
+  if (vehicle && fence.isOpen) fence.show(vehicle);
   link.isReadOnly = Boolean(vehicle && vehicle.playback);
   map.touch(); // what is stale turns grey without a message
   if (vehicle && link.isUp && !vehicle.playback && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);

@@ -8,7 +8,7 @@ const KEEP_ALIVE_S = 60; // a hidden page may be woken once a minute only
 const PING_EVERY_MS = 1000;
 const LOST_AFTER_MS = 3000; // three pings
 const RETRY_MS = [500, 1000, 2000, 5000];
-const QOS_1 = ['mission', 'service-orders', 'arming-state', 'failsafe', 'emergency-stop', 'goals', 'conditions', 'configuration', 'discovery', 'functionality'];
+const QOS_1 = ['mission', 'service-orders', 'arming-state', 'failsafe', 'emergency-stop', 'goals', 'conditions', 'configuration', 'discovery', 'functionality', 'fence', 'fence-orders'];
 const QOS_0 = ['state', 'objects', 'grid', 'plans', 'navigation', 'power', 'health', 'goal-reports'];
 const REFUSALS = {
   1: 'the broker wants another version of MQTT',

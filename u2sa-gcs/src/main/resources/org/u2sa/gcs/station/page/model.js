@@ -1,5 +1,6 @@
 // What the page knows of each vehicle, from the messages it has heard.
 
+import {readFence} from './fence.js';
 import {Place} from './place.js';
 import {playbackOf} from './playback.js';
 
@@ -21,6 +22,7 @@ export class Vehicle {
     this.goals = [];
     this.goalsPaused = false;
     this.report = null; // MissionReport
+    this.fence = null; // {frame, areas, …, file, margin}
     this.heard = null; // the same from the channel goals alone
     this.playback = null; // if it is a recording
     this.goalClasses = new Map(); // name -> GoalClass
@@ -228,6 +230,21 @@ const HANDLERS = {
     if (!vehicle.arming || vehicle.arming.armed !== fields.armed) vehicle.log(fields.armed ? 'armed' : 'not armed', 'important');
     vehicle.arming = fields;
     answers.answered(fields);
+  },
+
+  fence(vehicle, fields) {
+    try {
+      vehicle.fence = isText(fields.fence) ? {...readFence(fields.fence), file: text(fields.file), margin: Number(fields.margin) || 0} : null;
+    } catch (error) {
+      vehicle.fence = null;
+      vehicle.log(`the fence cannot be read: ${error.message}`, 'error');
+    }
+    if (!vehicle.fence && fields.file) vehicle.log(`the fence of ${text(fields.file)} is too long to be shown`, 'warn');
+  },
+
+  'fence-orders'(vehicle, fields, type, answers) {
+    if (type === 'FenceOrder') vehicle.log(`fence: ${fields.action} ordered by ${fields.operator}`, 'important');
+    if (type === 'FenceOrderResult') answers.answered(fields);
   },
 
   failsafe(vehicle, fields) {

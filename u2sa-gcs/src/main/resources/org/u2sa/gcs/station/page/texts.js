@@ -2,7 +2,7 @@
 
 export const texts = {
   layers: {
-    coast: 'Coastline', cells: 'Occupancy', objects: 'Objects', traffic: 'Traffic and separation', areas: 'Search areas', plan: 'Plan', route: 'Mission', trail: 'Trail', uncertainty: 'Uncertainty',
+    coast: 'Coastline', cells: 'Occupancy', objects: 'Objects', traffic: 'Traffic and separation', areas: 'Search areas', fence: 'Fence', plan: 'Plan', route: 'Mission', trail: 'Trail', uncertainty: 'Uncertainty',
   },
   measured: (length, bearing, sum) => `${distance(length)}, ${bearing.toFixed(0)}°${sum === undefined ? '' : ', total ' + distance(sum)}`,
   add: 'Add',
@@ -24,6 +24,12 @@ export const texts = {
   tooLong: file => `${file} is longer than 60 kB`,
   unknownClass: 'the vehicle has not named the fields of all classes of goals',
   inFailsafe: 'a failsafe’s goals are pursued: save the mission when it continues',
+  fence: {floor: 'Floor [m]', ceiling: 'Ceiling [m]', keepIn: 'Keep in', keepOut: 'Keep out'},
+  fenceOf: (file, margin) => `In force: ${file}, margin ${distance(margin)}`,
+  fenceDraft: 'Changed here, not uploaded',
+  noFence: 'The vehicle has no fence',
+  askNoFence: vehicle => `Let ${vehicle} move without a fence?`,
+  circle: radius => `circle, radius ${distance(radius)}`,
   recording: 'this is a recording',
   play: 'Play',
   pause: 'Pause',
