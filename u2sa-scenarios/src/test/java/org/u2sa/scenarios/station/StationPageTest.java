@@ -196,6 +196,17 @@ class StationPageTest {
     browser.press("upload");
     browser.awaitText("outcome", "inserted \"s1\"");
 
+    browser.evaluate("document.getElementById('fence').open = true");
+    browser.awaitText("fence-state", "fence.xml, margin 1.0 m");
+    browser.press("fence-keepOut");
+    browser.evaluate(
+        "(() => { const field = document.getElementById('fence-field-area-1');"
+            + " field.value = '-81.0475 29.1884; -81.0474 29.1884; -81.0474 29.1885';"
+            + " field.dispatchEvent(new Event('change')); })()");
+    browser.press("fence-upload");
+    browser.awaitText("outcome", "fence of web page in force");
+    browser.awaitText("fence-state", "In force: web page");
+
     String name = "<img src=x onerror=console.error(1)>";
     browser.openFile("bad.xml", "<mission>\n<waypoint>\n<colour>1</colour></waypoint></mission>");
     browser.awaitText("outcome", "bad.xml, line 3, <colour>: is no field of Waypoint");
