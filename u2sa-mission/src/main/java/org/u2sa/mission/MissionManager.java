@@ -90,8 +90,7 @@ public final class MissionManager extends PeriodicService {
     firstFailsafe = new FirstFailsafe(this, context);
     messageTypes = context.messageTypes();
     orders =
-        new MissionOrders(
-            run, resumable, messageTypes, this, failsafes::landGoals, this::replace);
+        new MissionOrders(run, resumable, messageTypes, this, failsafes::landGoals, this::replace);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);

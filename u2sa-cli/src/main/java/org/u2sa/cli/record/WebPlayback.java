@@ -104,8 +104,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
     switch (assignment.variableName()) {
       case POSITION ->
           playback.seekTo(
-              statistics.startNanos()
-                  + Math.round(number(assignment, 0.0, lengthS()) * NANOS));
+              statistics.startNanos() + Math.round(number(assignment, 0.0, lengthS()) * NANOS));
       case RATE -> playback.rate(number(assignment, MIN_RATE, MAX_RATE));
       case PAUSED -> playback.pause(assignment.value().equals("true"));
       default -> throw new IllegalArgumentException(assignment.variableName() + ": no variable");

@@ -195,8 +195,7 @@ public final class Channels {
 
   /** Operators' orders to change the geofence, and their results. */
   public static final Channel<U2SAData> FENCE_ORDERS =
-      Channel.every("fence-orders", U2SAData.TYPE)
-          .carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
+      Channel.every("fence-orders", U2SAData.TYPE).carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
 
   /** Battery states. */
   public static final Channel<BatteryState> POWER =

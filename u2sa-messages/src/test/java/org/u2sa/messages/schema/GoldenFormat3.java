@@ -195,8 +195,7 @@ final class GoldenFormat3 {
             .serviceName("SafetyManager")
             .accepted(true)
             .outcome("fence of field.xml in force"));
-    golden.add(
-        "FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
+    golden.add("FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
     golden.add("GoalList-paused", new GoalList().paused(true));
     golden.add(
         "DiscoveryResponse-choices",

@@ -47,7 +47,8 @@ public final class RetainedHistory {
   public List<McapMessage> before(long nanos) {
     List<McapMessage> messages = new ArrayList<>();
     for (TreeMap<Long, McapMessage> history : byTopic) {
-      Optional.ofNullable(history.lowerEntry(nanos)).ifPresent(each -> messages.add(each.getValue()));
+      Optional.ofNullable(history.lowerEntry(nanos))
+          .ifPresent(each -> messages.add(each.getValue()));
     }
     return messages;
   }

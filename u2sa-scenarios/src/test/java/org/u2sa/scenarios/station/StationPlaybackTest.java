@@ -53,7 +53,15 @@ class StationPlaybackTest {
     Process demo =
         u2sa(
             folder.resolve("demo.txt"),
-            "demo", "ugv", "--loops", "1", "--seed", "4", "--record", "--out", drive.toString());
+            "demo",
+            "ugv",
+            "--loops",
+            "1",
+            "--seed",
+            "4",
+            "--record",
+            "--out",
+            drive.toString());
     assertThat(demo.waitFor(LONG.toSeconds(), TimeUnit.SECONDS)).isTrue();
     int port = FreePort.find();
     Path output = folder.resolve("replay.txt");
@@ -69,7 +77,8 @@ class StationPlaybackTest {
         browser.awaitText("position-text", "0:2"); // begins at 20 s
         browser.awaitText("doing", "to "); // the retained goals were published before
         browser.awaitText("instruments", "m/s");
-        assertThat(browser.evaluate("document.getElementById('estop').checkVisibility()").asBoolean())
+        assertThat(
+                browser.evaluate("document.getElementById('estop').checkVisibility()").asBoolean())
             .isFalse();
 
         browser.press("play");

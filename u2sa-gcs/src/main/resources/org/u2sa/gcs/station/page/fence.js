@@ -9,6 +9,8 @@ import {escapeXml, readXml} from './xml.js';
 const LIMITS = ['floor', 'ceiling'];
 const KINDS = ['keepIn', 'keepOut'];
 const UNDO_STEPS = 50;
+const MAX_AREAS = 64;
+const MAX_CORNERS = 1000;
 
 /** A fence's XML as {frame, floor, ceiling, areas: [{kind, corners} or {kind, circle, source}]}. */
 export function readFence(text) {
@@ -16,7 +18,7 @@ export function readFence(text) {
   for (const child of readXml(text).children) {
     if (child.name === 'reference') fence.frame = child.text.toUpperCase().replace(/[\s-]+/g, '_');
     else if (LIMITS.includes(child.name)) fence[child.name] = [child.text, child.attributes.unit].filter(Boolean).join(' ');
-    else if (KINDS.includes(child.name)) fence.areas.push(areaOf(child));
+    else if (KINDS.includes(child.name) && fence.areas.length < MAX_AREAS) fence.areas.push(areaOf(child));
   }
   return fence;
 }
@@ -26,7 +28,7 @@ function areaOf(element) {
   const point = parent => [number(parent, 'x'), number(parent, 'y')];
   const centre = element.children.find(each => each.name === 'centre');
   if (centre) return {kind: element.name, corners: '', circle: {at: point(centre), radius: number(element, 'radius')}, source: element.source};
-  const corners = element.children.filter(each => each.name === 'corner').map(point);
+  const corners = element.children.filter(each => each.name === 'corner').slice(0, MAX_CORNERS).map(point);
   return {kind: element.name, corners: corners.map(each => each.map(numberText).join(' ')).join('; ')};
 }
 

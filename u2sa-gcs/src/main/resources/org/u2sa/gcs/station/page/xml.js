@@ -25,10 +25,18 @@ class XmlReader {
   constructor(text) {
     this.text = text;
     this.at = 0;
+    this.lines = 1;
+    this.countedTo = 0;
   }
 
-  error(what, at = this.at) {
-    return new XmlError(this.text.slice(0, at).split('\n').length, what);
+  error(what) {
+    return new XmlError(this.line(this.at), what);
+  }
+
+  /** Number of the line of a place; counted on from the last one. */
+  line(at) {
+    for (; this.countedTo < at; this.countedTo++) if (this.text.charCodeAt(this.countedTo) === 10) this.lines++;
+    return this.lines;
   }
 
   has(part) {
@@ -73,7 +81,7 @@ class XmlReader {
     if (this.has('<!')) throw this.error('a document type is not allowed');
     if (!this.has('<')) throw this.error('an element is missing');
     this.at++;
-    const element = {name: this.name(), attributes: {}, children: [], text: '', line: this.error('', start).line, source: ''};
+    const element = {name: this.name(), attributes: {}, children: [], text: '', line: this.line(start), source: ''};
     for (this.blanks(); !this.has('>') && !this.has('/>'); this.blanks()) {
       const name = this.name();
       this.blanks();
