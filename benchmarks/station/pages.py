@@ -7,6 +7,8 @@
     pages.py readers WEB_PORT BROKER_PORT USER TOKEN_FILE [PAGES] [SECONDS]
         prints the longest p99 of callbacks that each service of the running vehicle reports, without and with PAGES
         clients that subscribe over the WebSocket to what the page subscribes to, in turn, three times
+    pages.py soak WEB_PORT BROKER_PORT USER TOKEN_FILE [VEHICLES] [MINUTES]
+        as vehicles, with 10 of them; prints a line each minute with the heap after a collection
 
 Needs paho-mqtt 1, cbor2, playwright and Debian's chromium. Start a vehicle first: ./u2sa demo ugv --realtime --web 8080
 """
@@ -110,6 +112,34 @@ def vehicles(web_port, broker_port, user, token, count=50, seconds=60):
     print(f"processor time of the page's thread: {100 * worked / seconds:.0f} % of a core")
 
 
+def soak(web_port, broker_port, user, token, count=10, minutes=30):
+    from playwright.sync_api import sync_playwright
+
+    publisher = client(web_port, broker_port, user, token)
+    threading.Thread(target=play, args=(publisher, count, threading.Event()), daemon=True).start()
+    with sync_playwright() as p:
+        browser = p.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-gpu", "--enable-precise-memory-info"])
+        page = browser.new_page(viewport={"width": 1400, "height": 900})
+        page.add_init_script(HOOK)
+        page.goto(f"http://127.0.0.1:{web_port}/#{token}")
+        page.wait_for_timeout(5000)
+        page.select_option("#vehicle", "v00")
+        inspector = page.context.new_cdp_session(page)
+        inspector.send("Performance.enable", {"timeDomain": "threadTicks"})
+        for minute in range(minutes):
+            before = busy(inspector)
+            page.evaluate("lags.length = 0; frames.length = 0; received = 0")
+            page.wait_for_timeout(60_000)
+            worked = busy(inspector) - before
+            lags, frames, received = page.evaluate("[lags, frames, received]")
+            page.evaluate("lags.length = 0; frames.length = 0")
+            inspector.send("HeapProfiler.collectGarbage")
+            heap = page.evaluate("performance.memory.usedJSHeapSize")
+            print(f"{minute + 1:3d} min: heap {heap / 1e6:6.2f} MB, lag p50 {share(lags, 0.5):4.0f} p95 {share(lags, 0.95):4.0f} ms, pictures p95 {share(frames, 0.95):4.0f} ms, "
+                  f"{received / 60:.0f} messages/s, {100 * worked / 60:.0f} % of a core, load {os.getloadavg()[0]:.1f}", flush=True)
+        browser.close()
+
+
 CHANNELS = ["mission", "service-orders", "arming-state", "failsafe", "emergency-stop", "goals", "conditions", "configuration",
             "discovery", "functionality", "state", "objects", "grid", "plans", "navigation", "power", "health", "goal-reports"]
 
@@ -147,5 +177,5 @@ if __name__ == "__main__":
     if len(sys.argv) < 6:
         sys.exit(__doc__)
     kind, web, broker, who, file, *numbers = sys.argv[1:]
-    run = {"vehicles": vehicles, "readers": readers}[kind]
+    run = {"vehicles": vehicles, "readers": readers, "soak": soak}[kind]
     run(int(web), int(broker), who, pathlib.Path(file).read_text().strip(), *map(int, numbers))

@@ -40,7 +40,7 @@ record GoalElement(
           "repeatTimes");
 
   /** Required fields that the Mission Manager sets where a file leaves them out. */
-  private static final List<String> SET_LATER = Arrays.asList("uid", "horizontalThreshold");
+  static final List<String> SET_LATER = Arrays.asList("uid", "horizontalThreshold");
 
   private static final String FRAME = "referenceFrame";
 

@@ -22,6 +22,7 @@ import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.PeriodicService;
@@ -67,6 +68,7 @@ public final class MissionManager extends PeriodicService {
   private final TimeLimits limits = new TimeLimits(run, this);
   private final Map<String, Long> reportedMicros = new HashMap<>(); // latest report by goal
   private final Resumable resumable;
+  private final MessageTypes messageTypes;
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
@@ -86,9 +88,9 @@ public final class MissionManager extends PeriodicService {
         new Resumable(
             run, new SavedMission(context, NAME, MissionManager.class.getName()), settings, this);
     firstFailsafe = new FirstFailsafe(this, context);
+    messageTypes = context.messageTypes();
     orders =
-        new MissionOrders(
-            run, resumable, context.messageTypes(), this, failsafes::landGoals, this::replace);
+        new MissionOrders(run, resumable, messageTypes, this, failsafes::landGoals, this::replace);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
@@ -229,6 +231,10 @@ public final class MissionManager extends PeriodicService {
   private void onMission(U2SAData message) {
     passTime();
     if (message instanceof MissionRequest request) {
+      if (request.classes()) {
+        GoalClasses.of(messageTypes, getServiceName())
+            .forEach(each -> publish(Channels.MISSION, each));
+      }
       Optional<String> resumableAt = resumable.where().or(() -> run.progress().backTo());
       publish(Channels.MISSION, run.report(request.requestId(), getServiceName(), resumableAt));
     } else if (message instanceof MissionOrder order) {

@@ -1,6 +1,7 @@
 package org.u2sa.planning;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.io.IOException;
 import java.net.URL;
@@ -15,7 +16,9 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.mission.GoalClass;
 import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.schema.MessageType;
@@ -189,6 +192,18 @@ class GoalsFromAJarTest {
             .containsExactly(4.0, 6.0);
         assertThat(report.goals()).allMatch(GoalInformation::completed);
         assertThat(report.finished()).containsExactly(1.0, 2.0);
+
+        drive.kit.publish(Channels.MISSION, new MissionRequest().requestId("c").classes(true));
+        assertThat(drive.kit.published(Channels.MISSION))
+            .filteredOn(GoalClass.class::isInstance)
+            .extracting(GoalClass.class::cast)
+            .filteredOn(each -> each.className().equals("HulaHoop"))
+            .singleElement()
+            .satisfies(
+                hoop ->
+                    assertThat(hoop.variables())
+                        .extracting(ConfigurationVariable::name, ConfigurationVariable::value)
+                        .contains(tuple("shots", "6.0"), tuple("x", "")));
       }
     } finally {
       thread.setContextClassLoader(before);

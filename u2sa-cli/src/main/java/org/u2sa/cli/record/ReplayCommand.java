@@ -14,9 +14,11 @@ import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapMessage;
+import org.u2sa.recorder.mcap.record.McapStatistics;
 import org.u2sa.recorder.playback.Playback;
 import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.recorder.playback.RecordedSpan;
+import org.u2sa.recorder.playback.RetainedHistory;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -36,10 +38,14 @@ import picocli.CommandLine.Parameters;
       "At a terminal: space pauses, s plays the next message and pauses, left and right go 5 s back and forward, up and down "
           + "double and halve the rate, q ends.",
       "",
+      "With --web no broker is needed: a browser shows the recording in the operator's page, with a timeline.",
+      "",
       "With --rerun no broker is needed: each service is recreated and given its recorded input at the recorded times, and its output is compared with the recording, byte by byte. Exit code 1: something differs. Rerun only recordings that you "
           + "trust: the service classes that they name are executed."
     })
 public final class ReplayCommand extends BaseCommand {
+  private static final int HIGHEST_PORT = 65_535;
+
   @Mixin private RemoteSystem remote;
 
   @Parameters(paramLabel = "FILE", description = "The recording (MCAP).")
@@ -64,6 +70,14 @@ public final class ReplayCommand extends BaseCommand {
   @Option(names = "--loop", description = "Restart at the end, until Ctrl-C.")
   private boolean loop;
 
+  @Option(
+      names = "--web",
+      paramLabel = "PORT",
+      description =
+          "Show the recording in the operator's page at this port of this host; the next port is"
+              + " that of its broker. Paused at the end, until Ctrl-C.")
+  private Integer web; // null: publish to a running broker
+
   @Mixin private RerunOptions rerun;
 
   private long published;
@@ -81,9 +95,12 @@ public final class ReplayCommand extends BaseCommand {
     try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
       RecordedSpan span = part.of(recording.reader());
       Predicate<McapChannel> channels = recording.channels(wanted);
-      MqttTransport transport = remote.transport(recording.systemId().orElseThrow());
       Playback playback =
           new Playback(recording.reader(), channels, span, rate, loop, new SystemClock());
+      if (web != null) {
+        return playOnPage(recording, playback, span);
+      }
+      MqttTransport transport = remote.transport(recording.systemId().orElseThrow());
       try (Connection connection = transport.connect("u2sa-replay", new PublisherOnly(this::tell));
           PlaybackKeys keys = PlaybackKeys.of(terminal(), playback)) {
         print("Replaying " + file + " as system " + transport.systemId() + ".");
@@ -111,9 +128,45 @@ public final class ReplayCommand extends BaseCommand {
     }
   }
 
+  private int playOnPage(RecordedMessages recording, Playback playback, RecordedSpan span)
+      throws IOException, InterruptedException {
+    if (web < 1 || web >= HIGHEST_PORT) {
+      throw wrong("--web " + web + ": expected 1…" + (HIGHEST_PORT - 1));
+    }
+    McapStatistics statistics = recording.reader().statistics();
+    RetainedHistory history = new RetainedHistory(recording);
+    try (WebPlayback page =
+            new WebPlayback(
+                web, recording.systemId().orElseThrow(), playback, statistics, this::print);
+        PlaybackKeys keys = PlaybackKeys.of(terminal(), playback)) {
+      keys.explain();
+      playback.play(
+          new Playback.Sink() {
+            @Override
+            public void play(McapMessage message) {
+              publish(page.connection(), recording, message);
+            }
+
+            @Override
+            public void at(Playback.Position position) {
+              keys.show(position, span, statistics);
+              page.show(position);
+            }
+
+            @Override
+            public void sought(long nanos) {
+              history.before(nanos).forEach(this::play);
+            }
+          },
+          () -> false);
+    }
+    recording.undecodable().ifPresent(this::tell);
+    return ExitCode.DONE;
+  }
+
   /** Services are executed again from their start, on all that they were given. */
   private void refuseParts() {
-    for (String option : List.of("--from", "--to", "--channel", "--rate", "--loop")) {
+    for (String option : List.of("--from", "--to", "--channel", "--rate", "--loop", "--web")) {
       if (commandLine().getParseResult().hasMatchedOption(option)) {
         throw wrong(option + ": expected without --rerun, which executes the whole recording");
       }

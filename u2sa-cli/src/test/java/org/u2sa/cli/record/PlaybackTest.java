@@ -40,6 +40,7 @@ class PlaybackTest {
   private final List<Integer> played = new ArrayList<>();
   private final List<Double> playedAtS = new ArrayList<>();
   private final List<Playback.Position> told = new ArrayList<>();
+  private final List<Long> sought = new ArrayList<>();
   private McapReader reader;
 
   @BeforeEach
@@ -83,6 +84,11 @@ class PlaybackTest {
           @Override
           public void at(Playback.Position position) {
             told.add(position);
+          }
+
+          @Override
+          public void sought(long nanos) {
+            sought.add(nanos);
           }
         },
         () -> clock.micros() - began > Clock.micros(1_000.0));
@@ -189,6 +195,27 @@ class PlaybackTest {
           }
         });
     assertThat(played).containsExactly(98, 99, 100, 98, 99, 100, 98);
+  }
+
+  @Test
+  void holdAtEnd_thenSeekTo_playsOnFromThere() throws Exception {
+    Playback playback = playback(98.0, 100.0, 1.0, false);
+    playback.holdAtEnd();
+    clock.onWait(
+        () -> {
+          boolean isHeld = !told.isEmpty() && told.get(told.size() - 1).isPaused();
+          if (isHeld && played.size() == 3) {
+            playback.seekTo(99 * SECOND);
+            playback.rate(4.0);
+            playback.pause(false);
+          } else if (isHeld && played.size() == 5) {
+            playback.end();
+          }
+        });
+    play(playback, second -> {});
+    assertThat(played).containsExactly(98, 99, 100, 99, 100);
+    assertThat(playedAtS.get(4) - playedAtS.get(3)).isCloseTo(0.25, within(1e-6));
+    assertThat(sought).containsExactly(98 * SECOND, 99 * SECOND);
   }
 
   @Test

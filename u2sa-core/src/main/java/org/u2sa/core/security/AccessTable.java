@@ -34,6 +34,7 @@ import org.u2sa.messages.contract.FunctionalityRequest;
 import org.u2sa.messages.contract.FunctionalityResponse;
 import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
+import org.u2sa.messages.mission.GoalClass;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.mission.MissionReport;
@@ -69,6 +70,7 @@ public final class AccessTable {
           row(Channels.GOAL_UPDATES, REPORT, ANSWERING),
           row(Channels.GOAL_COMMANDS, ORDER, Set.of(OPERATOR)),
           row(Channels.MISSION, MissionRequest.TYPE, QUESTION, ALL),
+          row(Channels.MISSION, GoalClass.TYPE, REPORT, SERVICES),
           row(Channels.MISSION, MissionReport.TYPE, REPORT, SERVICES),
           row(Channels.MISSION, MissionOrder.TYPE, ORDER, Set.of(OPERATOR)),
           row(Channels.MISSION, MissionOrderResult.TYPE, REPORT, SERVICES),

@@ -25,6 +25,9 @@ public final class StationPage implements WebSite {
           "configuration.js",
           "dom.js",
           "editor.js",
+          "fence.js",
+          "goalform.js",
+          "goals.js",
           "graph.js",
           "insight.js",
           "land.json",
@@ -32,14 +35,19 @@ public final class StationPage implements WebSite {
           "link.js",
           "map.js",
           "maptools.js",
+          "missionlinks.js",
+          "missiontab.js",
           "model.js",
           "mqtt.js",
           "orders.js",
+          "outline.js",
           "panel.js",
           "place.js",
+          "playback.js",
           "series.js",
           "services.js",
-          "texts.js");
+          "texts.js",
+          "xml.js");
 
   private static final Map<String, String> MEDIA_TYPES =
       Map.of(

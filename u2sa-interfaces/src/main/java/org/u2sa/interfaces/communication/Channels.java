@@ -33,6 +33,7 @@ import org.u2sa.messages.contract.ServiceOrder;
 import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.mission.GoalClass;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
@@ -106,7 +107,11 @@ public final class Channels {
   public static final Channel<U2SAData> MISSION =
       Channel.every("mission", U2SAData.TYPE)
           .carrying(
-              MissionRequest.TYPE, MissionReport.TYPE, MissionOrder.TYPE, MissionOrderResult.TYPE);
+              MissionRequest.TYPE,
+              GoalClass.TYPE,
+              MissionReport.TYPE,
+              MissionOrder.TYPE,
+              MissionOrderResult.TYPE);
 
   /** Next navigation point of each subsystem; to control. */
   public static final Channel<NavigationPoint> NAVIGATION =
@@ -190,8 +195,7 @@ public final class Channels {
 
   /** Operators' orders to change the geofence, and their results. */
   public static final Channel<U2SAData> FENCE_ORDERS =
-      Channel.every("fence-orders", U2SAData.TYPE)
-          .carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
+      Channel.every("fence-orders", U2SAData.TYPE).carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
 
   /** Battery states. */
   public static final Channel<BatteryState> POWER =

@@ -53,6 +53,7 @@ public final class FieldLabels {
       turn duration approach slope payload terminalSpeed
       corners ground lowest highest share seen image area corner cell resolutions images
       fence margin
+      classes required
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

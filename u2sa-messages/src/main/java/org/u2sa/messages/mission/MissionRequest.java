@@ -11,6 +11,7 @@ public final class MissionRequest extends U2SAData {
       Schema.of(MissionRequest.class, MissionRequest::new, U2SAData.TYPE).since(3);
   private static final ValueField<MissionRequest, String> REQUEST_ID =
       SCHEMA.requiredId("requestId");
+  private static final ValueField<MissionRequest, Boolean> CLASSES = SCHEMA.optionalFlag("classes");
 
   public static final MessageType<MissionRequest> TYPE = SCHEMA.build();
 
@@ -26,5 +27,14 @@ public final class MissionRequest extends U2SAData {
 
   public MissionRequest requestId(String value) {
     return put(REQUEST_ID, value);
+  }
+
+  /** Whether the answer begins with a {@link GoalClass} per class of goals. */
+  public boolean classes() {
+    return Boolean.TRUE.equals(get(CLASSES));
+  }
+
+  public MissionRequest classes(boolean value) {
+    return put(CLASSES, value);
   }
 }

@@ -55,6 +55,7 @@ import org.u2sa.messages.marine.HotTarget;
 import org.u2sa.messages.marine.PathMarker;
 import org.u2sa.messages.marine.Pole;
 import org.u2sa.messages.marine.Puck;
+import org.u2sa.messages.mission.GoalClass;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
@@ -155,6 +156,7 @@ public final class StandardTypes implements MessageTypeProvider {
           CoverageLedger.TYPE,
           MissionRequest.TYPE,
           MissionReport.TYPE,
+          GoalClass.TYPE,
           MissionOrder.TYPE,
           MissionOrderResult.TYPE,
           AngleCommand.TYPE,

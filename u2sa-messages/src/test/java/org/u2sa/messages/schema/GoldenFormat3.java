@@ -7,6 +7,7 @@ import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.contract.ConnectionLost;
 import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
@@ -16,6 +17,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.GoalClass;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
@@ -193,8 +195,7 @@ final class GoldenFormat3 {
             .serviceName("SafetyManager")
             .accepted(true)
             .outcome("fence of field.xml in force"));
-    golden.add(
-        "FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
+    golden.add("FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
     golden.add("GoalList-paused", new GoalList().paused(true));
     golden.add(
         "DiscoveryResponse-choices",
@@ -205,6 +206,21 @@ final class GoldenFormat3 {
             .className("org.u2sa.planning.PathPlanner")
             .choices(
                 List.of("org.u2sa.planning.PathPlanner", "org.u2sa.planning.VectorFieldPlanner")));
+    golden.add("MissionRequest-classes", new MissionRequest().requestId("q3").classes(true));
+    golden.add(
+        "GoalClass",
+        new GoalClass()
+            .serviceName("MissionManager")
+            .className("SearchArea")
+            .variables(
+                List.of(
+                    new ConfigurationVariable()
+                        .name("resolution")
+                        .variableType("double")
+                        .unit("m")
+                        .min(0.0625)
+                        .max(1.25)))
+            .required(List.of("resolution")));
     golden.add("GoalList-elapsed", new GoalList().elapsed(62.5));
     golden.add(
         "MissionReport-paused",

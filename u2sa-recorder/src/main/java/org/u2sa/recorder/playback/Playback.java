@@ -33,6 +33,7 @@ public final class Playback {
   private final Queue<Order> orders = new ConcurrentLinkedQueue<>();
   private McapCursor cursor; // used by the playing thread only, like those below
   private McapMessage next; // null at the end
+  private Sink sink;
   private long anchorMicros; // clock time that corresponds to anchorNanos
   private long anchorNanos;
   private long positionNanos;
@@ -41,6 +42,7 @@ public final class Playback {
   private boolean isStepping;
   private boolean isEnded;
   private boolean isToTell;
+  private boolean holdsAtEnd;
 
   private interface Order {
     void obey() throws IOException;
@@ -53,6 +55,11 @@ public final class Playback {
 
     /** Receives the position, 20 times a second and after each command. */
     void at(Position position);
+
+    /** Told before the first message from a new position: the start, a seek, a loop. */
+    default void sought(long nanos) throws IOException {
+      // most destinations need no preparation
+    }
   }
 
   /**
@@ -86,7 +93,8 @@ public final class Playback {
   }
 
   /** Plays until the end of the span, or until {@link #end} or {@code isOver}. */
-  public void play(Sink sink, BooleanSupplier isOver) throws IOException, InterruptedException {
+  public void play(Sink to, BooleanSupplier isOver) throws IOException, InterruptedException {
+    sink = to;
     seek(span.fromNanos());
     if (next == null) {
       return; // nothing selected: a loop would spin
@@ -112,6 +120,9 @@ public final class Playback {
           advance();
         } else if (next == null && !isPaused && loops) {
           seek(span.fromNanos());
+        } else if (next == null && !isPaused && holdsAtEnd) {
+          isPaused = true;
+          isToTell = true;
         } else if (next == null && !isPaused) {
           return;
         } else {
@@ -143,6 +154,7 @@ public final class Playback {
     positionNanos = Math.max(span.fromNanos(), Math.min(span.toNanos(), nanos));
     cursor = reader.messages(positionNanos, wanted);
     take(cursor.next());
+    sink.sought(positionNanos);
     anchor(positionNanos);
   }
 
@@ -164,6 +176,11 @@ public final class Playback {
     return anchorNanos + Math.round((micros - anchorMicros) * rate * NANOS_PER_MICRO);
   }
 
+  /** Pauses at the end of the span instead of ending, so that one can go back. Before play. */
+  public void holdAtEnd() {
+    holdsAtEnd = true;
+  }
+
   /** Pauses or resumes. */
   public void togglePause() {
     orders.add(() -> isPaused = !isPaused);
@@ -181,6 +198,21 @@ public final class Playback {
   /** Seeks forward, or backward if negative [s of the recording]; limited to the span. */
   public void seekBy(double seconds) {
     orders.add(() -> seek(positionNanos + Math.round(seconds * NANOS_PER_SECOND)));
+  }
+
+  /** Seeks to a log time [ns]; limited to the span. */
+  public void seekTo(long nanos) {
+    orders.add(() -> seek(nanos));
+  }
+
+  /** Pauses, or resumes. */
+  public void pause(boolean value) {
+    orders.add(() -> isPaused = value);
+  }
+
+  /** Sets the playback speed. */
+  public void rate(double value) {
+    orders.add(() -> rate = Math.max(SLOWEST, Math.min(FASTEST, value)));
   }
 
   /** Multiplies the playback speed by a factor. */

@@ -135,6 +135,25 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
             .formatted(variable, value));
   }
 
+  /** Types a value into a field of the chosen goal. */
+  void setGoalField(String name, String value) {
+    evaluate(
+        ("(() => { const input = [...document.querySelectorAll('#goal-fields .variable')]"
+                + ".find(each => each.firstChild.textContent === '%s')"
+                + ".querySelector('input, select, textarea');"
+                + " input.value = '%s'; input.dispatchEvent(new Event('input')); })()")
+            .formatted(name, value));
+  }
+
+  /** Opens a text as a file of the operator's device. */
+  void openFile(String name, String text) {
+    evaluate(
+        ("(() => { const files = new DataTransfer(); files.items.add(new File([%s], '%s'));"
+                + " const input = document.getElementById('file'); input.files = files.files;"
+                + " input.dispatchEvent(new Event('change')); })()")
+            .formatted(JSON.valueToTree(text), name));
+  }
+
   void key(String name) {
     for (String type : List.of("keyDown", "keyUp")) {
       send("Input.dispatchKeyEvent", Map.of("type", type, "key", name, "code", name));

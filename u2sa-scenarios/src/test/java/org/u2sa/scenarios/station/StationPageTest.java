@@ -172,6 +172,60 @@ class StationPageTest {
   }
 
   @Test
+  void editor_drawsAnAreaAndOpensAFile_theVehicleRefusesAtTheFieldAndTakesTheRest() {
+    browser.open(page + "#" + token());
+    browser.awaitText("instruments", "To goal");
+    browser.press("hold");
+    browser.awaitText("doing", "held at");
+    browser.press("tab-mission");
+    browser.awaitText("goal-class", "HulaHoop"); // of another module than the Mission Manager
+    browser.evaluate("document.getElementById('goal-class').value = 'SearchArea'");
+    browser.press("add");
+    browser.clickAt(300, 300);
+    browser.clickAt(500, 300);
+    browser.clickAt(500, 450);
+    browser.press("add");
+    browser.awaitText("goal-title", "s1: SearchArea");
+    browser.press("upload");
+    browser.awaitText("goal-fields", "lacks <resolution>; expected a number of m");
+    browser.setGoalField("resolution", "2");
+    browser.press("upload");
+    browser.awaitText("goal-fields", "expected 0.005…1.27 m");
+    browser.setGoalField("resolution", "5 cm");
+    browser.press("earlier");
+    browser.press("upload");
+    browser.awaitText("outcome", "inserted \"s1\"");
+
+    browser.evaluate("document.getElementById('fence').open = true");
+    browser.awaitText("fence-state", "fence.xml, margin 1.0 m");
+    browser.press("fence-keepOut");
+    browser.evaluate(
+        "(() => { const field = document.getElementById('fence-field-area-1');"
+            + " field.value = '-81.0475 29.1884; -81.0474 29.1884; -81.0474 29.1885';"
+            + " field.dispatchEvent(new Event('change')); })()");
+    browser.press("fence-upload");
+    browser.awaitText("outcome", "fence of web page in force");
+    browser.awaitText("fence-state", "In force: web page");
+
+    String name = "<img src=x onerror=console.error(1)>";
+    browser.openFile("bad.xml", "<mission>\n<waypoint>\n<colour>1</colour></waypoint></mission>");
+    browser.awaitText("outcome", "bad.xml, line 3, <colour>: is no field of Waypoint");
+    browser.openFile(
+        "<b>.xml",
+        "<mission><home><x>-81</x><y>29</y></home><waypoint><name>"
+            + name.replace("<", "&lt;")
+            + "</name><x>-81.0478</x><y>29.1886</y></waypoint></mission>");
+    browser.awaitText("draft", "<b>.xml: a mission of its own");
+    browser.awaitText("goals", name);
+    browser.press("upload");
+    browser.press("confirm-yes");
+    browser.awaitText("outcome", "paused at " + name);
+    browser.awaitText("doing", "held at " + name);
+    assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
+    assertThat(browser.errors).isEmpty();
+  }
+
+  @Test
   void link_goesDeadAndComesBack_isAnnouncedAndRecoversByItself() throws IOException {
     try (TcpRelay wire = new TcpRelay(webPort)) {
       browser.open("http://127.0.0.1:" + wire.port() + "/#" + token());

@@ -2,15 +2,18 @@
 
 import {land} from './coast.js';
 import {byId} from './dom.js';
+import {FenceEditor} from './fence.js';
 import {MissionEditor} from './editor.js';
 import {drawVehicle, extent} from './layers.js';
 import {InsightTab} from './insight.js';
 import {Link} from './link.js';
 import {MapView} from './map.js';
 import {MapTools} from './maptools.js';
+import {MissionTab} from './missiontab.js';
 import {Model} from './model.js';
 import {Orders} from './orders.js';
 import {Panel} from './panel.js';
+import {Timeline} from './playback.js';
 import {SeriesBook} from './series.js';
 import {ServicesTab} from './services.js';
 import {texts} from './texts.js';
@@ -25,10 +28,13 @@ const link = new Link({changed: () => panel.showLink(), up: linkUp, message: rec
 const orders = new Orders(link);
 const model = new Model({answered: fields => orders.answered(fields), missionChanged: askMission});
 const editor = new MissionEditor(orders);
+const fence = new FenceEditor({link, orders, selected, order, confirm: question => panel.confirm(question), isNear: (a, b) => map.isNear(a, b)});
 const services = new ServicesTab({link, orders, selected, order, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question)});
 const book = new SeriesBook();
 const insight = new InsightTab({link, book, selected});
-const panel = new Panel({services, insight, link, orders, editor, model, selected, select});
+const mission = new MissionTab({link, orders, editor, selected, order, askMission, tell: (...said) => panel.tell(...said), confirm: question => panel.confirm(question), isNear: (a, b) => map.isNear(a, b), fitted: () => { wasFitted = false; }});
+const timeline = new Timeline({orders, selected, tell: (...said) => panel.tell(...said), jumped});
+const panel = new Panel({services, insight, mission, link, orders, editor, model, selected, select});
 const map = new MapView(byId('map'), {tapped, grabbed, dragged, dropped});
 const tools = new MapTools({map, extent: () => (selected() ? extent(selected(), editor.route(selected())) : [])});
 
@@ -44,8 +50,14 @@ function select(id) {
   if (id === selectedId) return;
   selectedId = id;
   wasFitted = false;
+  fence.discard();
   editor.discard();
   editor.selected = null;
+}
+
+function jumped(vehicle) {
+  vehicle.jumped();
+  book.clear();
 }
 
 function received(system, channel, type, fields) {
@@ -66,7 +78,7 @@ function askMission(vehicle) {
   clearTimeout(vehicle.asking);
   vehicle.asking = setTimeout(() => {
     vehicle.askedAt = performance.now();
-    orders.report(vehicle).catch(() => {
+    orders.report(vehicle, vehicle.goalClasses.size === 0).catch(() => {
       if (!vehicle.isMissionMissed) vehicle.log('no Mission Manager answers', 'warn');
       vehicle.isMissionMissed = true;
     });
@@ -97,53 +109,38 @@ onClick('skip', vehicle => order(orders.mission(vehicle, 'SKIP', editor.route(ve
 onClick('clear', async vehicle => {
   if (await panel.confirm(`Clear the emergency stop of ${vehicle.id}? It may move again once armed.`)) order(orders.clearStops(vehicle));
 });
-onClick('goto', vehicle => (editor.selected ? order(orders.mission(vehicle, 'GOTO', {uid: editor.selected})) : panel.tell('choose a goal first', true)));
-onClick('add', () => {
-  editor.isAdding = !editor.isAdding;
-  byId('add').setAttribute('aria-pressed', editor.isAdding);
-});
-onClick('remove', vehicle => {
-  const refusal = editor.refusalToRemove(vehicle);
-  if (refusal) panel.tell(refusal, true);
-  else editor.remove();
-});
-onClick('undo', () => editor.undo());
-onClick('discard', () => editor.discard());
-onClick('upload', vehicle => order(editor.upload(vehicle).finally(() => askMission(vehicle))));
 
 document.addEventListener('keydown', event => {
   if (event.key !== 'Escape' || event.repeat) return;
   const now = performance.now();
-  if (now - escapeAt < TWICE_MS && selected() && link.state !== 'off') orders.emergencyStop(selected());
+  if (now - escapeAt < TWICE_MS && selected() && !selected().playback && link.state !== 'off') orders.emergencyStop(selected());
   escapeAt = now;
 });
 
 function tapped(at) {
   const vehicle = selected();
-  if (!vehicle || tools.tapped(at)) return;
-  const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
-  if (editor.isAdding && !hit && vehicle.place.origin) editor.add(vehicle, at);
-  else editor.selected = hit ? hit.uid : null;
+  if (!vehicle || tools.tapped(at) || fence.tapped(vehicle, at)) return;
+  if (editor.isAdding && vehicle.place.origin) mission.tapped(vehicle, at);
+  else mission.choose(vehicle, at);
+  panel.show(vehicle);
 }
 
 /** Goals can be dragged while the mission is open, so that nobody moves one by accident. */
 function grabbed(at) {
   const vehicle = selected();
-  if (!vehicle || byId('mission').hidden) return null;
-  const hit = editor.route(vehicle).find(goal => goal.at && map.isNear(goal.at, at));
-  return hit ? {uid: hit.uid, at: hit.at} : null;
+  if (!vehicle || !mission.isOpen || editor.isAdding) return null;
+  return fence.isOpen ? fence.grabbed(vehicle, at) : mission.grabbed(vehicle, at);
 }
 
 function dragged(handle, at) {
-  handle.at = at;
-  handle.isMoving = true;
+  handle.now = at;
   dragging = handle;
 }
 
 function dropped(handle, at) {
   dragging = null;
-  editor.selected = handle.uid;
-  editor.move(selected(), handle.uid, at);
+  (handle.isFence ? fence : mission).dropped(selected(), handle, at);
+  panel.show(selected());
 }
 
 let dragging = null;
@@ -166,11 +163,12 @@ function frame() {
   }
   if (!vehicle) return;
   const route = editor.route(vehicle);
-  const moving = dragging && route.find(goal => goal.uid === dragging.uid);
-  if (moving) moving.at = dragging.at;
+  if (tools.layers.fence) fence.draw(map, vehicle, dragging);
+  const drawHandles = mission.draw(map, route, dragging && dragging.isFence ? null : dragging);
   drawVehicle(map, vehicle, route, true, tools.layers);
+  drawHandles();
   tools.draw();
-  if (!wasFitted && vehicle.report && vehicle.place.pose) {
+  if (!wasFitted && (vehicle.report || editor.draft.whole) && vehicle.place.pose) {
     wasFitted = true;
     map.fit(extent(vehicle, route));
   }
@@ -187,9 +185,12 @@ setInterval(() => {
   const vehicle = selected();
   tools.show();
   panel.show(vehicle);
+  if (vehicle) timeline.show(vehicle);
+  if (vehicle && fence.isOpen) fence.show(vehicle);
+  link.isReadOnly = Boolean(vehicle && vehicle.playback);
   map.touch(); // what is stale turns grey without a message
-  if (vehicle && link.isUp && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
-  if (vehicle && link.isUp && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
+  if (vehicle && link.isUp && !vehicle.playback && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
+  if (vehicle && link.isUp && !vehicle.playback && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
     vehicle.beatAt = performance.now();
     link.publish(vehicle.id, 'operator', 'OperatorHeartbeat', {operator: orders.operator, interval: 1.0}).catch(() => undefined);
   }

@@ -83,7 +83,7 @@ function told(result) {
   return [...lines, texts.revision(result.revision)].join('; ');
 }
 
-function control({variableType, value, choices}) {
+export function control({variableType, value, choices}) {
   const allowed = choices && choices.length > 0 ? choices : variableType === 'boolean' ? ['true', 'false'] : null;
   if (!allowed) return element('input', '', {value, autocomplete: 'off', spellcheck: false, inputMode: ['double', 'int'].includes(variableType) ? 'text' : ''});
   const list = element('select');
@@ -92,7 +92,7 @@ function control({variableType, value, choices}) {
   return list;
 }
 
-function limits({min, max}) {
+export function limits({min, max}) {
   if (min !== undefined && max !== undefined) return `${min} … ${max}`;
   if (min !== undefined) return '≥ ' + min;
   return max === undefined ? '' : '≤ ' + max;

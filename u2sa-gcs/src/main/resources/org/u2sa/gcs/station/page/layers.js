@@ -10,7 +10,7 @@ export function drawVehicle(map, vehicle, route, isSelected, layers) {
   const {colours} = map;
   if (isSelected) {
     if (layers.cells) drawCells(map, vehicle);
-    if (layers.areas) drawAreas(map, vehicle.place, vehicle.report ? vehicle.report.goals : []);
+    if (layers.areas) drawAreas(map, route);
     for (const object of vehicle.objects) {
       const isMoving = object.xDot !== undefined || (object.type || []).includes('MovingSphere');
       if (isMoving && layers.traffic) drawTraffic(map, vehicle.place, object);
@@ -36,7 +36,7 @@ export function drawVehicle(map, vehicle, route, isSelected, layers) {
 
 /** All places of interest of a vehicle. */
 export function extent(vehicle, route) {
-  const points = route.map(goal => goal.at).filter(Boolean);
+  const points = route.flatMap(goal => [goal.at, ...goal.outline]).filter(Boolean);
   if (vehicle.place.pose) points.push(vehicle.place.pose);
   return points;
 }
@@ -62,8 +62,8 @@ function drawNavigation(map, vehicle, pose) {
 function drawRoute(map, route) {
   const {colours} = map;
   const placedGoals = route.filter(goal => goal.at);
-  for (const goal of placedGoals) {
-    goal.followers.filter(next => next.at).forEach(next => map.line([goal.at, next.at], colours.goal, 1.5));
+  for (const goal of route.filter(each => each.anchor)) {
+    goal.followers.filter(next => next.anchor).forEach(next => map.line([goal.anchor, next.anchor], colours.goal, 1.5));
   }
   const open = goal => (goal.isCurrent || goal.isSelected ? 2 : goal.isDone ? 0 : 1);
   const labelled = new Set(); // several goals may be at one place
@@ -113,12 +113,12 @@ function drawTraffic(map, place, object) {
 }
 
 /** Goals of any class with points are areas or lines to be covered. */
-function drawAreas(map, place, goals) {
-  for (const goal of goals) {
-    const points = placed(place, goal.referenceFrame, goal.points || []);
-    const colour = goal.result ? map.colours.dim : map.colours.goal;
-    if (points.length > 2) map.area(points, colour);
-    else map.line(points, colour, 2);
+function drawAreas(map, route) {
+  for (const {outline, isDone, isChanged, isSelected, uid} of route) {
+    const colour = isChanged ? map.colours.warn : isDone ? map.colours.dim : map.colours.goal;
+    if (outline.length > 2) map.area(outline, colour);
+    else map.line(outline, colour, 2);
+    if (outline.length > 0) map.label(uid, offset(map.toScreen(outline[0]), 10), isSelected ? map.colours.text : colour);
   }
 }
 

@@ -2,12 +2,13 @@
 
 import {decode, encode} from './cbor.js';
 import {MqttConnection} from './mqtt.js';
+import {texts} from './texts.js';
 
 const KEEP_ALIVE_S = 60; // a hidden page may be woken once a minute only
 const PING_EVERY_MS = 1000;
 const LOST_AFTER_MS = 3000; // three pings
 const RETRY_MS = [500, 1000, 2000, 5000];
-const QOS_1 = ['mission', 'service-orders', 'arming-state', 'failsafe', 'emergency-stop', 'goals', 'conditions', 'configuration', 'discovery', 'functionality'];
+const QOS_1 = ['mission', 'service-orders', 'arming-state', 'failsafe', 'emergency-stop', 'goals', 'conditions', 'configuration', 'discovery', 'functionality', 'fence', 'fence-orders'];
 const QOS_0 = ['state', 'objects', 'grid', 'plans', 'navigation', 'power', 'health', 'goal-reports'];
 const REFUSALS = {
   1: 'the broker wants another version of MQTT',
@@ -29,6 +30,7 @@ export class Link {
     this.connection = null;
     this.login = null;
     this.attempts = 0;
+    this.isReadOnly = false; // a recording is shown
     this.extra = new Set(); // channels heard on demand
     setInterval(() => this.watch(), PING_EVERY_MS);
   }
@@ -139,6 +141,7 @@ export class Link {
   /** Publishes a message; rejects if there is no link. Resolves when the broker has it. */
   publish(system, channel, type, fields, retain = false) {
     if (!this.isUp) return Promise.reject(new Error('no link'));
+    if (this.isReadOnly && channel !== 'configuration') return Promise.reject(new Error(texts.recording));
     const payload = encode({systemId: system, ...fields});
     return this.connection.publish(`u2sa/${system}/${channel}/${type}`, payload, retain);
   }

@@ -124,6 +124,7 @@ export class MapView extends MapCanvas {
     else if (event.key === '-') this.zoom(0.8);
     else if (event.key === '<') this.turn(-TURN_RAD);
     else if (event.key === '>') this.turn(TURN_RAD);
+    else if (event.key === 'Enter') this.events.tapped(this.toMap(this.width / 2, this.height / 2));
     else if (moves[event.key]) {
       this.follows = false;
       this.pan(...moves[event.key]);

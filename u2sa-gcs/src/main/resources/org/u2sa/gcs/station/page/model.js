@@ -1,6 +1,8 @@
 // What the page knows of each vehicle, from the messages it has heard.
 
+import {readFence} from './fence.js';
 import {Place} from './place.js';
+import {playbackOf} from './playback.js';
 
 export const STALE_MS = 1000;
 const MAX_VEHICLES = 64; // names come from messages
@@ -20,6 +22,10 @@ export class Vehicle {
     this.goals = [];
     this.goalsPaused = false;
     this.report = null; // MissionReport
+    this.fence = null; // {frame, areas, …, file, margin}
+    this.heard = null; // the same from the channel goals alone
+    this.playback = null; // if it is a recording
+    this.goalClasses = new Map(); // name -> GoalClass
     this.objects = [];
     this.objectsAt = -Infinity;
     this.grid = null;
@@ -41,6 +47,13 @@ export class Vehicle {
 
   isStale(now = performance.now()) {
     return now - this.stateAt > STALE_MS;
+  }
+
+  /** Forgets what was drawn and is over: a recording goes on elsewhere. */
+  jumped() {
+    this.trail = [];
+    this.plans.clear();
+    this.objects = [];
   }
 
   /** Services that obey emergency stops, and the identities of the stops in force. */
@@ -85,6 +98,29 @@ function put(map, name, value) {
   if (map.has(name) || map.size < MAX_NAMES) map.set(name, value);
 }
 
+const NAME = /^[A-Za-z_][\w.-]{0,80}$/; // of a class or field in a mission file
+
+function putClass(vehicle, fields) {
+  const variables = variablesOf(fields).filter(each => NAME.test(each.name));
+  put(vehicle.goalClasses, fields.className, {variables, required: list(fields.required, isText), number: vehicle.goalClasses.size});
+}
+
+function variablesOf(fields) {
+  return list(fields.variables, each => each && isText(each.name) && isText(each.value)).map(each => ({...each, choices: list(each.choices, isText)}));
+}
+
+/** In a recording nobody answers: the goals heard so far, in their order, and which are current. */
+function reportOf(before, current, upcoming, elapsed) {
+  const goals = new Map((before ? before.goals : []).map(goal => [goal.uid, goal]));
+  const sequence = before ? [...before.sequence] : [];
+  for (const goal of [...current, ...upcoming]) {
+    if (!goals.has(goal.uid)) sequence.splice(upcoming.includes(goal) ? sequence.indexOf(current[0] && current[0].uid) + 1 || sequence.length : sequence.length, 0, goal.uid);
+    put(goals, goal.uid, {...goal, next: list(goal.next, isText)});
+  }
+  return {current: current.map(goal => goal.uid), goals: [...goals.values()], sequence: sequence.slice(0, MAX_NAMES), elapsed: Number(elapsed) || 0};
+}
+
+const isGoal = value => value && isText(value.uid);
 const isText = value => typeof value === 'string';
 const text = value => (isText(value) ? value : '');
 
@@ -110,11 +146,14 @@ const HANDLERS = {
   goals(vehicle, fields, type, answers) {
     vehicle.goals = fields.goals || [];
     vehicle.goalsPaused = fields.paused === true;
-    answers.missionChanged(vehicle);
+    vehicle.heard = reportOf(vehicle.heard, list(fields.goals, isGoal), list(fields.upcoming, isGoal), fields.elapsed);
+    if (vehicle.playback) vehicle.report = vehicle.heard;
+    else answers.missionChanged(vehicle);
   },
 
   mission(vehicle, fields, type, answers) {
-    if (type === 'MissionReport') vehicle.report = fields;
+    if (type === 'MissionReport') vehicle.report = {...fields, goals: list(fields.goals, isGoal).map(each => ({...each, next: list(each.next, isText)}))};
+    if (type === 'GoalClass' && isText(fields.className) && NAME.test(fields.className)) putClass(vehicle, fields);
     if (type === 'MissionReport' || type === 'MissionOrderResult') answers.answered(fields);
   },
 
@@ -169,7 +208,9 @@ const HANDLERS = {
 
   configuration(vehicle, fields, type, answers) {
     if (type === 'ConfigurationResponse') {
-      const variables = list(fields.variables, each => each && isText(each.name) && isText(each.value)).map(each => ({...each, choices: list(each.choices, isText)}));
+      const variables = variablesOf(fields);
+      vehicle.playback = playbackOf({serviceName: fields.serviceName, variables}) || vehicle.playback;
+      if (vehicle.playback) vehicle.report = vehicle.report || vehicle.heard;
       put(vehicle.configurations, text(fields.serviceName), {serviceName: text(fields.serviceName), revision: Number(fields.revision || 0), variables});
     }
     if (type !== 'ConfigurationTransactionResult') return;
@@ -189,6 +230,21 @@ const HANDLERS = {
     if (!vehicle.arming || vehicle.arming.armed !== fields.armed) vehicle.log(fields.armed ? 'armed' : 'not armed', 'important');
     vehicle.arming = fields;
     answers.answered(fields);
+  },
+
+  fence(vehicle, fields) {
+    try {
+      vehicle.fence = isText(fields.fence) ? {...readFence(fields.fence), file: text(fields.file), margin: Number(fields.margin) || 0} : null;
+    } catch (error) {
+      vehicle.fence = null;
+      vehicle.log(`the fence cannot be read: ${error.message}`, 'error');
+    }
+    if (!vehicle.fence && fields.file) vehicle.log(`the fence of ${text(fields.file)} is too long to be shown`, 'warn');
+  },
+
+  'fence-orders'(vehicle, fields, type, answers) {
+    if (type === 'FenceOrder') vehicle.log(`fence: ${fields.action} ordered by ${fields.operator}`, 'important');
+    if (type === 'FenceOrderResult') answers.answered(fields);
   },
 
   failsafe(vehicle, fields) {

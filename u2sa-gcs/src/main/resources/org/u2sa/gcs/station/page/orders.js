@@ -35,8 +35,9 @@ export class Orders {
     }
   }
 
-  report(vehicle) {
-    return this.ask(vehicle, 'mission', 'MissionRequest', {});
+  /** Asks how the mission stands, and if so said, which classes of goals there are. */
+  report(vehicle, classes = false) {
+    return this.ask(vehicle, 'mission', 'MissionRequest', classes ? {classes} : {});
   }
 
   /** One mission order; resolves with what was done, rejects with why it was not. */

@@ -1,14 +1,13 @@
 // The texts, tables and chips around the map. Everything from a vehicle is set as text, never as markup.
 
-import {age, buttonRow, byId, element, fill, row, setText} from './dom.js';
+import {age, byId, element, fill, row, setText} from './dom.js';
 import {STALE_MS} from './model.js';
-import {distance} from './texts.js';
 
 const SLOW_MS = 500;
 const DEG = 180 / Math.PI;
 const LINK_NAMES = {off: 'not connected', connecting: 'connecting', up: 'link', lost: 'LINK LOST', refused: 'log-in refused'};
 
-/** `parts`: link, orders, editor, model, services, insight, selected(), select(id). */
+/** `parts`: link, orders, editor, model, mission, services, insight, selected(), select(id). */
 export class Panel {
   constructor(parts) {
     Object.assign(this, parts);
@@ -68,7 +67,7 @@ export class Panel {
     chip('failsafe', failsafe && failsafe.action !== 'CONTINUE' ? 'failsafe ' + failsafe.action : '', 'bad');
     chip('doing', report ? doing(report) : '');
     if (!byId('operate').hidden) this.showOperate(vehicle);
-    if (!byId('mission').hidden) this.showMission(vehicle);
+    if (!byId('mission').hidden) this.mission.show(vehicle);
     if (!byId('services').hidden) this.services.show(vehicle);
     if (!byId('insight').hidden) this.insight.show(vehicle);
     if (!byId('log').hidden) showLog(vehicle);
@@ -91,7 +90,7 @@ export class Panel {
     let stopState = vehicle ? 'Esc Esc' : 'no vehicle';
     const inForce = vehicle ? vehicle.stops().inForce : [];
     if (link.state === 'lost') text = `Link lost: ${link.reason}. What you see is old. Reconnecting…`;
-    else if (link.isUp && vehicle && vehicle.isStale()) text = `No position from ${vehicle.id} for ${age(vehicle.stateAt)}.`;
+    else if (link.isUp && vehicle && vehicle.isStale() && !(vehicle.playback && vehicle.playback.isPaused)) text = `No position from ${vehicle.id} for ${age(vehicle.stateAt)}.`;
     if (link.unreadable > 0) text = text || `${link.unreadable} messages cannot be read.`;
     if (inForce.length > 0) {
       text = `Emergency stop in force on ${vehicle.id}.`;
@@ -126,27 +125,6 @@ export class Panel {
     const plans = [...vehicle.plans.values()].filter(plan => plan.reason).map(plan => `Planner ${plan.status.toLowerCase()}: ${plan.reason}`);
     fill(byId('reasons'), [...reasons, ...causes, ...plans], text => element('li', text));
     fill(byId('instruments').tBodies[0], instruments(vehicle, this.editor.route(vehicle)), row);
-  }
-
-  showMission(vehicle) {
-    const {editor} = this;
-    const route = editor.route(vehicle);
-    for (const id of ['undo', 'discard', 'upload']) byId(id).disabled = !editor.isChanged || (id === 'upload' && !this.link.isUp);
-    byId('goto').disabled = !this.link.isUp || !editor.selected;
-    byId('remove').disabled = !editor.selected;
-    setText(byId('add'), editor.isAdding ? 'Adding: tap' : 'Add');
-    fill(byId('goals').tBodies[0], route, item => this.goalRow(vehicle, item));
-  }
-
-  goalRow(vehicle, item) {
-    const {pose} = vehicle.place;
-    const apart = item.at && pose ? distance(Math.hypot(item.at.x - pose.x, item.at.y - pose.y)) : '';
-    const state = item.isRemoved ? 'to be removed' : item.isChanged ? 'changed' : item.isCurrent ? 'current' : (item.goal.result || 'open').toLowerCase().replace('_', ' ');
-    const line = {cells: [item.uid, item.goal.type ? item.goal.type[item.goal.type.length - 1] : 'Waypoint', state, apart], state: item.isChanged ? 'warn' : item.isCurrent ? 'good' : ''};
-    return buttonRow(line, item.isSelected, () => {
-      this.editor.selected = item.uid;
-      this.showMission(vehicle);
-    });
   }
 }
 

@@ -18,6 +18,11 @@ export class SeriesBook {
     if (this.series.size < MAX_SERIES && !this.series.has(key)) this.series.set(key, {times: [], values: []});
   }
 
+  /** Begins all curves anew. */
+  clear() {
+    for (const key of this.series.keys()) this.series.set(key, {times: [], values: []});
+  }
+
   /** Takes a message. A key names vehicle, channel, source and field. */
   message(system, channel, fields, now = performance.now()) {
     const source = fields.sensorName || fields.serviceName || fields.actuatorName || fields.subsystem || '';
