@@ -96,7 +96,8 @@ def finished(start, *arguments):
 def files(system):
     ftp = Ftp(system)
     listed = ftp.list_directory("/")
-    require("general.json" in str(listed), "listing: %s" % listed)
+    names = {each.path if hasattr(each, "path") else each.name for each in listed.entries}
+    require({"general.json", "parameter.json", "logs"} <= names, "listing: %s" % names)
     os.makedirs("down", exist_ok=True)
     for burst in (False, True):
         require(finished(ftp.download_async, "/parameter.json", "down", burst) == "SUCCESS", "download")

@@ -22,6 +22,7 @@ final class RunningDemo implements AutoCloseable {
 
   private final Path folder;
   private final Path output;
+  private final int port = FreePort.find();
   private final Process process;
 
   /**
@@ -44,7 +45,7 @@ final class RunningDemo implements AutoCloseable {
                 "org.u2sa.cli.Main",
                 "demo"));
     command.addAll(List.of(arguments));
-    command.addAll(List.of("--realtime", "--port=" + FreePort.find(), "--out=" + out()));
+    command.addAll(List.of("--realtime", "--port=" + port, "--out=" + out()));
     process =
         new ProcessBuilder(command)
             .redirectErrorStream(true)
@@ -59,6 +60,11 @@ final class RunningDemo implements AutoCloseable {
     return folder.resolve("out");
   }
 
+  /** Port of its broker. */
+  int port() {
+    return port;
+  }
+
   String said() throws IOException {
     return Files.exists(output) ? Files.readString(output, UTF_8) : "";
   }
@@ -66,16 +72,8 @@ final class RunningDemo implements AutoCloseable {
   /** Runs a client to its end and returns what it printed; it must succeed. */
   String client(String python, String script, String... arguments)
       throws IOException, InterruptedException {
-    List<String> command =
-        new ArrayList<>(List.of(python, "-u", SCRIPTS.resolve(script).toString()));
-    command.addAll(List.of(arguments));
+    Process client = start(python, script, arguments);
     Path printed = folder.resolve(script + ".txt");
-    Process client =
-        new ProcessBuilder(command)
-            .directory(folder.toFile())
-            .redirectErrorStream(true)
-            .redirectOutput(printed.toFile())
-            .start();
     try {
       assertThat(client.waitFor(40, TimeUnit.MINUTES)).as(script + " ends").isTrue();
     } finally {
@@ -84,6 +82,18 @@ final class RunningDemo implements AutoCloseable {
     String text = Files.readString(printed, UTF_8);
     assertThat(client.exitValue()).as(text).isZero();
     return text;
+  }
+
+  /** Starts a script beside it; the caller ends it. */
+  Process start(String python, String script, String... arguments) throws IOException {
+    List<String> command =
+        new ArrayList<>(List.of(python, "-u", SCRIPTS.resolve(script).toString()));
+    command.addAll(List.of(arguments));
+    return new ProcessBuilder(command)
+        .directory(folder.toFile())
+        .redirectErrorStream(true)
+        .redirectOutput(folder.resolve(script + ".txt").toFile())
+        .start();
   }
 
   @Override
