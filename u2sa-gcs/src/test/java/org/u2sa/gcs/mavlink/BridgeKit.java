@@ -54,7 +54,8 @@ final class BridgeKit {
       Optional<RecordingFolder> recordings) {
     VehicleOrders orders =
         new VehicleOrders((channel, message) -> published.add(message), "tester");
-    vehicle = new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, recordings, clock::get);
+    vehicle =
+        new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, recordings, clock::get);
     session = new StationSession(vehicle, key.map(each -> new MavlinkSigning(each, clock::get)));
     station =
         new MavlinkStream(STATION, 190, key.map(each -> new MavlinkSigning(each, clock::get)));

@@ -19,7 +19,8 @@ final class FileStation {
   static final int BURST = 15;
 
   /** An answer; of a NAK, {@code data} is the code. */
-  record Answer(int sequence, int session, boolean ack, int request, long offset, boolean last, byte[] data) {
+  record Answer(
+      int sequence, int session, boolean ack, int request, long offset, boolean last, byte[] data) {
     int code() {
       assertThat(ack).isFalse();
       assertThat(data).hasSize(1);

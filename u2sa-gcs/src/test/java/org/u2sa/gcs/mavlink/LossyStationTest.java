@@ -105,12 +105,22 @@ class LossyStationTest {
         lastMicros = kit.clock.get();
       } else if (kit.clock.get() - lastMicros > 1_000_000) { // as QGroundControl: ten at a time
         lastMicros = kit.clock.get();
-        for (int asked = 0, at = heard.nextClearBit(0); asked < 10 && at < SERVICES * OF_EACH; asked++) {
-          send(ParamRequestRead.builder().targetSystem(1).targetComponent(1).paramIndex(at).paramId("").build());
+        for (int asked = 0, at = heard.nextClearBit(0);
+            asked < 10 && at < SERVICES * OF_EACH;
+            asked++) {
+          send(
+              ParamRequestRead.builder()
+                  .targetSystem(1)
+                  .targetComponent(1)
+                  .paramIndex(at)
+                  .paramId("")
+                  .build());
           at = heard.nextClearBit(at + 1);
         }
       }
-      assertThat(kit.clock.get() - began).as("of 1000: %s", heard.cardinality()).isLessThan(PATIENCE_MICROS);
+      assertThat(kit.clock.get() - began)
+          .as("of 1000: %s", heard.cardinality())
+          .isLessThan(PATIENCE_MICROS);
     }
   }
 
@@ -156,7 +166,9 @@ class LossyStationTest {
             }
           });
       asked = latest[0];
-      assertThat(kit.clock.get() - began).as("of %s: %s", content.length, heard.cardinality()).isLessThan(PATIENCE_MICROS);
+      assertThat(kit.clock.get() - began)
+          .as("of %s: %s", content.length, heard.cardinality())
+          .isLessThan(PATIENCE_MICROS);
     }
     assertThat(content).isEqualTo(expected);
   }

@@ -105,7 +105,11 @@ class StationFileTest {
   @Test
   void crc_checkValue_isThatOfQGroundControl() {
     // 123456789 with polynomial 0xEDB88320, initial value 0, not inverted
-    assertThat(new MavlinkCrc32().update("12345".getBytes(StandardCharsets.US_ASCII)).update("6789".getBytes(StandardCharsets.US_ASCII)).value())
+    assertThat(
+            new MavlinkCrc32()
+                .update("12345".getBytes(StandardCharsets.US_ASCII))
+                .update("6789".getBytes(StandardCharsets.US_ASCII))
+                .value())
         .isEqualTo(0x2DFD2D88);
   }
 
@@ -124,12 +128,24 @@ class StationFileTest {
   void recording_growsOrShrinksWhileOpen_keepsItsSizeOrFails() throws IOException {
     Answer opened = station.one(FileStation.OPEN, 0, "logs/recording.mcap");
     Files.write(folder.resolve("logs/recording.mcap"), new byte[400_000]);
-    assertThat(station.ask(FileStation.READ, opened.session(), 300_000, 239, new byte[0]).get(0).data())
+    assertThat(
+            station
+                .ask(FileStation.READ, opened.session(), 300_000, 239, new byte[0])
+                .get(0)
+                .data())
         .hasSize(1);
     Files.write(folder.resolve("logs/recording.mcap"), new byte[10]);
-    assertThat(station.ask(FileStation.READ, opened.session(), 100_000, 239, new byte[0]).get(0).code())
+    assertThat(
+            station
+                .ask(FileStation.READ, opened.session(), 100_000, 239, new byte[0])
+                .get(0)
+                .code())
         .isEqualTo(1);
-    assertThat(station.ask(FileStation.BURST, opened.session(), 100_000, 239, new byte[0]).get(0).code())
+    assertThat(
+            station
+                .ask(FileStation.BURST, opened.session(), 100_000, 239, new byte[0])
+                .get(0)
+                .code())
         .isEqualTo(1);
   }
 
@@ -164,7 +180,8 @@ class StationFileTest {
   void open_anyOtherPath_isNotFound(String path) {
     assertThat(station.one(FileStation.OPEN, 0, path).code()).isEqualTo(10);
     byte[] data = path.getBytes(StandardCharsets.US_ASCII);
-    assertThat(station.ask(FileStation.CHECKSUM, 0, 0, data.length, data).get(0).code()).isEqualTo(10);
+    assertThat(station.ask(FileStation.CHECKSUM, 0, 0, data.length, data).get(0).code())
+        .isEqualTo(10);
   }
 
   @ParameterizedTest
@@ -178,8 +195,10 @@ class StationFileTest {
     assertThat(station.ask(FileStation.OPEN, 0, 0, 255, new byte[0]).get(0).code()).isEqualTo(3);
     assertThat(station.ask(3, 0, 0, 240, new byte[0]).get(0).code()).isEqualTo(3);
     int session = station.one(FileStation.OPEN, 0, "general.json").session();
-    assertThat(station.ask(FileStation.READ, session, 0, 240, new byte[0]).get(0).code()).isEqualTo(3);
-    assertThat(station.ask(FileStation.BURST, session, 0, 0, new byte[0]).get(0).code()).isEqualTo(3);
+    assertThat(station.ask(FileStation.READ, session, 0, 240, new byte[0]).get(0).code())
+        .isEqualTo(3);
+    assertThat(station.ask(FileStation.BURST, session, 0, 0, new byte[0]).get(0).code())
+        .isEqualTo(3);
     assertThat(station.ask(FileStation.READ, session, 0xFFFF_FFFFL, 10, new byte[0]).get(0).code())
         .isEqualTo(6);
   }
@@ -201,13 +220,16 @@ class StationFileTest {
     int session = station.one(FileStation.OPEN, 0, "general.json").session();
     FileStation other = new FileStation(kit.sendingAs(191));
     assertThat(other.ask(FileStation.READ, session, 0, 10, new byte[0]).get(0).code()).isEqualTo(4);
-    assertThat(other.ask(FileStation.BURST, session, 0, 10, new byte[0]).get(0).code()).isEqualTo(4);
+    assertThat(other.ask(FileStation.BURST, session, 0, 10, new byte[0]).get(0).code())
+        .isEqualTo(4);
     assertThat(other.ask(1, session, 0, 0, new byte[0]).get(0).code()).isEqualTo(4);
     assertThat(other.ask(2, 0, 0, 0, new byte[0]).get(0).ack()).isTrue();
     kit.sendingAs(190);
-    assertThat(station.ask(FileStation.READ, session, 0, 10, new byte[0]).get(0).data()).hasSize(10);
+    assertThat(station.ask(FileStation.READ, session, 0, 10, new byte[0]).get(0).data())
+        .hasSize(10);
     assertThat(station.ask(2, 0, 0, 0, new byte[0]).get(0).ack()).isTrue();
-    assertThat(station.ask(FileStation.READ, session, 0, 10, new byte[0]).get(0).code()).isEqualTo(4);
+    assertThat(station.ask(FileStation.READ, session, 0, 10, new byte[0]).get(0).code())
+        .isEqualTo(4);
   }
 
   @Test

@@ -45,7 +45,8 @@ class StationLogTest {
   }
 
   private List<LogEntry> list(int start, int end) {
-    kit.send(LogRequestList.builder().targetSystem(1).targetComponent(1).start(start).end(end).build());
+    kit.send(
+        LogRequestList.builder().targetSystem(1).targetComponent(1).start(start).end(end).build());
     return kit.received(LogEntry.class);
   }
 
@@ -101,7 +102,8 @@ class StationLogTest {
   @Test
   void end_whileSending_stops() {
     list(0, 0xFFFF);
-    kit.send(LogRequestData.builder().targetSystem(1).targetComponent(1).id(2).count(100_000).build());
+    kit.send(
+        LogRequestData.builder().targetSystem(1).targetComponent(1).id(2).count(100_000).build());
     kit.send(LogRequestEnd.builder().targetSystem(1).targetComponent(1).build());
     kit.received(LogData.class);
     kit.advance(2.0);

@@ -10,7 +10,9 @@ import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
 
-/** The outside judge of the MAVLink bridge: pymavlink connects to a rover as QGroundControl does. */
+/**
+ * The outside judge of the MAVLink bridge: pymavlink connects to a rover as QGroundControl does.
+ */
 @NeedsProgram(value = "python3", modules = "pymavlink.mavftp")
 @Timeout(600)
 class PymavlinkStationTest {

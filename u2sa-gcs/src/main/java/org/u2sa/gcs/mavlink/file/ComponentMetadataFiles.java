@@ -54,7 +54,8 @@ public final class ComponentMetadataFiles {
       return;
     }
     madeOf = changes;
-    parameters = ParameterMetadata.json(configurations.byService()).getBytes(StandardCharsets.UTF_8);
+    parameters =
+        ParameterMetadata.json(configurations.byService()).getBytes(StandardCharsets.UTF_8);
     JsonText ofParameters =
         new JsonText()
             .put("type", TYPE_PARAMETER)

@@ -53,8 +53,7 @@ record FilePacket(
   }
 
   static FilePacket parse(byte[] payload) {
-    ByteBuffer in =
-        ByteBuffer.wrap(Arrays.copyOf(payload, PAYLOAD)).order(ByteOrder.LITTLE_ENDIAN);
+    ByteBuffer in = ByteBuffer.wrap(Arrays.copyOf(payload, PAYLOAD)).order(ByteOrder.LITTLE_ENDIAN);
     int sequence = in.getShort() & 0xFFFF;
     int session = in.get() & 0xFF;
     int opcode = in.get() & 0xFF;

@@ -66,9 +66,7 @@ public final class FileTransfer {
         Optional<FileSession> session = session(request, from);
         session.ifPresent(each -> sessions.remove(request.session()));
         yield Optional.of(
-            session.isPresent()
-                ? request.ack(new byte[0])
-                : request.nak(Refusal.INVALID_SESSION));
+            session.isPresent() ? request.ack(new byte[0]) : request.nak(Refusal.INVALID_SESSION));
       }
       case FilePacket.RESET_SESSIONS -> {
         sessions.values().removeIf(each -> each.owner.equals(from));
@@ -94,7 +92,9 @@ public final class FileTransfer {
         file.ifPresent(each -> checksum.begin(request, from, each));
         yield file.isPresent() ? Optional.empty() : Optional.of(request.nak(notFound(request)));
       }
-      default -> Optional.of(request.nak(isWrite(request) ? Refusal.FILE_PROTECTED : Refusal.UNKNOWN_COMMAND));
+      default ->
+          Optional.of(
+              request.nak(isWrite(request) ? Refusal.FILE_PROTECTED : Refusal.UNKNOWN_COMMAND));
     };
   }
 

@@ -28,7 +28,8 @@ public final class RecordingFolder {
     }
   }
 
-  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9_][A-Za-z0-9._-]{0,99}\\.(mcap|ulg)");
+  private static final Pattern NAME =
+      Pattern.compile("[A-Za-z0-9_][A-Za-z0-9._-]{0,99}\\.(mcap|ulg)");
   private static final int MAX_FILES = 256;
   private static final long LARGEST = 0xFFFF_FFFFL; // the protocols count bytes in 32 bits
 
@@ -46,7 +47,10 @@ public final class RecordingFolder {
     }
     List<Path> files;
     try (Stream<Path> all = Files.list(folder)) {
-      files = all.filter(each -> NAME.matcher(each.getFileName().toString()).matches()).sorted().toList();
+      files =
+          all.filter(each -> NAME.matcher(each.getFileName().toString()).matches())
+              .sorted()
+              .toList();
     }
     List<Entry> entries = new ArrayList<>();
     for (Path each : files.subList(Math.max(0, files.size() - MAX_FILES), files.size())) {

@@ -37,9 +37,7 @@ public final class ParameterMetadata {
     ConfigurationVariable variable = parameter.variable();
     boolean isFloat = parameter.value().type() == MavParamType.MAV_PARAM_TYPE_REAL32;
     List<String> values =
-        variable.variableType().equals("boolean")
-            ? List.of("false", "true")
-            : variable.choices();
+        variable.variableType().equals("boolean") ? List.of("false", "true") : variable.choices();
     return new JsonText()
         .put("name", parameter.name())
         .put("type", isFloat ? "Float" : "Int32")

@@ -54,7 +54,8 @@ class ParameterFileTest {
     assertThat(changed("1\t1\tSAFM_BRAKING\t0.300000011920928955078\t9\r\n"))
         .as("0.3f as QGroundControl writes it")
         .containsExactly("SafetyManager BRAKING=0.3");
-    assertThat(changed("CON_GAIN         7654321.123456 # MAVProxy\nCON_LIMIT 3.000000\n\nCON_MODE,0"))
+    assertThat(
+            changed("CON_GAIN         7654321.123456 # MAVProxy\nCON_LIMIT 3.000000\n\nCON_MODE,0"))
         .containsExactly("Control GAIN=7654321.123456", "Control LIMIT=3", "Control MODE=A");
   }
 
