@@ -23,8 +23,8 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 
 /**
- * {@code u2sa config}: prints its help; list, get, set and undo are subcommands, implemented as
- * methods.
+ * {@code u2sa config}: prints its help; list, get, set and undo are methods, export and import
+ * classes.
  */
 @Command(
     name = "config",
@@ -33,8 +33,10 @@ import picocli.CommandLine.Parameters;
       "",
       "  ./u2sa config list PathPlanner",
       "  ./u2sa config set PathPlanner \"LOITER RADIUS=500\" \"AT END=HOLD\"",
-      "  ./u2sa config undo PathPlanner"
-    })
+      "  ./u2sa config undo PathPlanner",
+      "  ./u2sa config export rover.params"
+    },
+    subcommands = {ParameterFileCommand.Export.class, ParameterFileCommand.Import.class})
 public final class ConfigCommand extends BaseCommand.Group {
 
   @Command(

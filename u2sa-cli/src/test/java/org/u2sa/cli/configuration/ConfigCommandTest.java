@@ -2,6 +2,8 @@ package org.u2sa.cli.configuration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -84,6 +86,30 @@ class ConfigCommandTest extends CommandFixture {
     assertThat(out.toString()).containsPattern("LOITER RADIUS: 500.0 → [0-9.]+ m\n");
     assertThat(run("get", PLANNER, "LOITER RADIUS")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).isNotEqualTo("500.0 m\n");
+  }
+
+  @Test
+  void exportImport_bothFormats_changesOnlyWhatDiffersAndAllOrNothing() throws IOException {
+    for (String name : List.of("rover.params", "rover.parm")) {
+      Path file = directory.resolve(name);
+      assertThat(run("export", file.toString())).isEqualTo(ExitCode.DONE);
+      assertThat(run("import", file.toString())).isEqualTo(ExitCode.DONE);
+      assertThat(out.toString()).startsWith("Nothing to change");
+
+      String text = Files.readString(file);
+      assertThat(text).containsPattern("PATP_ATTEMPTS[,\\t]\\d+");
+      String eight = text.replaceFirst("(PATP_ATTEMPTS[,\\t])\\d+", "$18");
+      Files.writeString(file, eight);
+      assertThat(run("import", file.toString())).isEqualTo(ExitCode.DONE);
+      assertThat(out.toString()).containsPattern("^ATTEMPTS: \\d+ → 8\nPathPlanner is at revision");
+      assertThat(run("undo", PLANNER)).isEqualTo(ExitCode.DONE);
+
+      Files.writeString(file, eight.replaceFirst("(PATP_GUIDANCE[,\\t])\\d+", "$177"));
+      assertThat(run("import", file.toString())).isEqualTo(ExitCode.BAD_INPUT);
+      assertThat(err.toString()).contains("PATP_GUIDANCE 77: expected 0 = LINE, 1 = DIRECT");
+      assertThat(run("get", PLANNER, "ATTEMPTS")).isEqualTo(ExitCode.DONE);
+      assertThat(out.toString()).isNotEqualTo("8\n");
+    }
   }
 
   @Test

@@ -17,6 +17,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
  * @param systemId MAVLink system ID of the vehicle, 1…250
  * @param kind kind of the vehicle; empty: by its control service
  * @param key file with the passphrase of message signing; empty: unsigned
+ * @param logs folder whose recordings stations may download; empty: none
  */
 public record BridgeOptions(
     boolean tcp,
@@ -24,11 +25,12 @@ public record BridgeOptions(
     Identity identity,
     Optional<VehicleKind> kind,
     int systemId,
-    Optional<Path> key) {
+    Optional<Path> key,
+    Optional<Path> logs) {
   private static final int MAX_SYSTEM_ID = 250;
   private static final int HIGHEST_PORT = 65_535;
   private static final String FORM =
-      "expected tcp:PORT, tcp:HOST:PORT or udp:HOST:PORT, then as=px4|ardupilot|generic, type=rover|boat|plane|copter|submarine|generic, id=1…250 or key=FILE, separated by commas";
+      "expected tcp:PORT, tcp:HOST:PORT or udp:HOST:PORT, then as=px4|ardupilot|generic, type=rover|boat|plane|copter|submarine|generic, id=1…250, key=FILE or logs=FOLDER, separated by commas";
 
   /**
    * Parses {@code tcp:5760} or {@code udp:127.0.0.1:14550,as=ardupilot,id=2}.
@@ -41,6 +43,7 @@ public record BridgeOptions(
     Optional<VehicleKind> kind = Optional.empty();
     int systemId = 1;
     Optional<Path> key = Optional.empty();
+    Optional<Path> logs = Optional.empty();
     for (int i = 1; i < parts.length; i++) {
       String[] pair = parts[i].split("=", 2);
       String value = pair.length == 2 ? pair[1] : "";
@@ -49,6 +52,7 @@ public record BridgeOptions(
         case "type" -> kind = Optional.of(named(text, () -> VehicleKind.parse(value)));
         case "id" -> systemId = number(text, value, MAX_SYSTEM_ID);
         case "key" -> key = Optional.of(Path.of(value));
+        case "logs" -> logs = Optional.of(folder(text, value));
         default -> throw wrong(text, FORM);
       }
     }
@@ -61,7 +65,14 @@ public record BridgeOptions(
       throw wrong(
           text, "an address beyond this host needs message signing; expected key=FILE as well");
     }
-    return new BridgeOptions(tcp, address, identity, kind, systemId, key);
+    return new BridgeOptions(tcp, address, identity, kind, systemId, key, logs);
+  }
+
+  private static Path folder(String text, String value) {
+    if (value.isEmpty()) {
+      throw wrong(text, "logs: expected the folder of the recordings");
+    }
+    return Path.of(value);
   }
 
   private static InetSocketAddress address(String text, String place, boolean tcp) {

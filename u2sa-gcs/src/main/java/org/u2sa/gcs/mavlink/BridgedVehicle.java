@@ -2,6 +2,9 @@ package org.u2sa.gcs.mavlink;
 
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import org.u2sa.gcs.mavlink.file.ComponentMetadataFiles;
+import org.u2sa.gcs.mavlink.file.RecordingFolder;
+import org.u2sa.gcs.mavlink.file.VehicleFiles;
 import org.u2sa.gcs.mavlink.plan.FenceBook;
 import org.u2sa.gcs.mavlink.plan.MissionProgressMessages;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
@@ -26,10 +29,12 @@ final class BridgedVehicle {
   final FenceBook fences;
   final MissionProgressMessages progress;
   final Telemetry telemetry;
+  final VehicleFiles files;
 
   /**
    * @param systemId the vehicle's U2SA system ID
    * @param mavlinkId the vehicle's MAVLink system ID
+   * @param recordings what stations may download; empty: none
    * @param clock real time [µs since 1970]
    */
   BridgedVehicle(
@@ -38,6 +43,7 @@ final class BridgedVehicle {
       Optional<VehicleKind> kind,
       String systemId,
       int mavlinkId,
+      Optional<RecordingFolder> recordings,
       LongSupplier clock) {
     this.orders = orders;
     this.identity = identity;
@@ -51,5 +57,9 @@ final class BridgedVehicle {
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
     telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);
+    ComponentMetadataFiles metadata =
+        new ComponentMetadataFiles(model.configurations(), systemId, uptime);
+    telemetry.add(Telemetry.COMPONENT_METADATA, 0.0, metadata::message);
+    files = new VehicleFiles(metadata, recordings);
   }
 }

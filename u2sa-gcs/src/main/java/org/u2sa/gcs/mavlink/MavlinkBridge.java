@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.remote.Operator;
@@ -55,6 +56,7 @@ public final class MavlinkBridge implements AutoCloseable {
             options.kind(),
             link.systemId(),
             options.systemId(),
+            options.logs().map(RecordingFolder::new),
             link.clock()::micros);
     Optional<MavlinkSigning> signing =
         options.key().map(file -> new MavlinkSigning(passphrase(file), link.clock()::micros));

@@ -11,9 +11,10 @@ import java.util.Optional;
 import org.u2sa.gcs.mavlink.command.CommandService;
 import org.u2sa.gcs.mavlink.command.MessageCommands;
 import org.u2sa.gcs.mavlink.command.VehicleCommands;
+import org.u2sa.gcs.mavlink.file.FileTransfer;
+import org.u2sa.gcs.mavlink.file.LogDownload;
 import org.u2sa.gcs.mavlink.parameter.ParameterService;
 import org.u2sa.gcs.mavlink.plan.MissionService;
-import org.u2sa.gcs.mavlink.station.FileRefusals;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.StatusTexts;
 import org.u2sa.gcs.mavlink.telemetry.MessageRates;
@@ -37,6 +38,8 @@ final class StationSession implements GroundStation {
   private final ParameterService parameters;
   private final MissionService mission;
   private final CommandService commands;
+  private final FileTransfer transfer;
+  private final LogDownload logs;
   private final StatusTexts texts = new StatusTexts();
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
@@ -50,6 +53,8 @@ final class StationSession implements GroundStation {
     boolean casts = vehicle.identity.castsParameters();
     parameters = new ParameterService(vehicle.model, vehicle.orders, this, casts);
     mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
+    transfer = new FileTransfer(vehicle.files, this);
+    logs = new LogDownload(vehicle.files, this);
     commands =
         new CommandService(
             this,
@@ -84,7 +89,8 @@ final class StationSession implements GroundStation {
       boolean isHandled =
           parameters.handle(message)
               || mission.handle(message, from)
-              || commands.handle(message, from);
+              || commands.handle(message, from)
+              || logs.handle(message);
       if (!isHandled) {
         takeOther(message, from);
       }
@@ -112,7 +118,7 @@ final class StationSession implements GroundStation {
               .targetComponent(from.component())
               .build());
     } else if (message instanceof FileTransferProtocol request) {
-      send(FileRefusals.answer(request, from));
+      transfer.handle(request, from);
     } else if (message instanceof RequestDataStream request) {
       rates.stream(request.reqStreamId(), request.reqMessageRate(), request.startStop() == 1);
     }
@@ -122,6 +128,8 @@ final class StationSession implements GroundStation {
   void step(long micros) {
     rates.step(micros, this);
     parameters.step();
+    transfer.step(micros);
+    logs.step();
     mission.step(micros);
   }
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Collectors;
+import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
@@ -35,7 +36,7 @@ final class BridgeKit {
   final List<U2SAData> published = new ArrayList<>();
   final BridgedVehicle vehicle;
   final StationSession session;
-  final MavlinkStream station;
+  MavlinkStream station;
   private final List<Object> received = new ArrayList<>();
 
   BridgeKit(Identity identity, VehicleKind kind) {
@@ -43,13 +44,28 @@ final class BridgeKit {
   }
 
   BridgeKit(Identity identity, VehicleKind kind, Optional<String> key) {
+    this(identity, kind, key, Optional.empty());
+  }
+
+  BridgeKit(
+      Identity identity,
+      VehicleKind kind,
+      Optional<String> key,
+      Optional<RecordingFolder> recordings) {
     VehicleOrders orders =
         new VehicleOrders((channel, message) -> published.add(message), "tester");
-    vehicle = new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, clock::get);
+    vehicle =
+        new BridgedVehicle(orders, identity, Optional.of(kind), "boat", 1, recordings, clock::get);
     session = new StationSession(vehicle, key.map(each -> new MavlinkSigning(each, clock::get)));
     station =
         new MavlinkStream(STATION, 190, key.map(each -> new MavlinkSigning(each, clock::get)));
     step();
+  }
+
+  /** Lets the station send as another of its components. */
+  BridgeKit sendingAs(int component) {
+    station = new MavlinkStream(STATION, component);
+    return this;
   }
 
   static BridgeKit rover() {

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.dronefleet.mavlink.common.AutopilotVersion;
 import io.dronefleet.mavlink.common.CommandAck;
-import io.dronefleet.mavlink.common.FileTransferProtocol;
 import io.dronefleet.mavlink.common.GlobalPositionInt;
 import io.dronefleet.mavlink.common.HomePosition;
 import io.dronefleet.mavlink.common.MavCmd;
@@ -149,17 +148,5 @@ class StationConnectTest {
     assertThat(kit.received(Timesync.class)).isEmpty();
     kit.send(Ping.builder().timeUsec(BigInteger.TEN).seq(3).build());
     assertThat(kit.received(Ping.class).get(0).targetSystem()).isEqualTo(BridgeKit.STATION);
-  }
-
-  @Test
-  void file_asMavProxyAsksFor_isNotFoundAtOnce() {
-    byte[] open = new byte[251];
-    open[0] = (byte) 0xFF;
-    open[3] = 4; // OpenFileRO
-    kit.send(
-        FileTransferProtocol.builder().targetSystem(1).targetComponent(1).payload(open).build());
-    byte[] answer = kit.received(FileTransferProtocol.class).get(0).payload();
-    assertThat(new int[] {answer[0], answer[1], answer[3] & 0xFF, answer[4], answer[5], answer[12]})
-        .containsExactly(0, 1, 129, 1, 4, 10);
   }
 }

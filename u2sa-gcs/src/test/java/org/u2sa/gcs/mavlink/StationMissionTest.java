@@ -137,7 +137,7 @@ class StationMissionTest {
   void upload_lostRequestAndRepeatedItem_isCompleted() {
     kit.send(MissionCount.builder().targetSystem(1).targetComponent(1).count(2).build());
     kit.received(MissionRequestInt.class);
-    kit.advance(1.0);
+    kit.advance(0.6);
     assertThat(kit.received(MissionRequestInt.class))
         .extracting(MissionRequestInt::seq)
         .containsExactly(0);

@@ -100,6 +100,8 @@ class StationParameterTest {
     assertThat(order.assignments().get(0).value()).isEqualTo("0.7"); // not 0.69999998807
     answer(kit, true, "");
     assertThat(kit.received(ParamValue.class).get(0).paramValue()).isEqualTo(0.7f);
+    kit.send(read("SAFM_BRAKING", -1)); // before the service has sent its new configuration
+    assertThat(kit.received(ParamValue.class).get(0).paramValue()).isEqualTo(0.7f);
   }
 
   @Test

@@ -13,7 +13,6 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
-import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * The parameter protocol towards one station (mavlink.io/en/services/parameter). Count and indices
@@ -148,21 +147,12 @@ public final class ParameterService {
                         .value(text.get()))),
         (accepted, reason) -> {
           if (accepted) {
-            sendAccepted(name, text.get());
+            renew();
+            table.index(name).ifPresent(this::send); // stations take it as the answer
           } else {
             refuse(parameter, reason);
           }
         });
-  }
-
-  /** Stations take the value that comes back as the answer, so the new one must be in it. */
-  private void sendAccepted(String name, String text) {
-    Optional<Integer> index = table.index(name);
-    if (index.isPresent()) {
-      Parameter before = table.at(index.get());
-      ConfigurationVariable changed = (ConfigurationVariable) before.variable().copy();
-      send(new Parameter(name, before.service(), changed.value(text)), index.get());
-    }
   }
 
   private void refuse(Parameter parameter, String reason) {
@@ -171,10 +161,7 @@ public final class ParameterService {
   }
 
   private void send(int index) {
-    send(table.at(index), index);
-  }
-
-  private void send(Parameter parameter, int index) {
+    Parameter parameter = table.at(index);
     Parameter.Value value = parameter.value();
     station.send(
         ParamValue.builder()

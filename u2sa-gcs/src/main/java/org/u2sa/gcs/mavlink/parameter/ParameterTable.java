@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.zip.CRC32;
+import org.u2sa.mavlink.MavlinkCrc32;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
@@ -57,13 +57,13 @@ final class ParameterTable {
 
   /** PX4's _HASH_CHECK: CRC-32 over the names and value bytes in the order of the names. */
   int hash(boolean casts) {
-    CRC32 crc = new CRC32();
+    MavlinkCrc32 crc = new MavlinkCrc32();
     for (Parameter each : parameters) {
       crc.update(each.name().getBytes(StandardCharsets.US_ASCII));
       float value = ParameterEncoding.encode(each.value(), casts);
       crc.update(
           ByteBuffer.allocate(Float.BYTES).order(ByteOrder.LITTLE_ENDIAN).putFloat(value).array());
     }
-    return (int) crc.getValue();
+    return crc.value();
   }
 }

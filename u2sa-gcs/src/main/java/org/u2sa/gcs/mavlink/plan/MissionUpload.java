@@ -19,8 +19,8 @@ final class MissionUpload {
   }
 
   private static final int MAX_ITEMS = 1000;
-  private static final long RETRY_MICROS = 700_000;
-  private static final int MAX_RETRIES = 25;
+  private static final long RETRY_MICROS = 400_000; // MAVSDK gives up after 2.5 s without a request
+  private static final int MAX_RETRIES = 40;
 
   /** An upload under way. */
   private static final class Incoming {

@@ -25,6 +25,9 @@ public final class Telemetry {
   /** PROTOCOL_VERSION. */
   public static final int PROTOCOL_VERSION = 300;
 
+  /** COMPONENT_METADATA. */
+  public static final int COMPONENT_METADATA = 397;
+
   /** AVAILABLE_MODES. */
   public static final int AVAILABLE_MODES = 435;
 

@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.vehicle;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -7,9 +8,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicLong;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.ConfigurationVariable;
 import org.u2sa.messages.schema.U2SAData;
 
 /** The newest configuration of each service of the vehicle. */
@@ -31,8 +34,27 @@ public final class ServiceConfigurations {
         changes.incrementAndGet();
       }
     } else if (message instanceof ConfigurationTransactionResult result && result.accepted()) {
+      byService.computeIfPresent(
+          result.serviceName(), (name, before) -> with(before, result.assignments()));
+      changes.incrementAndGet();
       changed.add(result.serviceName());
     }
+  }
+
+  /** A station that reads what it has just set must not get the old value. */
+  private static ConfigurationResponse with(
+      ConfigurationResponse before, List<? extends ConfigurationAssignment> assignments) {
+    List<ConfigurationVariable> variables = new ArrayList<>();
+    for (ConfigurationVariable each : before.variables()) {
+      ConfigurationVariable variable = (ConfigurationVariable) each.copy();
+      assignments.stream()
+          .filter(one -> one.variableName().equals(each.name()))
+          .forEach(one -> variable.value(one.value()));
+      variables.add(variable);
+    }
+    ConfigurationResponse after = ((ConfigurationResponse) before.copy()).variables(variables);
+    after.freeze();
+    return after;
   }
 
   /** Asks the services whose configuration has changed. */

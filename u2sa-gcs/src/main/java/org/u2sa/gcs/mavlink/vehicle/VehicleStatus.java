@@ -91,7 +91,6 @@ public final class VehicleStatus {
 
   /** Takes a message of any of {@link #CHANNELS}. */
   public void take(U2SAData message) {
-    orders.take(message);
     if (message instanceof StateInformation now) {
       state = now;
       stateMicros = micros.getAsLong();
@@ -119,6 +118,7 @@ public final class VehicleStatus {
     } else {
       configurations.take(message);
     }
+    orders.take(message); // last: what follows an answer sees its effect
   }
 
   private void take(EmergencyStop stop) {

@@ -1,0 +1,72 @@
+package org.u2sa.gcs.mavlink.file;
+
+import java.io.IOException;
+import java.util.Optional;
+import org.u2sa.gcs.mavlink.file.FilePacket.Refusal;
+import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
+
+/** A file that a station has open, and the burst that it is being sent. */
+final class FileSession {
+  private static final int BURST_PACKETS = 256;
+
+  final Sender owner;
+  final VehicleFile file;
+  long usedMicros;
+  private Optional<FilePacket> burst = Optional.empty();
+  private int sent;
+
+  FileSession(Sender owner, VehicleFile file, long nowMicros) {
+    this.owner = owner;
+    this.file = file;
+    usedMicros = nowMicros;
+  }
+
+  /** Answers a read. */
+  FilePacket read(FilePacket request) throws IOException {
+    if (request.size() == 0 || request.size() > FilePacket.MAX_DATA) {
+      return request.nak(Refusal.INVALID_DATA_SIZE);
+    }
+    if (request.offset() >= file.size()) {
+      return request.nak(Refusal.END_OF_FILE);
+    }
+    return request.ack(file.read(request.offset(), request.size()));
+  }
+
+  /** Begins a burst in place of one under way; the answer to one that cannot begin. */
+  Optional<FilePacket> begin(FilePacket request) {
+    burst = Optional.empty();
+    if (request.size() == 0 || request.size() > FilePacket.MAX_DATA) {
+      return Optional.of(request.nak(Refusal.INVALID_DATA_SIZE));
+    }
+    if (request.offset() >= file.size()) {
+      return Optional.of(request.nak(Refusal.END_OF_FILE));
+    }
+    burst = Optional.of(request);
+    sent = 0;
+    return Optional.empty();
+  }
+
+  /** Next packet of the burst; empty if there is none. */
+  Optional<FilePacket> next() throws IOException {
+    if (burst.isEmpty()) {
+      return Optional.empty();
+    }
+    FilePacket request = burst.get();
+    long at = request.offset() + (long) sent * request.size();
+    byte[] data = file.read(at, request.size());
+    boolean isLast = sent == BURST_PACKETS - 1 || at + data.length >= file.size();
+    FilePacket packet = request.burst(sent, at, data, isLast);
+    sent++;
+    if (isLast) {
+      burst = Optional.empty();
+    }
+    return Optional.of(packet);
+  }
+
+  /** Ends the burst because the file cannot be read. */
+  FilePacket fail() {
+    FilePacket failed = burst.orElseThrow().nak(Refusal.FAIL);
+    burst = Optional.empty();
+    return failed;
+  }
+}

@@ -1,0 +1,33 @@
+package org.u2sa.scenarios.client;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.testkit.ForeignPrograms;
+import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.NeedsProgram;
+
+/**
+ * The outside judge of the MAVLink bridge: pymavlink connects to a rover as QGroundControl does.
+ */
+@NeedsProgram(value = "python3", modules = "pymavlink.mavftp")
+@Timeout(600)
+class PymavlinkStationTest {
+  @TempDir private Path folder;
+
+  @Test
+  void connect_asQGroundControl_everythingIsAnsweredAndConsistent() throws Exception {
+    String python = ForeignPrograms.ofThisMachine().required("python3", "pymavlink.mavftp");
+    int port = FreePort.find();
+    String link = "tcp:" + port + ",logs=" + folder.resolve("out");
+    try (RunningDemo demo =
+        new RunningDemo(
+            folder, "MAVLink ground stations", "ugv", "--record", "--mavlink=" + link)) {
+      assertThat(demo.client(python, "qgc_connect.py", "tcp:127.0.0.1:" + port))
+          .contains("modes 4", "mission MISSION_COUNT 24", "intrusions refused", "done");
+    }
+  }
+}
