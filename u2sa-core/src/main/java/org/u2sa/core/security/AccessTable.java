@@ -98,7 +98,8 @@ public final class AccessTable {
           row(Channels.OPERATOR, REPORT, Set.of(OPERATOR)),
           row(Channels.ARMING, URGENT, Set.of(OPERATOR)),
           row(Channels.ARMING_STATE, URGENT, Set.of(SAFETY)),
-          row(Channels.POWER, REPORT, SERVICES));
+          row(Channels.POWER, REPORT, SERVICES),
+          row(Channels.GROUND_PRESSURE, REPORT, Set.of(OPERATOR)));
 
   private static final Map<String, Map<String, AccessRule>> BY_CHANNEL = byChannel();
 

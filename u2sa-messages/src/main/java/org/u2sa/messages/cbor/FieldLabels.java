@@ -52,6 +52,7 @@ public final class FieldLabels {
       excessTemperature
       turn duration approach slope payload terminalSpeed
       corners ground lowest highest share seen image area corner cell resolutions images
+      pressure
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -46,6 +46,11 @@ public final class LaneLegs {
       return lane.end();
     }
 
+    /** The same lane in the other direction. */
+    public Leg reversed() {
+      return new Leg(lane.reversed(), leadInM);
+    }
+
     /** Whether the vehicle flies along the lane's line, on the way before it or on it. */
     public boolean isEntered(double northM, double eastM, double courseRad) {
       double along = lane.alongM(northM, eastM);

@@ -15,6 +15,7 @@ final class SuasMission {
   static final String AREA = "search";
 
   private static final double TAKE_OFF_M = 60.0;
+  private static final double KEPT_M = 100.0; // routes from the boundary
 
   private final SuasField field;
 
@@ -45,7 +46,7 @@ final class SuasMission {
     return file;
   }
 
-  /** Writes the pillars as a world file. */
+  /** Writes the pillars, and where routes may lead, as a world file. */
   static Path world(SuasField field, Path file) {
     StringBuilder text = new StringBuilder("<world>\n");
     for (int i = 0; i < field.pillars().size(); i++) {
@@ -61,7 +62,13 @@ final class SuasMission {
               pillar.radiusM(),
               pillar.heightM()));
     }
-    text.append("</world>\n");
+    text.append("  <polygon><uid>boundary</uid><objectType>corridor</objectType>");
+    text.append("<referenceFrame>Global</referenceFrame><points>");
+    List<Point> inside =
+        field.boundary().stream()
+            .map(corner -> corner.times(1.0 - KEPT_M / corner.distance()))
+            .collect(Collectors.toList());
+    text.append(corners(inside)).append("</points></polygon>\n</world>\n");
     ReportFile.writeText(file, out -> out.write(text.toString()));
     return file;
   }
@@ -83,12 +90,7 @@ final class SuasMission {
       text.append("<verticalThreshold>8</verticalThreshold></waypoint>\n");
     }
     text.append("  <searchArea><name>").append(AREA).append("</name><corners>");
-    List<String> corners =
-        field.searchArea().stream()
-            .map(corner -> SuasField.plane().at(corner.x(), corner.y(), 0.0))
-            .map(at -> String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
-            .collect(Collectors.toList());
-    text.append(String.join("; ", corners)).append("</corners>");
+    text.append(corners(field.searchArea())).append("</corners>");
     text.append(
         String.format(
             Locale.ROOT,
@@ -101,13 +103,20 @@ final class SuasMission {
         String.format(
             Locale.ROOT,
             "<psi>%.5f</psi><horizontalThreshold>60</horizontalThreshold>"
-                + "<speed>18</speed></landing>%n",
+                + "<speed>18</speed><approach>500</approach><slope unit=\"deg\">5.5</slope></landing>%n",
             field.runwayRad()));
     return text.append("</mission>\n").toString();
   }
 
   private static String altitude(double upM) {
     return String.format(Locale.ROOT, "<z>%.2f</z>", SuasField.ORIGIN.altitudeM() + upM);
+  }
+
+  private static String corners(List<Point> places) {
+    return places.stream()
+        .map(corner -> SuasField.plane().at(corner.x(), corner.y(), 0.0))
+        .map(at -> String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
+        .collect(Collectors.joining("; "));
   }
 
   private static String place(Point at) {
