@@ -130,6 +130,10 @@ final class SearchAreaState implements PlannerState {
     if (share >= area.share().orElse(1.0)) {
       return ended(area, vehicle, Plan.Progress.COMPLETED, "seen", share);
     }
+    Optional<String> fault = LaneLegs.fault(area, ledger, survey.get());
+    if (fault.isPresent()) {
+      return ended(area, vehicle, Plan.Progress.ABANDONED, fault.get(), share);
+    }
     if (passes >= survey.get().surveyPasses()) {
       return ended(area, vehicle, Plan.Progress.ABANDONED, "given up", share);
     }

@@ -11,10 +11,13 @@ import org.u2sa.report.ReportFile;
 
 /** What a team is told of a field: mission, world of the pillars, fence. */
 final class SuasMission {
-  /** Name of the search area's goal. */
-  static final String AREA = "search";
+  /** Name of the goal of the drop. */
+  static final String DROP = "drop";
+
+  private static final String AREA = "search";
 
   private static final double TAKE_OFF_M = 60.0;
+  private static final double DROP_M = 40.0; // height of the drop
   private static final double KEPT_M = 100.0; // routes from the boundary
 
   private final SuasField field;
@@ -89,14 +92,14 @@ final class SuasMission {
       text.append("<horizontalThreshold>12</horizontalThreshold>");
       text.append("<verticalThreshold>8</verticalThreshold></waypoint>\n");
     }
-    text.append("  <searchArea><name>").append(AREA).append("</name><corners>");
-    text.append(corners(field.searchArea())).append("</corners>");
+    text.append("  <payloadDrop><name>" + DROP + "</name>").append(place(field.drop())).append(altitude(0.0));
     text.append(
         String.format(
             Locale.ROOT,
-            "<resolution>%.3f</resolution><ground>%.2f</ground><share>0.997</share></searchArea>%n",
-            field.resolutionM(),
-            SuasField.ORIGIN.altitudeM()));
+            "<height>%.0f</height><terminalSpeed>%.0f</terminalSpeed>"
+                + "<horizontalThreshold>8</horizontalThreshold></payloadDrop>%n",
+            DROP_M,
+            DroppedBottle.TERMINAL_MPS));
     Point touch = field.start().times(0.8);
     text.append("  <landing><name>landing</name>").append(place(touch)).append(altitude(0.0));
     text.append(
@@ -110,6 +113,18 @@ final class SuasMission {
 
   private static String altitude(double upM) {
     return String.format(Locale.ROOT, "<z>%.2f</z>", SuasField.ORIGIN.altitudeM() + upM);
+  }
+
+  /** The search area as the ground station tells it in flight. */
+  static String area(SuasField field) {
+    return String.format(
+        Locale.ROOT,
+        "<mission><searchArea><name>%s</name><corners>%s</corners><resolution>%.3f</resolution>"
+            + "<ground>%.2f</ground><share>0.997</share></searchArea></mission>",
+        AREA,
+        corners(field.searchArea()),
+        field.resolutionM(),
+        SuasField.ORIGIN.altitudeM());
   }
 
   private static String corners(List<Point> places) {
