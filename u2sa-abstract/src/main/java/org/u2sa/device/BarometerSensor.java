@@ -13,7 +13,8 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes the altitude above mean sea level from a barometer's pressure, in GLOBAL, once per
- * reading. QNH and both sigmas may be changed in flight. Out: sensed-state.
+ * reading. QNH and both sigmas may be changed in flight. In: ground-pressure, state, with which a
+ * QNH has to agree. Out: sensed-state.
  */
 public final class BarometerSensor extends DeviceSensor<Pressure> {
   private static final double MIN_PA = 5_000.0; // 20 km; lower pressures are implausible
@@ -39,17 +40,30 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
       @Variable(unit = "m", min = 0.01, max = 1000, ifAbsent = 100)
           @Description(
               "Standard deviation of the altitude; with an outdated QNH, weather causes errors of up to 100 m.")
-          double altitudeSigma) {}
+          double altitudeSigma,
+      @Variable(unit = "m", min = 10, max = 10_000, ifAbsent = 30)
+          @Description(
+              "Difference from a certain altitude at which a QNH counts as wrong, and one that fits is used.")
+          double qnhTolerance) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);
+  private final PressureReference reference = new PressureReference(this::trouble);
   private long refused;
 
   public BarometerSensor(ServiceContext context) {
     super(context, KIND);
+    listen();
   }
 
   public BarometerSensor(ServiceContext context, Barometer barometer) {
     super(context, KIND, barometer);
+    listen();
+  }
+
+  private void listen() {
+    handleMessagesAtSteps();
+    subscribe(Channels.STATE, reference::see);
+    subscribe(Channels.GROUND_PRESSURE, told -> reference.hear(told, clock().micros()));
   }
 
   @Override
@@ -62,11 +76,16 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
       }
       return Stream.empty();
     }
+    Variables now = tuning.get();
+    reference.configure(now.qnh());
+    reference.tolerate(now.qnhTolerance());
+    double altitudeM = reference.altitudeM(pressure.pascals(), pressure.measuredAtMicros());
+    remark("QNH", reference.toString());
     return Stream.of(
         new StateInformation()
             .sensorName(sensorName())
             .referenceFrame(ReferenceFrame.GLOBAL)
-            .z(PressureAltitude.altitudeM(pressure.pascals(), tuning.get().qnh()))
-            .zSigma(tuning.get().altitudeSigma()));
+            .z(altitudeM)
+            .zSigma(reference.sigmaM(now.altitudeSigma())));
   }
 }

@@ -57,7 +57,15 @@ public final class PressureAltitude {
    * #altitudeM}.
    */
   public static double pascalsAt(double altitudeM, double qnhPa) {
-    double standardM = geopotentialM(altitudeM) + standardM(qnhPa);
+    return standardPa(geopotentialM(altitudeM) + standardM(qnhPa));
+  }
+
+  /** Pressure at sea level [Pa] on a day on which a pressure [Pa] was measured at an altitude [m]. */
+  public static double qnhOf(double pascals, double altitudeM) {
+    return standardPa(standardM(pascals) - geopotentialM(altitudeM));
+  }
+
+  private static double standardPa(double standardM) {
     if (standardM > TROPOPAUSE_M) {
       double scaleM = GAS_CONSTANT * TROPOPAUSE_K / Gravity.STANDARD_MPS2;
       return TROPOPAUSE_PA * StrictMath.exp((TROPOPAUSE_M - standardM) / scaleM);

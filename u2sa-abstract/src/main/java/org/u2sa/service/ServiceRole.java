@@ -16,6 +16,7 @@ import static org.u2sa.interfaces.communication.Channels.GOAL_COMMANDS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_REPORTS;
 import static org.u2sa.interfaces.communication.Channels.GOAL_UPDATES;
 import static org.u2sa.interfaces.communication.Channels.GRID;
+import static org.u2sa.interfaces.communication.Channels.GROUND_PRESSURE;
 import static org.u2sa.interfaces.communication.Channels.HEALTH;
 import static org.u2sa.interfaces.communication.Channels.IMAGES;
 import static org.u2sa.interfaces.communication.Channels.LOCAL_STATE;
@@ -77,7 +78,8 @@ public enum ServiceRole {
           SERVICE_ORDERS,
           EMERGENCY_STOP,
           OPERATOR,
-          ARMING),
+          ARMING,
+          GROUND_PRESSURE),
       List.of(
           STATE,
           OBJECTS,

@@ -103,8 +103,9 @@ public final class FusingStateEstimator extends StateEstimator {
       measurement.begin(START, filter.micros());
       filter.add(measurement.heading(Math.toRadians(variables.startPsi()), sigma));
     }
-    boolean isPlaced = variables.startWithoutReceiver() || filter.at(filter.micros()).isOnEarth();
-    if (!isStartTold && variables.startSigma() > 0.0 && isPlaced) {
+    if (!isStartTold
+        && variables.startSigma() > 0.0
+        && (variables.startWithoutReceiver() || filter.at(filter.micros()).isOnEarth())) {
       isStartTold = true;
       double sigma = variables.startSigma();
       measurement.begin(START, filter.micros());

@@ -7,16 +7,24 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
-/** Constraints on a mission's waypoints beyond single fields' bounds. */
+/** Constraints on a mission's waypoints and search areas beyond single fields' bounds. */
 final class WaypointRules {
   private WaypointRules() {}
 
   static void check(Collection<GoalElement> goals) {
     GoalElement first = null;
     for (GoalElement goal : goals) {
+      if (goal.message() instanceof SearchArea area) {
+        area.fault()
+            .ifPresent(
+                fault -> {
+                  throw element(goal, fault.substring(0, fault.indexOf(':'))).error(fault);
+                });
+      }
       if (goal.message() instanceof Waypoint waypoint) {
         checkCoordinates(goal, waypoint);
         checkThresholds(goal, waypoint);

@@ -23,6 +23,7 @@ class MissionErrorsTest {
           <goalInformation><uid>1</uid></goalInformation> | m.xml, line 2, <goalInformation>: is abstract: no goal can be of this class; expected one of waypoint, objectGoal, station, takeOff, landing, payloadDrop, searchArea
           <objectGoal><name>1</name></objectGoal> | m.xml, line 2, <objectGoal>: lacks <objectType>; expected a value
           <objectGoal><objectType>barrel</objectType></objectGoal> | m.xml, line 2, <objectGoal>: lacks <within>; expected a number of m
+          <searchArea><corners>1 1; 2 2</corners><resolution>0.05</resolution></searchArea> | m.xml, line 2, <corners>: corners: 2 of them; expected 3 to 200
           <waypoint><name>1</name></waypoint> | m.xml, line 2, <waypoint>: has no coordinates; expected at least one of x, y, z
           <waypoint><x>ten</x></waypoint> | m.xml, line 2, <x>: "ten" is not a number of deg
           <waypoint><x unit="deg">ten</x></waypoint> | m.xml, line 2, <x>: "ten" is not a number of deg

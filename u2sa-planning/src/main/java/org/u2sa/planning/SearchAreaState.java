@@ -34,6 +34,7 @@ final class SearchAreaState implements PlannerState {
   private static final double LEDGER_WITHIN_S = 15.0;
   private static final double SETTLES_S = 3.0; // until the last images are in the record
   private static final double RECORDS_S = 1.0; // between two looks at the record
+  private static final double UNREACHABLE_S = 4.0; // without a route
 
   private final Avoidance avoidance;
   private final WaypointGuidance guidance;
@@ -44,6 +45,8 @@ final class SearchAreaState implements PlannerState {
   private PlanningPlane plane; // of the legs
   private boolean isAlong; // on its lane, after the way there
   private boolean evades;
+  private boolean isReversed; // because it cannot be entered from its other end
+  private long lostSince; // without a route; MAX_VALUE with one
   private int passes;
   private long waitsSince; // for the record
   private long looksAfter;
@@ -79,6 +82,7 @@ final class SearchAreaState implements PlannerState {
   @Override
   public void enter(Pursuit pursuit) {
     legs.clear();
+    isReversed = false;
     passes = 0;
     waitsSince = pursuit.state().timestamp().orElse(0L);
     looksAfter = Long.MIN_VALUE;
@@ -88,6 +92,7 @@ final class SearchAreaState implements PlannerState {
   private void begin() {
     isAlong = false;
     evades = false;
+    lostSince = Long.MAX_VALUE;
     guidance.begin(Optional.empty());
     avoidance.begin();
   }
@@ -124,6 +129,10 @@ final class SearchAreaState implements PlannerState {
     double share = ledger.share(area.resolution());
     if (share >= area.share().orElse(1.0)) {
       return ended(area, vehicle, Plan.Progress.COMPLETED, "seen", share);
+    }
+    Optional<String> fault = LaneLegs.fault(area, ledger, survey.get());
+    if (fault.isPresent()) {
+      return ended(area, vehicle, Plan.Progress.ABANDONED, fault.get(), share);
     }
     if (passes >= survey.get().surveyPasses()) {
       return ended(area, vehicle, Plan.Progress.ABANDONED, "given up", share);
@@ -216,6 +225,7 @@ final class SearchAreaState implements PlannerState {
 
   private void next(Vehicle vehicle) {
     legs.remove();
+    isReversed = false;
     begin();
     double waitS = legs.isEmpty() ? SETTLES_S : RECORDS_S;
     looksAfter = vehicle.timestampMicros() + Clock.micros(waitS);
@@ -242,9 +252,25 @@ final class SearchAreaState implements PlannerState {
             state,
             new Avoidance.Wanted(
                 area.uid(), place, near, OptionalDouble.of(to.headingRad()), area.speed()));
-    if (step.givenUp().isPresent()) {
-      next(vehicle); // its cells stay missing, and are tried again
+    long micros = vehicle.timestampMicros();
+    lostSince = avoidance.remainingM().isPresent() ? Long.MAX_VALUE : Math.min(lostSince, micros);
+    if (step.givenUp().isPresent() || micros - lostSince > Clock.micros(UNREACHABLE_S)) {
+      leave(vehicle);
     }
     return step.point(vehicle);
+  }
+
+  /**
+   * Flies the lane in the other direction if it cannot be entered, else not at all: its cells stay
+   * missing, and are tried again.
+   */
+  private void leave(Vehicle vehicle) {
+    if (isAlong || isReversed) {
+      next(vehicle);
+      return;
+    }
+    legs.addFirst(legs.remove().reversed());
+    isReversed = true;
+    begin();
   }
 }

@@ -10,6 +10,8 @@ import org.u2sa.messages.safety.FailsafeAction;
 final class Hazard {
   static final Hazard OPERATOR =
       new Hazard("operator link", "ON OPERATOR LOSS", FailsafeAction.RETURN);
+  static final Hazard OPERATOR_FOR_LONG =
+      new Hazard("operator link for long", "ON LONG OPERATOR LOSS", FailsafeAction.RETURN);
   static final Hazard POSITION = new Hazard("position", "ON POSITION LOSS", FailsafeAction.HOLD);
   static final Hazard ESTIMATOR =
       new Hazard("state estimator", "ON ESTIMATOR LOSS", FailsafeAction.HOLD);
@@ -33,6 +35,7 @@ final class Hazard {
   static final List<Hazard> STANDARD =
       List.of(
           OPERATOR,
+          OPERATOR_FOR_LONG,
           POSITION,
           ESTIMATOR,
           ACTUATOR_LINK,

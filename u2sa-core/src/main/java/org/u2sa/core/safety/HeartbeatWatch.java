@@ -33,12 +33,29 @@ final class HeartbeatWatch implements Watch {
 
   /** Watches the link to the operators; any of them keeps it alive. */
   static HeartbeatWatch ofOperators(Supplier<SafetyVariables> settings) {
-    return new HeartbeatWatch(
+    return ofOperators(
         Hazard.OPERATOR,
         () ->
             new Expected(
-                "operator", settings.get().operatorRequired(), settings.get().operatorDeadline()),
-        (message, expected) ->
+                "operator", settings.get().operatorRequired(), settings.get().operatorDeadline()));
+  }
+
+  /** Watches for a longer loss of the link, which has an action of its own. */
+  static HeartbeatWatch ofLongLostOperators(Supplier<SafetyVariables> settings) {
+    return ofOperators(
+        Hazard.OPERATOR_FOR_LONG,
+        () -> {
+          double deadlineS = settings.get().longOperatorDeadline();
+          return new Expected(
+              "operator", false, deadlineS > 0.0 ? deadlineS : Double.POSITIVE_INFINITY);
+        });
+  }
+
+  private static HeartbeatWatch ofOperators(Hazard hazard, Supplier<Expected> expected) {
+    return new HeartbeatWatch(
+        hazard,
+        expected,
+        (message, any) ->
             message instanceof OperatorHeartbeat heartbeat
                 ? Optional.of("\"" + heartbeat.operator() + "\"")
                 : Optional.empty());

@@ -8,6 +8,10 @@ record SafetyVariables(
     @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 5)
         @Description("Time without an operator's heartbeat after which the link counts as lost.")
         double operatorDeadline,
+    @Variable(unit = "s", min = 0, max = 86_400, ifAbsent = 0)
+        @Description(
+            "Time without an operator's heartbeat after which ON LONG OPERATOR LOSS holds; 0: never.")
+        double longOperatorDeadline,
     @Variable(ifAbsentText = "false")
         @Description(
             "Whether arming requires an operator; otherwise the link counts from the first heartbeat.")

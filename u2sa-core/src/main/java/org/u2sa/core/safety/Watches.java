@@ -15,6 +15,7 @@ final class Watches {
       Supplier<SafetyVariables> settings, Conditions conditions, PositionWatch position) {
     return Stream.of(
             HeartbeatWatch.ofOperators(settings),
+            HeartbeatWatch.ofLongLostOperators(settings),
             position,
             new ServiceWatch(
                 Hazard.ESTIMATOR,

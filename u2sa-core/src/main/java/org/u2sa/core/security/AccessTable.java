@@ -105,7 +105,8 @@ public final class AccessTable {
           row(Channels.FENCE, REPORT, Set.of(SAFETY)),
           row(Channels.FENCE_ORDERS, FenceOrder.TYPE, ORDER, Set.of(OPERATOR)),
           row(Channels.FENCE_ORDERS, FenceOrderResult.TYPE, REPORT, Set.of(SAFETY)),
-          row(Channels.POWER, REPORT, SERVICES));
+          row(Channels.POWER, REPORT, SERVICES),
+          row(Channels.GROUND_PRESSURE, REPORT, Set.of(OPERATOR)));
 
   private static final Map<String, Map<String, AccessRule>> BY_CHANNEL = byChannel();
 

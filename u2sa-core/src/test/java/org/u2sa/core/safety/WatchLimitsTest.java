@@ -34,6 +34,21 @@ class WatchLimitsTest {
   }
 
   @Test
+  void operator_silentForLong_isTroubleOfItsOwnIfConfigured() {
+    HeartbeatWatch watch =
+        HeartbeatWatch.ofLongLostOperators(with(Map.of("LONG OPERATOR DEADLINE", 180.0)));
+    HeartbeatWatch never = HeartbeatWatch.ofLongLostOperators(with(Map.of()));
+    assertThat(watch.trouble(400 * SECOND)).as("never heard").isEmpty();
+    watch.see(new OperatorHeartbeat().operator("Ann"), 0);
+    never.see(new OperatorHeartbeat().operator("Ann"), 0);
+
+    assertThat(watch.trouble(180 * SECOND)).isEmpty();
+    assertThat(watch.trouble(181 * SECOND)).contains("\"Ann\" silent for 181 s");
+    assertThat(never.trouble(100_000 * SECOND)).isEmpty();
+    assertThat(watch.hazard().words()).isEqualTo("operator link for long");
+  }
+
+  @Test
   void operator_heardAtTimeZeroAndRequired_isThere() {
     HeartbeatWatch watch = HeartbeatWatch.ofOperators(with(Map.of("OPERATOR REQUIRED", true)));
     assertThat(watch.objection(0)).contains("no operator heard");

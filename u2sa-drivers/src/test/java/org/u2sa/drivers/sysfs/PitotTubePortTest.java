@@ -42,7 +42,8 @@ class PitotTubePortTest extends DeviceContract<PitotTube.Impact> {
                 new NoiseStreams(1),
                 () -> truth,
                 () -> Point.of(-10.0, 0.0, 0.0),
-                () -> 0.0)));
+                () -> 0.0,
+                Double.POSITIVE_INFINITY)));
   }
 
   @Override

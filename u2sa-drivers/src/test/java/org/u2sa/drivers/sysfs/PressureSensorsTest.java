@@ -143,7 +143,12 @@ class PressureSensorsTest {
                 Point.ORIGIN);
     SimulatedPitotTube device =
         new SimulatedPitotTube(
-            PERFECT, new NoiseStreams(1), truth, () -> Point.ORIGIN, () -> altitudeM);
+            PERFECT,
+            new NoiseStreams(1),
+            truth,
+            () -> Point.ORIGIN,
+            () -> altitudeM,
+            Double.POSITIVE_INFINITY);
     kit.start(context -> new AirspeedSensor(context, device));
     kit.advance(1.0);
   }

@@ -14,6 +14,7 @@ final class Fuser {
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
   private static final double SPEED_FRESH_S = 2.0;
+  private static final double ONLY_ALTIMETER_S = 1.0;
   private static final double STANDING_MPS = 0.1; // wheel speed
   private static final double READABLE_SIGMAS = 3.0;
 
@@ -221,7 +222,7 @@ final class Fuser {
     if (persists && tuning.positionCorrelationS() > 0.0) {
       // Errors with correlation time τ carry as much information as independent ones every 2 τ.
       double interval = Math.max(1e-3, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
-      double repeats = 1.0 + 2.0 * tuning.positionCorrelationS() / interval;
+      double repeats = 1.0 + 2.0 * correlationS(s, m, source, quantity) / interval;
       update.weigh(linear, SourceTrust.factor(s, at) * repeats);
     }
     if (quantity == SensedQuantity.LANDMARK) {
@@ -230,6 +231,22 @@ final class Fuser {
     update.apply(s, linear);
     count(s, at, SourceTrust.USED);
     used(s, quantity);
+  }
+
+  /**
+   * Time over which the errors of a position or altitude are alike [s]. The weather's error of an
+   * aircraft's only altimeter lasts for hours, but without its changes an inertial altitude drifts
+   * away within seconds.
+   */
+  private double correlationS(FilterState s, Measurement m, int source, SensedQuantity quantity) {
+    boolean isOnlyAltimeter =
+        quantity == SensedQuantity.ALTITUDE
+            && tuning.domain() == MotionDomain.AIR
+            && !m.has(SensedQuantity.PLACE)
+            && !judge.isCorroborated(s, source, quantity);
+    return isOnlyAltimeter
+        ? Math.min(ONLY_ALTIMETER_S, tuning.positionCorrelationS())
+        : tuning.positionCorrelationS();
   }
 
   private static void used(FilterState s, SensedQuantity quantity) {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.GroundPressure;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
@@ -201,6 +202,10 @@ public final class Channels {
   public static final Channel<BatteryState> POWER =
       Channel.latest("power", BatteryState.TYPE, BatteryState::sensorName);
 
+  /** Air pressure at the ground station; to sensors of pressure altitude. */
+  public static final Channel<GroundPressure> GROUND_PRESSURE =
+      Channel.latest("ground-pressure", GroundPressure.TYPE, pressure -> "").retained();
+
   private static final List<Channel<?>> ALL =
       List.of(
           SENSED_STATE,
@@ -234,7 +239,8 @@ public final class Channels {
           ARMING_STATE,
           FENCE,
           FENCE_ORDERS,
-          POWER);
+          POWER,
+          GROUND_PRESSURE);
 
   private static final Map<String, Channel<?>> BY_NAME =
       ALL.stream().collect(Collectors.toMap(Channel::name, channel -> channel));

@@ -54,6 +54,7 @@ public final class FieldLabels {
       corners ground lowest highest share seen image area corner cell resolutions images
       fence margin
       classes required
+      pressure
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -1,6 +1,8 @@
 package org.u2sa.messages.goal;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -14,6 +16,7 @@ import org.u2sa.messages.schema.ValueField;
  * World Modeler records what was seen, the Path Planner flies over what is missing.
  */
 public class SearchArea extends GoalInformation {
+  private static final int MAX_CORNERS = 200;
   private static final double MAX_RESOLUTION_M = 1.27; // of the coverage ledger
 
   private static final Schema<SearchArea> SCHEMA =
@@ -117,6 +120,86 @@ public class SearchArea extends GoalInformation {
 
   public SearchArea seen(double value) {
     return put(SEEN, value);
+  }
+
+  /** What makes the area impossible to search, with field, value and expectation; empty if nothing. */
+  public Optional<String> fault() {
+    List<Point> outline = corners();
+    if (outline.size() < 3 || outline.size() > MAX_CORNERS) {
+      return Optional.of(
+          "corners: " + outline.size() + " of them; expected 3 to " + MAX_CORNERS);
+    }
+    for (Point corner : outline) {
+      boolean onEarth = referenceFrame().equals(ReferenceFrame.GLOBAL);
+      if (onEarth && (Math.abs(corner.y()) > 90.0 || Math.abs(corner.x()) > 360.0)) {
+        return Optional.of(
+            "corners: " + corner.x() + " " + corner.y() + "; expected longitude and latitude");
+      }
+    }
+    Optional<String> crossing = Outline.crossing(outline);
+    if (crossing.isPresent()) {
+      return crossing;
+    }
+    if (lowest().isPresent() && lowest().getAsDouble() > highest().orElse(Double.MAX_VALUE)) {
+      return Optional.of(
+          "lowest: " + lowest().getAsDouble() + " m is above highest; expected a lower altitude");
+    }
+    if (highest().orElse(Double.MAX_VALUE) <= ground()) {
+      return Optional.of(
+          String.format(
+              Locale.ROOT,
+              "highest: %.1f m; expected an altitude above the ground, %.1f m",
+              highest().getAsDouble(),
+              ground()));
+    }
+    return Optional.empty();
+  }
+
+  @Override
+  protected void requireConsistent() {
+    super.requireConsistent();
+    fault()
+        .ifPresent(
+            fault -> {
+              throw new IllegalStateException("SearchArea: " + fault);
+            });
+  }
+
+  /** Checks of outlines. */
+  private static final class Outline {
+    private Outline() {}
+
+    /** Which edges of an outline cross, or that it encloses nothing. */
+    static Optional<String> crossing(List<Point> corners) {
+      int count = corners.size();
+      Point origin = corners.get(0);
+      double twiceArea = 0.0;
+      for (int i = 0; i < count; i++) {
+        Point a = corners.get(i);
+        Point b = corners.get((i + 1) % count);
+        twiceArea += side(origin, a, b);
+        for (int k = i + 2; k < count && k - i < count - 1; k++) {
+          Point c = corners.get(k);
+          Point d = corners.get((k + 1) % count);
+          boolean crosses =
+              side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+          if (crosses) {
+            return Optional.of(
+                String.format(
+                    "corners: the edge after corner %d crosses the one after corner %d; "
+                        + "expected an outline",
+                    i + 1, k + 1));
+          }
+        }
+      }
+      return twiceArea == 0.0
+          ? Optional.of("corners: they enclose nothing; expected an outline")
+          : Optional.empty();
+    }
+
+    private static double side(Point a, Point b, Point c) {
+      return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+    }
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.List;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.GroundPressure;
 import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.NavigationPoint;
@@ -138,6 +139,7 @@ public final class StandardTypes implements MessageTypeProvider {
           ConfigurationUndo.TYPE,
           ConfigurationTransactionResult.TYPE,
           BatteryState.TYPE,
+          GroundPressure.TYPE,
           RangeScan.TYPE,
           InertialMeasurement.TYPE,
           LandmarkSighting.TYPE,

@@ -1,6 +1,7 @@
 package org.u2sa.messages.schema;
 
 import java.util.List;
+import org.u2sa.messages.GroundPressure;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
@@ -80,6 +81,9 @@ final class GoldenPlans {
             .y(-33.5)
             .z(43.25)
             .horizontalThreshold(5.0));
+    golden.add(
+        "GroundPressure",
+        new GroundPressure().operator("anna").pressure(100_325.0).z(43.25));
     addSearch(golden);
   }
 

@@ -54,6 +54,18 @@ public final class Avoidance {
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
   private boolean makesRoom; // to turn in place
+  private Optional<Held> held = Optional.empty();
+
+  /** The last choice of a vehicle that cannot stop: it holds for a few metres of flight. */
+  private record Held(ArcChoice choice, Wanted wanted, long micros) {
+    private static final long LASTS_MICROS = 100_000;
+
+    boolean isFor(Wanted now, long nowMicros) {
+      return now.goal().equals(wanted.goal())
+          && now.target().equals(wanted.target())
+          && nowMicros - micros < LASTS_MICROS;
+    }
+  }
 
   /**
    * Next step of the vehicle.
@@ -141,6 +153,7 @@ public final class Avoidance {
 
   public void begin() {
     attempt = Optional.empty();
+    held = Optional.empty();
     routes.begin();
     obstacles.forgetGaps();
     passages.widen();
@@ -190,6 +203,7 @@ public final class Avoidance {
   private void lieOn(PlanningPlane now) {
     if (now != plane) {
       plane = now;
+      held = Optional.empty();
       obstacles.forgetAll();
     }
   }
@@ -215,6 +229,9 @@ public final class Avoidance {
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
     Point toGoal = vehicle.nedOf(wanted.target());
+    if (held.isPresent() && held.get().isFor(wanted, micros)) {
+      return step(held.get().choice(), at, toGoal, wanted, Optional.empty());
+    }
     GoalAttempt current = attempt.orElseGet(() -> new GoalAttempt(routes, passages, say, micros));
     attempt = Optional.of(current);
     world.overlook(current.overlooks(now, micros));
@@ -243,6 +260,13 @@ public final class Avoidance {
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
     Optional<String> givenUp = current.judge(choice, isTrafficNear(situation), situation);
     announce(status(choice, givenUp, current), givenUp, wanted, at);
+    held = now.stops() ? Optional.empty() : Optional.of(new Held(choice, wanted, micros));
+    return step(choice, at, toGoal, wanted, givenUp);
+  }
+
+  private Step step(
+      ArcChoice choice, Point at, Point toGoal, Wanted wanted, Optional<String> givenUp) {
+    AvoidanceVariables now = settings.get();
     return new Step(
         Point.of(choice.northM() - at.x(), choice.eastM() - at.y(), toGoal.z()),
         now.stops() ? choice.speedMps() : wantedMps(wanted, now),

@@ -67,6 +67,7 @@ sealed interface Behaviour {
   /** Waits for a route, and after a while looks around for one. */
   final class Searching implements Behaviour {
     private static final double LOOK_STEP_RAD = Math.toRadians(60.0);
+    private static final long CIRCLES_AFTER = 3 * Clock.MICROS_PER_SECOND;
     private static final long LOOK_MICROS = 5 * Clock.MICROS_PER_SECOND / 2; // in each direction
 
     private final RouteKeeper routes;
@@ -91,6 +92,9 @@ sealed interface Behaviour {
 
     @Override
     public ArcChoice choose(ArcChooser arcs, Situation now) {
+      if (!now.settings().stops() && now.micros() - sinceMicros > CIRCLES_AFTER) {
+        return arcs.circle();
+      }
       if (!lasts(now.settings(), now.micros(), 2)) {
         return arcs.withoutRoute();
       }

@@ -179,6 +179,13 @@ public final class ArcChooser {
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }
 
+  /** Circles to the right, where there is room, for a vehicle that cannot stop. */
+  public ArcChoice circle() {
+    Pose beside = new Pose(pose.northM(), pose.eastM(), pose.headingRad() + 0.5 * Math.PI);
+    Pose middle = beside.along(limits.turnRadiusM(), 0.0);
+    return evasion.choose(middle.northM(), middle.eastM(), stand(ArcChoice.Kind.WAIT));
+  }
+
   /** Turns in place toward a heading, or first moves to where there is room to turn. */
   public ArcChoice lookTo(double headingRad) {
     if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {

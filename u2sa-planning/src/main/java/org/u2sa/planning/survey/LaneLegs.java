@@ -2,6 +2,7 @@ package org.u2sa.planning.survey;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
@@ -12,6 +13,7 @@ import org.u2sa.planning.seen.PlanningPlane;
 
 /** The lanes over a search area in the order of flight, each with a straight way before it. */
 public final class LaneLegs {
+  private static final int MAX_LANES = 120; // of a pass; the rest is flown in the next
   private static final double ACROSS_M = 10.0; // off its line where a lane may begin
   private static final double TURNED_RAD = Math.toRadians(30.0); // likewise of the course
 
@@ -44,6 +46,11 @@ public final class LaneLegs {
 
     public Pose end() {
       return lane.end();
+    }
+
+    /** The same lane in the other direction. */
+    public Leg reversed() {
+      return new Leg(lane.reversed(), leadInM);
     }
 
     /** Whether the vehicle flies along the lane's line, on the way before it or on it. */
@@ -90,6 +97,32 @@ public final class LaneLegs {
     return Math.max(lowest, Math.min(highest, area.ground() + height));
   }
 
+  /** Why the camera cannot see an area at its resolution; empty if it can. */
+  public static Optional<String> fault(
+      SearchArea area, CoverageLedger ledger, SurveyVariables survey) {
+    double height = altitudeM(area, survey) - area.ground();
+    double pixelM = height / survey.surveyFocalLength();
+    double shownM = pixelM * survey.surveyPixels();
+    if (pixelM > area.resolution()) {
+      return Optional.of(
+          String.format(
+              Locale.ROOT,
+              "from %.0f m above the ground a pixel covers %.3f m; expected %.3f m at most",
+              height,
+              pixelM,
+              area.resolution()));
+    }
+    return ledger.cell() < shownM
+        ? Optional.empty()
+        : Optional.of(
+            String.format(
+                Locale.ROOT,
+                "cells of %.1f m do not fit into an image of %.1f m; expected a smaller area or a "
+                    + "coarser resolution",
+                ledger.cell(),
+                shownM));
+  }
+
   /** Lanes over what the record lacks. */
   public static List<Leg> over(
       SearchArea area,
@@ -107,7 +140,8 @@ public final class LaneLegs {
             wind.airspeedMps(),
             wind.northMps(),
             wind.eastMps());
-    List<Lane> lanes = LaneLayout.best(LedgerCells.missing(ledger, area, plane), flight);
+    List<Lane> all = LaneLayout.best(LedgerCells.missing(ledger, area, plane), flight);
+    List<Lane> lanes = all.subList(0, Math.min(MAX_LANES, all.size()));
     List<Leg> legs = new ArrayList<>();
     for (Lane lane : LaneOrder.of(lanes, from, wind.radiusM(), survey.surveyLeadIn())) {
       legs.add(new Leg(lane, survey.surveyLeadIn()));

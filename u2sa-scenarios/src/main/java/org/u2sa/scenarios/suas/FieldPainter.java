@@ -1,6 +1,9 @@
 package org.u2sa.scenarios.suas;
 
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
@@ -17,11 +20,13 @@ final class FieldPainter {
   private static final int PATCH = 9; // brightness
   private static final double NOISE = 4.0; // standard deviation
   private static final int ROWS = 509; // by which images differ
+  private static final int EMPTY = 5; // different images without targets
   private static final double REACH = 0.75; // of a target's side, around its middle
 
   private final List<SuasTarget> targets;
   private final SurveyPictures.Optics optics;
   private final byte[] grass;
+  private final Map<Integer, byte[]> empty = new HashMap<>(); // images without targets
 
   FieldPainter(List<SuasTarget> targets, SurveyPictures.Optics optics, long seed) {
     this.targets = targets;
@@ -44,14 +49,24 @@ final class FieldPainter {
   }
 
   byte[] picture(VehicleTruth truth) {
-    byte[] pixels = new byte[3 * optics.width() * optics.height()];
     int row = Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
-    System.arraycopy(grass, 3 * row * optics.width(), pixels, 0, pixels.length);
+    Point at = truth.position();
+    double reachM = 3.0 * at.z();
+    if (targets.stream()
+        .noneMatch(each -> Math.hypot(each.eastM() - at.x(), each.northM() - at.y()) < reachM)) {
+      return empty.computeIfAbsent(row % EMPTY, this::grassFrom);
+    }
+    byte[] pixels = grassFrom(row);
     Rotation nedFromFrd = truth.attitude().nedFromFrd();
     for (SuasTarget target : targets) {
       paint(target, nedFromFrd, truth.position(), pixels);
     }
     return pixels;
+  }
+
+  private byte[] grassFrom(int row) {
+    int from = 3 * row * optics.width();
+    return Arrays.copyOfRange(grass, from, from + 3 * optics.width() * optics.height());
   }
 
   private void paint(SuasTarget target, Rotation nedFromFrd, Point at, byte[] pixels) {

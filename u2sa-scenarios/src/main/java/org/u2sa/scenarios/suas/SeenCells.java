@@ -26,6 +26,10 @@ final class SeenCells {
     this.optics = optics;
     resolutionM = field.resolutionM();
     List<Point> area = field.searchArea();
+    if (area.isEmpty()) {
+      all = 0;
+      return;
+    }
     double west = area.stream().mapToDouble(Point::x).min().orElseThrow();
     double east = area.stream().mapToDouble(Point::x).max().orElseThrow();
     double south = area.stream().mapToDouble(Point::y).min().orElseThrow();
@@ -74,6 +78,6 @@ final class SeenCells {
 
   /** Share of the cells that were seen, 0…1. */
   double share() {
-    return 1.0 - (double) missing.size() / all;
+    return all == 0 ? 1.0 : 1.0 - (double) missing.size() / all;
   }
 }

@@ -3,9 +3,14 @@ package org.u2sa.scenarios.suas;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
@@ -48,6 +53,31 @@ final class SuasDemo implements Callable<Integer>, Demo {
       paramLabel = "FILE",
       description = "Write a new model of shapes and letters from painted images, and end.")
   private Path model;
+
+  @Option(
+      names = "--laps",
+      paramLabel = "N",
+      description = "The mission of 2025: the waypoints N times, without a search area.")
+  private int laps = 1;
+
+  @Option(
+      names = "--station-fails",
+      paramLabel = "FROM[-TO]",
+      description = "The ground station is down from a time, and up again at another [s].")
+  private String down = "";
+
+  @Option(
+      names = "--camera-fails",
+      paramLabel = "S",
+      description = "The camera fails at this time [s].")
+  private double cameraFailsS = Double.POSITIVE_INFINITY;
+
+  @Option(
+      names = "--told-qnh",
+      paramLabel = "HPA",
+      description =
+          "Air pressure that the ground station tells instead of the true one; 0: none.")
+  private double toldHpa = Double.NaN;
 
   private SuasField field; // of the newest run
 
@@ -102,9 +132,31 @@ final class SuasDemo implements Callable<Integer>, Demo {
             field.areas());
   }
 
+  private SuasStation.Script script(SuasField drawn) {
+    String[] times = down.isEmpty() ? new String[0] : down.split("-", -1);
+    return new SuasStation.Script(
+        Double.isNaN(toldHpa) ? drawn.qnhPa() : 100.0 * toldHpa,
+        frame.isOwnMission() && laps == 1
+            ? Optional.of(SuasMission.area(drawn))
+            : Optional.empty(),
+        SuasMission.DROP,
+        times.length > 0 ? seconds(times[0]) : Double.POSITIVE_INFINITY,
+        times.length > 1 ? seconds(times[1]) : Double.POSITIVE_INFINITY);
+  }
+
+  private double seconds(String text) {
+    try {
+      return Double.parseDouble(text);
+    } catch (NumberFormatException e) {
+      throw new BadInputException(
+          "--station-fails " + down + ": \"" + text + "\" is no time; expected such as 300-320", e);
+    }
+  }
+
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
-    SuasField drawn = SuasFieldGenerator.field(seed, windMps);
+    SuasField all = SuasFieldGenerator.field(seed, windMps);
+    SuasField drawn = laps > 1 ? all.inLaps(laps) : all;
     field = drawn;
     Mission mission =
         frame.isOwnMission() ? SuasMission.write(drawn, directory.resolve("mission.xml")) : given;
@@ -113,7 +165,9 @@ final class SuasDemo implements Callable<Integer>, Demo {
     Point start = drawn.start();
     VehicleTrial placed =
         VehicleTrial.of(
-            changes.load(system().resolveSibling("vehicle.xml")),
+            changes.load(
+                system().resolveSibling("vehicle.xml"),
+                Map.of("barometer/qnh", String.valueOf(drawn.qnhPa()))),
             drawn.world(),
             start,
             drawn.runwayRad(),
@@ -125,12 +179,24 @@ final class SuasDemo implements Callable<Integer>, Demo {
             placed.run(),
             new FieldPainter(drawn.targets(), SurveyPictures.USUAL, seed),
             cells::see);
+    AtomicReference<SuasStation> station = new AtomicReference<>();
+    SuasJudge.Aboard aboard =
+        new SuasJudge.Aboard(
+            () -> placed.devices().switchPercent("RELEASE") > 50.0,
+            () -> station.get().isUp(),
+            () -> station.get().changes());
     return placed.trial(
         mission,
         placed.name(),
-        clock -> new SuasJudge(drawn, cells, directory),
+        clock -> new SuasJudge(drawn, cells, aboard, directory),
         launch -> {
-          launch.devices(new SuasDevices(placed.devices(), camera));
+          launch.devices(new SuasDevices(placed.devices(), camera, placed.run(), cameraFailsS));
+          launch.beside(
+              XmlConfiguration.inMemory("SuasStation", Map.of()),
+              context -> {
+                station.set(new SuasStation(context, script(drawn)));
+                return station.get();
+              });
           launch.override("WorldModeler", "WORLD", world.toAbsolutePath().toString());
           launch.override("SafetyManager", "FENCE", fence.toAbsolutePath().toString());
         });

@@ -29,6 +29,8 @@ import org.u2sa.sim.world.World;
  * @param traffic other aircraft
  * @param windMps steady wind
  * @param windFromRad direction it blows from
+ * @param drop where the bottle is to land
+ * @param qnhPa air pressure at sea level [Pa]
  * @param seed of gusts
  */
 record SuasField(
@@ -44,6 +46,8 @@ record SuasField(
     List<Traffic> traffic,
     double windMps,
     double windFromRad,
+    Point drop,
+    double qnhPa,
     long seed) {
   /** Place of the competition of 2025: St. Mary's County airport, Maryland. */
   static final Geodetic ORIGIN = new Geodetic(-76.55578, 38.31633, 43.3);
@@ -63,6 +67,34 @@ record SuasField(
   /** An aircraft with a transponder, to and fro. */
   record Traffic(String name, Point from, Point to, double speedMps) {}
 
+  /**
+   * The mission of 2025: the waypoints in laps, without a search area.
+   *
+   * @param laps times that they are flown
+   */
+  SuasField inLaps(int laps) {
+    List<Point> all = new ArrayList<>();
+    for (int i = 0; i < laps; i++) {
+      all.addAll(waypoints);
+    }
+    return new SuasField(
+        runwayRad,
+        boundary,
+        floorM,
+        ceilingM,
+        List.copyOf(all),
+        pillars,
+        List.of(),
+        resolutionM,
+        List.of(),
+        traffic,
+        windMps,
+        windFromRad,
+        drop,
+        qnhPa,
+        seed);
+  }
+
   /** Converts between the field and the earth. */
   static LocalPlane plane() {
     return new LocalPlane(ORIGIN);
@@ -78,7 +110,9 @@ record SuasField(
   List<Surroundings.Area> areas() {
     List<Surroundings.Area> areas = new ArrayList<>();
     areas.add(new Surroundings.Area(outline("boundary", boundary), false));
-    areas.add(new Surroundings.Area(outline("search area", searchArea), false));
+    if (!searchArea.isEmpty()) {
+      areas.add(new Surroundings.Area(outline("search area", searchArea), false));
+    }
     for (int i = 0; i < pillars.size(); i++) {
       Pillar pillar = pillars.get(i);
       List<Point> round = new ArrayList<>();

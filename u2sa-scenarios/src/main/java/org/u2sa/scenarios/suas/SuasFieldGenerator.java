@@ -65,6 +65,8 @@ final class SuasFieldGenerator {
         traffic(2 + random.nextInt(2)),
         windMps,
         windFromRad,
+        drop(),
+        between(99_000.0, 103_000.0),
         seed);
   }
 
@@ -159,7 +161,7 @@ final class SuasFieldGenerator {
       double north = between(-BOUNDARY_M, BOUNDARY_M);
       double radius = between(10.0, 45.0);
       boolean free =
-          isFree(east, north, radius - INSIDE_M, 150.0) && !isNearRunway(east, north, radius);
+          isFree(east, north, radius - INSIDE_M, INSIDE_M + 150.0) && !isNearRunway(east, north, radius);
       for (Point waypoint : waypoints) {
         free &= Math.hypot(waypoint.x() - east, waypoint.y() - north) > radius + 90.0;
       }
@@ -171,6 +173,23 @@ final class SuasFieldGenerator {
         pillars.add(new SuasField.Pillar(east, north, radius, between(60.0, 180.0)));
       }
     }
+  }
+
+  /** Somewhere inside, with room to fly towards it from any side. */
+  private Point drop() {
+    Point drop = axis(0.0);
+    for (int tries = 0; tries < TRIES && drop.distance() == 0.0; tries++) {
+      double east = between(-BOUNDARY_M, BOUNDARY_M);
+      double north = between(-BOUNDARY_M, BOUNDARY_M);
+      boolean free =
+          isFree(east, north, 0.0, Double.NEGATIVE_INFINITY) && !isNearRunway(east, north, 0.0);
+      for (SuasField.Pillar pillar : pillars) {
+        double apart = Math.hypot(pillar.eastM() - east, pillar.northM() - north);
+        free &= apart > pillar.radiusM() + 200.0;
+      }
+      drop = free ? Point.of(east, north, 0.0) : drop;
+    }
+    return drop;
   }
 
   private List<SuasTarget> targets(int count) {

@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
@@ -42,6 +44,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   private static final double NEAR_M = 15.0; // of a report from its target, the sixth field
   private static final int RIGHT_FIELDS = 3; // of the other five
   private static final double PASS_M = 15.24; // 50 ft
+  private static final double LONGEST_GAP_S = 1.0; // of the telemetry
 
   private final SuasField field;
   private final SeenCells cells;
@@ -53,14 +56,29 @@ final class SuasJudge implements TruthObserver.Scorer {
   private final Set<String> hit = new LinkedHashSet<>();
   private final double[] nearestM; // true distance from each waypoint
   private final List<String> log = new ArrayList<>();
-  private final List<ObjectScore.Sheet> reports = new ArrayList<>();
+  private final Map<String, ObjectScore.Sheet> reports = new LinkedHashMap<>(); // by target
+  private final Aboard aboard;
+  private boolean isReleased;
+  private double dropM = Double.POSITIVE_INFINITY; // from its place
+  private double longestGapS;
+  private int corrections;
   private double nowS;
   private VehicleTruth last;
   private double reportedS = Double.NEGATIVE_INFINITY;
   private volatile boolean over;
 
-  SuasJudge(SuasField field, SeenCells cells, Path directory) {
+  /**
+   * What it looks at besides the truth.
+   *
+   * @param released whether the bottle has been let go
+   * @param hears whether telemetry arrives at the ground station
+   * @param changes of the mission that were made in flight
+   */
+  record Aboard(BooleanSupplier released, BooleanSupplier hears, IntSupplier changes) {}
+
+  SuasJudge(SuasField field, SeenCells cells, Aboard aboard, Path directory) {
     this.field = field;
+    this.aboard = aboard;
     this.cells = cells;
     this.directory = directory;
     movers = field.movers();
@@ -77,8 +95,10 @@ final class SuasJudge implements TruthObserver.Scorer {
   public boolean heard(U2SAData data) {
     if (data instanceof SurveyTarget report) {
       Point at = SuasField.plane().point(new Geodetic(report.x(), report.y(), report.z()));
-      reports.add(new ObjectScore.Sheet(at.x(), at.y(), report.fields()));
-      say("report: " + String.join(", ", report.fields()));
+      ObjectScore.Sheet sheet = new ObjectScore.Sheet(at.x(), at.y(), report.fields());
+      boolean isNew = reports.put(report.uid(), sheet) == null;
+      corrections += isNew ? 0 : 1;
+      say((isNew ? "report: " : "correction: ") + String.join(", ", report.fields()));
       return true;
     }
     if (!(data instanceof StateInformation state)) {
@@ -89,7 +109,8 @@ final class SuasJudge implements TruthObserver.Scorer {
             && state.x().isPresent()
             && state.y().isPresent()
             && state.z().isPresent();
-    if (isPlaced && nowS - reportedS >= REPORTS_S) {
+    if (isPlaced && aboard.hears().getAsBoolean() && nowS - reportedS >= REPORTS_S) {
+      longestGapS = reportedS > 0.0 ? Math.max(longestGapS, nowS - reportedS) : longestGapS;
       reportedS = nowS;
       Point at =
           SuasField.plane()
@@ -123,6 +144,12 @@ final class SuasJudge implements TruthObserver.Scorer {
     for (ScriptedMover mover : movers) {
       double away = mover.at(nowS).position().distanceTo(at);
       enter(away < SuasField.SEPARATION_M, mover.uid());
+    }
+    if (!isReleased && aboard.released().getAsBoolean()) {
+      isReleased = true;
+      Point landing = DroppedBottle.landing(field, truth);
+      dropM = Math.hypot(landing.x() - field.drop().x(), landing.y() - field.drop().y());
+      say(String.format(Locale.ROOT, "bottle released, lands %.1f m from its place", dropM));
     }
     for (int i = 0; i < nearestM.length; i++) {
       nearestM[i] = Math.min(nearestM[i], field.waypoints().get(i).distanceTo(at));
@@ -195,11 +222,11 @@ final class SuasJudge implements TruthObserver.Scorer {
     boolean landed = hasLanded();
     int obstacles = field.pillars().size() + movers.size();
     List<ObjectScore.Sheet> targets = targets();
-    ObjectScore.Result objects = ObjectScore.of(targets, reports);
+    ObjectScore.Result objects = ObjectScore.of(targets, List.copyOf(reports.values()));
     ScoreInput.write(
         field,
         telemetry.reports(),
-        reports,
+        List.copyOf(reports.values()),
         targets,
         outS,
         hits(),
@@ -216,7 +243,7 @@ final class SuasJudge implements TruthObserver.Scorer {
             obstacles,
             objects.score(),
             cells.share() >= MAP_SHARE ? 1.0 : cells.share(),
-            0.0,
+            ScoreSheet.drop(dropM),
             1.0);
     List<String> violations = new ArrayList<>();
     if (boundary.count() > 0) {
@@ -234,6 +261,12 @@ final class SuasJudge implements TruthObserver.Scorer {
     if (good < field.targets().size()) {
       violations.add(good + " of " + field.targets().size() + " targets with four of six fields");
     }
+    if (longestGapS > LONGEST_GAP_S) {
+      violations.add(String.format(Locale.ROOT, "no telemetry for %.1f s", longestGapS));
+    }
+    if (!isReleased) {
+      violations.add("the bottle was not dropped");
+    }
     if (!landed) {
       violations.add("does not stand on the runway at the end");
     }
@@ -250,8 +283,14 @@ final class SuasJudge implements TruthObserver.Scorer {
     counts.put("landedOnRunway", landed ? 1 : 0);
     counts.put("obstaclesHit", hit.size());
     counts.put("boundaryLeft", boundary.count());
+    counts.put("missionChanges", aboard.changes().getAsInt());
+    counts.put("corrections", corrections);
     Map<String, Double> figures = new LinkedHashMap<>(sheet.figures());
     figures.put("areaSeen", cells.share());
+    figures.put("longestTelemetryGapS", longestGapS);
+    if (isReleased) {
+      figures.put("dropErrorM", dropM);
+    }
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
     return new RunOutcome(0, false, violations, counts, figures);

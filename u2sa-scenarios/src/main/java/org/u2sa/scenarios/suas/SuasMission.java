@@ -11,10 +11,14 @@ import org.u2sa.report.ReportFile;
 
 /** What a team is told of a field: mission, world of the pillars, fence. */
 final class SuasMission {
-  /** Name of the search area's goal. */
-  static final String AREA = "search";
+  /** Name of the goal of the drop. */
+  static final String DROP = "drop";
+
+  private static final String AREA = "search";
 
   private static final double TAKE_OFF_M = 60.0;
+  private static final double DROP_M = 40.0; // height of the drop
+  private static final double KEPT_M = 100.0; // routes from the boundary
 
   private final SuasField field;
 
@@ -45,7 +49,7 @@ final class SuasMission {
     return file;
   }
 
-  /** Writes the pillars as a world file. */
+  /** Writes the pillars, and where routes may lead, as a world file. */
   static Path world(SuasField field, Path file) {
     StringBuilder text = new StringBuilder("<world>\n");
     for (int i = 0; i < field.pillars().size(); i++) {
@@ -61,7 +65,13 @@ final class SuasMission {
               pillar.radiusM(),
               pillar.heightM()));
     }
-    text.append("</world>\n");
+    text.append("  <polygon><uid>boundary</uid><objectType>corridor</objectType>");
+    text.append("<referenceFrame>Global</referenceFrame><points>");
+    List<Point> inside =
+        field.boundary().stream()
+            .map(corner -> corner.times(1.0 - KEPT_M / corner.distance()))
+            .collect(Collectors.toList());
+    text.append(corners(inside)).append("</points></polygon>\n</world>\n");
     ReportFile.writeText(file, out -> out.write(text.toString()));
     return file;
   }
@@ -82,32 +92,46 @@ final class SuasMission {
       text.append("<horizontalThreshold>12</horizontalThreshold>");
       text.append("<verticalThreshold>8</verticalThreshold></waypoint>\n");
     }
-    text.append("  <searchArea><name>").append(AREA).append("</name><corners>");
-    List<String> corners =
-        field.searchArea().stream()
-            .map(corner -> SuasField.plane().at(corner.x(), corner.y(), 0.0))
-            .map(at -> String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
-            .collect(Collectors.toList());
-    text.append(String.join("; ", corners)).append("</corners>");
+    text.append("  <payloadDrop><name>" + DROP + "</name>").append(place(field.drop())).append(altitude(0.0));
     text.append(
         String.format(
             Locale.ROOT,
-            "<resolution>%.3f</resolution><ground>%.2f</ground><share>0.997</share></searchArea>%n",
-            field.resolutionM(),
-            SuasField.ORIGIN.altitudeM()));
+            "<height>%.0f</height><terminalSpeed>%.0f</terminalSpeed>"
+                + "<horizontalThreshold>8</horizontalThreshold></payloadDrop>%n",
+            DROP_M,
+            DroppedBottle.TERMINAL_MPS));
     Point touch = field.start().times(0.8);
     text.append("  <landing><name>landing</name>").append(place(touch)).append(altitude(0.0));
     text.append(
         String.format(
             Locale.ROOT,
             "<psi>%.5f</psi><horizontalThreshold>60</horizontalThreshold>"
-                + "<speed>18</speed></landing>%n",
+                + "<speed>18</speed><approach>500</approach><slope unit=\"deg\">5.5</slope></landing>%n",
             field.runwayRad()));
     return text.append("</mission>\n").toString();
   }
 
   private static String altitude(double upM) {
     return String.format(Locale.ROOT, "<z>%.2f</z>", SuasField.ORIGIN.altitudeM() + upM);
+  }
+
+  /** The search area as the ground station tells it in flight. */
+  static String area(SuasField field) {
+    return String.format(
+        Locale.ROOT,
+        "<mission><searchArea><name>%s</name><corners>%s</corners><resolution>%.3f</resolution>"
+            + "<ground>%.2f</ground><share>0.997</share></searchArea></mission>",
+        AREA,
+        corners(field.searchArea()),
+        field.resolutionM(),
+        SuasField.ORIGIN.altitudeM());
+  }
+
+  private static String corners(List<Point> places) {
+    return places.stream()
+        .map(corner -> SuasField.plane().at(corner.x(), corner.y(), 0.0))
+        .map(at -> String.format(Locale.ROOT, "%.8f %.8f", at.longitudeDeg(), at.latitudeDeg()))
+        .collect(Collectors.joining("; "));
   }
 
   private static String place(Point at) {

@@ -44,7 +44,9 @@ class SurveyCameraTest {
   private static SearchArea area() {
     Point corner = SuasField.ORIGIN.point();
     return new SearchArea()
-        .corners(List.of(corner, corner, corner))
+        .corners(
+            List.of(
+                corner, corner.plus(Point.of(1e-3, 0.0, 0.0)), corner.plus(Point.of(0.0, 1e-3, 0.0))))
         .resolution(0.05)
         .ground(SuasField.ORIGIN.altitudeM())
         .uid("search");

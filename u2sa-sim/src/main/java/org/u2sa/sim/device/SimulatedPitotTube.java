@@ -11,10 +11,12 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** A forward-facing pitot tube; reverse flow reads zero. */
 public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> implements PitotTube {
+  private final double blockedAtS;
   private final double biasPa;
   private final Supplier<VehicleTruth> truth;
   private final Supplier<Point> wind;
   private final DoubleSupplier altitudeM;
+  private double trappedPa = Double.NaN; // total pressure behind the blockage
 
   /**
    * Uses the random stream {@code pitot tube}.
@@ -23,17 +25,21 @@ public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> impl
    * @param truth current state of the vehicle
    * @param wind current air velocity: east, north, up [m/s]
    * @param altitudeM current altitude above mean sea level [m]
+   * @param blockedAtS time of the vehicle at which its opening is blocked [s]: it holds the total
+   *     pressure of that moment, so that the reading follows the altitude instead of the speed
    */
   public SimulatedPitotTube(
       SensorErrors errors,
       NoiseStreams streams,
       Supplier<VehicleTruth> truth,
       Supplier<Point> wind,
-      DoubleSupplier altitudeM) {
+      DoubleSupplier altitudeM,
+      double blockedAtS) {
     super(errors, streams, "pitot tube");
     this.truth = truth;
     this.wind = wind;
     this.altitudeM = altitudeM;
+    this.blockedAtS = blockedAtS;
     biasPa = bias();
   }
 
@@ -45,6 +51,10 @@ public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> impl
     double mach = forwardMps / air.soundSpeedMps();
     // isentropic, subsonic (Gracey, NASA RP-1046, chapter 3)
     double impactPa = air.pressurePa() * (StrictMath.pow(1.0 + 0.2 * mach * mach, 3.5) - 1.0);
+    if (now.timeS() >= blockedAtS) {
+      trappedPa = Double.isNaN(trappedPa) ? air.pressurePa() + impactPa : trappedPa;
+      impactPa = trappedPa - air.pressurePa();
+    }
     return new Impact(
         measuredAtMicros,
         noisy(impactPa + biasPa),

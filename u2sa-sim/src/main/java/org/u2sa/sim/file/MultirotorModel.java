@@ -1,7 +1,9 @@
 package org.u2sa.sim.file;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.flight.LandingLeg;
@@ -12,10 +14,15 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** Any number of rotors that carry a body. */
+/**
+ * Any number of rotors that carry a body.
+ *
+ * @param failures time at which each rotor's motor fails [s], infinite for never
+ */
 record MultirotorModel(
     MassProperties mass,
     List<Rotor> rotors,
+    Map<String, Double> failures,
     Point frameDrag,
     List<LandingLeg> legs,
     Footprint footprint)
@@ -31,12 +38,15 @@ record MultirotorModel(
 
   static MultirotorModel read(FileElement file, Body body) {
     List<Rotor> rotors = new ArrayList<>();
+    Map<String, Double> failures = new LinkedHashMap<>();
     for (FileElement each : file.parts("rotor", "name")) {
+      double failsAt = each.number("failsAt", "s", 0.0, 1e9, Double.POSITIVE_INFINITY);
       Rotor rotor = rotor(each);
       if (rotors.stream().anyMatch(other -> other.name().equals(rotor.name()))) {
         throw each.xml().error("name \"" + rotor.name() + "\" is another rotor's already");
       }
       rotors.add(rotor);
+      failures.put(rotor.name(), failsAt);
     }
     if (rotors.isEmpty() || rotors.size() > MAX_ROTORS) {
       throw file.xml().error("has " + rotors.size() + " <rotor>; expected 1…" + MAX_ROTORS);
@@ -44,6 +54,7 @@ record MultirotorModel(
     return new MultirotorModel(
         AircraftParts.mass(file, body),
         List.copyOf(rotors),
+        Map.copyOf(failures),
         file.vector("frameDrag", "N s^2/m^2", 0.0, 1e3, Point.ORIGIN),
         AircraftParts.legs(file),
         body.footprint());
@@ -77,6 +88,11 @@ record MultirotorModel(
   @Override
   public List<String> actuators() {
     return rotors.stream().map(Rotor::name).toList();
+  }
+
+  @Override
+  public double failsAtS(String actuator) {
+    return failures.getOrDefault(actuator, Double.POSITIVE_INFINITY);
   }
 
   @Override

@@ -159,12 +159,13 @@ final class StateSensors {
 
   static SensorKinds.Reader barometer(FileElement file) {
     SensorErrors errors = errors(file, "Pa");
+    double qnh = file.number("qnh", "Pa", 85_000.0, 110_000.0, PressureAltitude.SEA_LEVEL_PA);
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
         vehicle ->
             new SimulatedBarometer(
                 errors,
-                PressureAltitude.SEA_LEVEL_PA,
+                qnh,
                 vehicle.streams(),
                 () -> vehicle.altitudeM(mount)));
   }
@@ -189,6 +190,7 @@ final class StateSensors {
 
   static SensorKinds.Reader pitotTube(FileElement file) {
     SensorErrors errors = errors(file, "Pa");
+    double blockedAt = file.number("blockedAt", "s", 0.0, 1e9, Double.POSITIVE_INFINITY);
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
         vehicle ->
@@ -197,7 +199,8 @@ final class StateSensors {
                 vehicle.streams(),
                 vehicle.at(mount),
                 vehicle.air(),
-                () -> vehicle.altitudeM(mount)));
+                () -> vehicle.altitudeM(mount),
+                blockedAt));
   }
 
   static SensorKinds.Reader anemometer(FileElement file) {

@@ -26,7 +26,10 @@ public final class SurveyTarget extends ObjectDescription {
 
   public static final MessageType<SurveyTarget> TYPE = SCHEMA.build();
 
-  /** Reports of targets, each once it will not be seen any better. */
+  /**
+   * Reports of targets, each once it will not be seen any better. A person corrects one by another
+   * report with its uid.
+   */
   public static final Channel<SurveyTarget> CHANNEL = Channel.every("survey-targets", TYPE);
 
   @Override
@@ -64,7 +67,8 @@ public final class SurveyTarget extends ObjectDescription {
     return List.of(shape(), colour(), letter(), letterColour(), orientation());
   }
 
-  SurveyTarget fields(List<String> fields) {
+  /** Sets these five. */
+  public SurveyTarget fields(List<String> fields) {
     put(SHAPE, fields.get(0)).put(COLOUR, fields.get(1)).put(LETTER, fields.get(2));
     return put(LETTER_COLOUR, fields.get(3)).put(ORIENTATION, fields.get(4));
   }

@@ -17,6 +17,7 @@ final class TargetLog {
   private static final int MAX_TARGETS = 200;
 
   private final List<Entry> entries = new ArrayList<>();
+  private int reported; // since the start; a correction names the report
 
   /** The sightings of one target. */
   private static final class Entry {
@@ -76,7 +77,7 @@ final class TargetLog {
         List<String> fields = new ArrayList<>();
         entry.votes.forEach(votes -> fields.add(most(votes)));
         SurveyTarget report = new SurveyTarget().fields(fields).sigma(sigmaM);
-        report.uid("target " + (reports.size() + 1));
+        report.uid("target " + ++reported);
         report.objectType("target");
         report.referenceFrame(ReferenceFrame.GLOBAL);
         report.x(entry.place().longitudeDeg());

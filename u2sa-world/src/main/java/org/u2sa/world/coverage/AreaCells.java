@@ -12,7 +12,8 @@ import org.u2sa.messages.shape.ImageFootprint;
 
 /** The cells of one search area, and the best view of each. */
 final class AreaCells {
-  private static final int MAX_CELLS = 100_000;
+  private static final int MAX_CELLS = 20_000;
+  private static final int MAX_OUTLINE = 32; // corners of an image
   private static final int COARSEST = 255;
   private static final int MAX_ANGLE_DEG = 254;
 
@@ -87,7 +88,10 @@ final class AreaCells {
 
   /** Records an image: a cell counts as seen if all of it lies in the reduced footprint. */
   void see(ImageFootprint seen, double marginM) {
-    if (!seen.referenceFrame().equals(goal.referenceFrame()) || seen.points().size() < 3) {
+    int corners = seen.points().size();
+    if (!seen.referenceFrame().equals(goal.referenceFrame())
+        || corners < 3
+        || corners > MAX_OUTLINE) {
       return;
     }
     List<Point> outline = new ArrayList<>();

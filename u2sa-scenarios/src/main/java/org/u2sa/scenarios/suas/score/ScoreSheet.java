@@ -34,6 +34,12 @@ public record ScoreSheet(
     double drop,
     double operations) {
   private static final double LONGEST_GAP_S = 1.0;
+  private static final double DROP_M = 150.0 * 0.3048;
+
+  /** Score of a drop, by its distance from the place [m]: 0 from 150 ft. */
+  public static double drop(double awayM) {
+    return Math.max(0.0, 1.0 - awayM / DROP_M);
+  }
 
   /** Score of the flight, 0…1. */
   public double flight() {

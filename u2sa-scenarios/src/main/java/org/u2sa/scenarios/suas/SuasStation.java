@@ -1,0 +1,108 @@
+package org.u2sa.scenarios.suas;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Optional;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.GroundPressure;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.safety.OperatorHeartbeat;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.service.PeriodicService;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.service.ServiceRole;
+
+/**
+ * The ground station of the demo, with a person at it: heartbeats, air pressure, and the search
+ * area, which is told in flight. While it is down nothing goes out, and no telemetry gets through.
+ * In: mission, goals. Out: operator, ground-pressure, mission.
+ */
+final class SuasStation extends PeriodicService {
+  private static final String NAME = "SuasStation";
+  private static final double PRESSURE_S = 60.0;
+  private static final double ANSWERED_S = 3.0; // else the order is sent again
+
+  /**
+   * What it does.
+   *
+   * @param toldPa air pressure at sea level that it tells [Pa]; 0 for none
+   * @param area mission XML of the goals to insert once the first waypoint is current, if any
+   * @param after goal to insert them after
+   * @param downFromS time at which it fails [s]
+   * @param downUntilS time at which it works again [s]
+   */
+  record Script(
+      double toldPa, Optional<String> area, String after, double downFromS, double downUntilS) {}
+
+  private final Script script;
+  private final Deque<String> toInsert = new ArrayDeque<>();
+  private boolean flies;
+  private double pressureDueS;
+  private double orderDueS;
+  private volatile int changes;
+  private volatile boolean down;
+
+  SuasStation(ServiceContext context, Script script) {
+    super(context, ServiceRole.OBSERVER, NAME, 1.0);
+    this.script = script;
+    script.area().ifPresent(toInsert::add);
+    registerPublisher(Channels.OPERATOR);
+    registerPublisher(Channels.GROUND_PRESSURE);
+    registerPublisher(Channels.MISSION);
+    subscribe(Channels.GOALS, this::onGoals);
+    subscribe(Channels.MISSION, this::onMission);
+  }
+
+  private void onGoals(GoalList goals) {
+    flies |= goals.goals().stream().anyMatch(goal -> goal.uid().equals("1"));
+  }
+
+  private void onMission(U2SAData data) {
+    if (data instanceof MissionOrderResult result && result.requestId().startsWith(NAME)) {
+      log((result.accepted() ? "done: " : "refused: ") + result.outcome());
+      if (result.accepted() && !toInsert.isEmpty()) {
+        toInsert.remove();
+        changes++;
+      }
+    }
+  }
+
+  @Override
+  protected void step(double nowS) {
+    down = nowS >= script.downFromS() && nowS < script.downUntilS();
+    if (down) {
+      return;
+    }
+    publish(Channels.OPERATOR, new OperatorHeartbeat().operator("ann").interval(1.0));
+    if (script.toldPa() > 0.0 && nowS >= pressureDueS) {
+      pressureDueS = nowS + PRESSURE_S;
+      publish(
+          Channels.GROUND_PRESSURE,
+          new GroundPressure().operator("ann").pressure(script.toldPa()));
+    }
+    if (flies && !toInsert.isEmpty() && nowS >= orderDueS) {
+      orderDueS = nowS + ANSWERED_S;
+      publish(
+          Channels.MISSION,
+          new MissionOrder()
+              .requestId(NAME + " " + Math.round(nowS))
+              .action(MissionAction.INSERT)
+              .uid(script.after())
+              .goals(toInsert.peek())
+              .operator("ann"));
+    }
+  }
+
+  /** Changes of the mission in flight that were acknowledged. Thread-safe. */
+  int changes() {
+    return changes;
+  }
+
+  /** Whether it receives telemetry. Thread-safe. */
+  boolean isUp() {
+    return !down;
+  }
+}
