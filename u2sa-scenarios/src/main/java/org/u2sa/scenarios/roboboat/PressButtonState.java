@@ -18,8 +18,8 @@ final class PressButtonState extends StationTaskState {
   private static final double BESIDE_M = 1.2; // from the button to its buoy
   private static final double PRESSED_M = 0.55; // from the boat's centre: inside of the bow
   private static final double BEAM_M = 0.5; // beside the boat's centre
-  private static final double PRESS_MPS = 0.6;
-  private static final double BACK_MPS = 1.0;
+  private static final double PRESS_MPS = 0.8;
+  private static final double BACK_MPS = 1.6;
   private static final double OFF_M = 3.5; // from the button, backed off
   private static final double BESIDE_BOW_RAD = Math.toRadians(70.0); // the button was missed
   private static final double GIVE_UP_S = 45.0;
