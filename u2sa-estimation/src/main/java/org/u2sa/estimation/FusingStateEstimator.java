@@ -42,6 +42,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private final ErrorStateFilter filter;
   private final MeasurementReader reader;
   private final LeverArms leverArms;
+  private final Optional<SailDrift> sailDrift;
   private final Measurement measurement = new Measurement();
   private final LocalOdometry odometry = new LocalOdometry();
   private final Completeness completeness;
@@ -61,6 +62,7 @@ public final class FusingStateEstimator extends StateEstimator {
     filter = new ErrorStateFilter(variables.tuning());
     reader = new MeasurementReader(variables.sigmas(), variables.fluid());
     leverArms = new LeverArms(variables.leverArms());
+    sailDrift = variables.sailDrift();
     completeness = NeededNumbers.watch(this);
     registerPublisher(Channels.LOCAL_STATE);
   }
@@ -73,7 +75,7 @@ public final class FusingStateEstimator extends StateEstimator {
       return Optional.empty();
     }
     try {
-      reader.read(sensed, measurement);
+      reader.read(sailDrift.map(drift -> drift.throughWater(sensed)).orElse(sensed), measurement);
     } catch (IllegalArgumentException e) {
       ignore(sensed, e.getMessage());
       return Optional.empty();

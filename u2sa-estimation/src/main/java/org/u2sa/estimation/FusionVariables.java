@@ -1,5 +1,6 @@
 package org.u2sa.estimation;
 
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -110,6 +111,22 @@ record FusionVariables(
         @Description(
             "Names of the sensors whose speeds through the fluid count, separated by commas, for a vehicle with sensors of both air and water; empty: all.")
         String fluidSensors,
+    @Variable(unit = "m^2", min = 0, max = 1e5, ifAbsent = 0)
+        @Description(
+            "Side area of a boat above the water: WIND SENSORS then tell its sideways drift through the water, in place of the no-sideslip constraint. 0: none.")
+        double sailArea,
+    @Variable(unit = "kg", min = 0.01, max = 1e9, ifAbsent = 100)
+        @Description("Mass of the boat, with the added mass sideways; for SAIL AREA.")
+        double displacement,
+    @Variable(min = 0.01, max = 1e9, ifAbsent = 100)
+        @Description("Drag of the hull sideways through the water, in N s/m; for SAIL AREA.")
+        double swayDrag,
+    @Variable(min = 0, max = 1e9, ifAbsent = 0)
+        @Description("Its part that grows with the square of the speed, in N s²/m².")
+        double swaySquareDrag,
+    @Variable(ifAbsentText = "WindSensor")
+        @Description("Names of the wind sensors that SAIL AREA uses, separated by commas.")
+        String windSensors,
     @Variable(unit = "s", min = 0.1, ifAbsent = 5)
         @Description("Time after which a quantity is reset if all its sources contradict it.")
         double resetAfter,
@@ -150,7 +167,7 @@ record FusionVariables(
         or(verticalNoise, usual.verticalNoise()),
         or(turnSigma, usual.turnSigma()),
         or(sideSlipSigma, usual.sideSlipSigma()),
-        constraintInterval,
+        sailArea > 0.0 ? 0.0 : constraintInterval,
         gyroBiasSigma,
         gyroBiasNoise,
         accelerometerBiasSigma,
@@ -179,7 +196,27 @@ record FusionVariables(
 
   /** Sensors whose speeds through the fluid count; empty: all. */
   Set<String> fluid() {
-    return Stream.of(fluidSensors.split(","))
+    Set<String> named = names(fluidSensors);
+    if (sailArea > 0.0 && !named.isEmpty()) {
+      named.addAll(names(windSensors)); // they tell the drift
+    }
+    return named;
+  }
+
+  /** Drift by the wind; empty if it does not count. */
+  Optional<SailDrift> sailDrift() {
+    return sailArea == 0.0
+        ? Optional.empty()
+        : Optional.of(
+            new SailDrift(
+                names(windSensors),
+                new SailDrift.Hull(sailArea, displacement, swayDrag, swaySquareDrag),
+                tuning().sideSlipSigma(),
+                constraintInterval));
+  }
+
+  private static Set<String> names(String list) {
+    return Stream.of(list.split(","))
         .map(String::trim)
         .filter(name -> !name.isEmpty())
         .collect(Collectors.toCollection(TreeSet::new));

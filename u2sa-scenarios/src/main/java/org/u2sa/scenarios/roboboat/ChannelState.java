@@ -22,7 +22,6 @@ import org.u2sa.planning.curve.Pose;
  */
 final class ChannelState extends TaskState {
   private static final double BEFORE_M = 4.0; // beyond a gate without a known next one
-  private static final double FAR_M = 10.0; // before a gate, while no way to it is clear
   private static final double FULL_SPEED_M =
       8.0; // distance of a point at which control does not slow down
   private static final double AHEAD_M = 2.2; // of the point on the line to steer to
@@ -35,10 +34,12 @@ final class ChannelState extends TaskState {
   private static final double SEARCH_MPS = 0.7;
   private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
   private static final double MOVED_M = 0.8; // of the start of the run: the way is planned again
-  private static final double OFF_M = 2.0; // from the planned way: it is planned again
+  private static final double OFF_M = 1.2; // from the planned way: it is planned again
   private static final double RETRY_M = 0.5; // between two attempts to plan
   private static final double DECIDE_M = 3.0; // before a gate: the last place to break off
   private static final double STEEPEST = 0.25; // of the way back to the line, aside per metre
+  private static final double TWICE_M = 1.5; // between buoys of a colour: the same one
+  private static final double UNKNOWN_SIGMA_M = 10.0;
   private static final int MAX_BREAK_OFFS = 3;
 
   private final GateSequence gates = new GateSequence();
@@ -102,14 +103,23 @@ final class ChannelState extends TaskState {
     return search(pursuit, here, now);
   }
 
+  /**
+   * Places of the buoys of a type. A buoy that is on the map twice, as sightings from afar missed
+   * it, is where it is known best: two of a colour are never that near.
+   */
   private List<Point> places(String type, StateInformation state) {
     List<Point> places = new ArrayList<>();
-    for (ObjectDescription object : surroundings.objects()) {
-      if (object.objectType().equals(type)) {
-        places.add(surroundings.centre(object, state));
-      }
-    }
+    surroundings.objects().stream()
+        .filter(object -> object.objectType().equals(type))
+        .sorted(Comparator.comparingDouble(ChannelState::sigmaM))
+        .map(object -> surroundings.centre(object, state))
+        .filter(place -> places.stream().allMatch(each -> Gate.distance(each, place) > TWICE_M))
+        .forEach(places::add);
     return places;
+  }
+
+  private static double sigmaM(ObjectDescription object) {
+    return object.motion().sigma().map(Point::distance).orElse(UNKNOWN_SIGMA_M);
   }
 
   /** The gate to be passed next: on a way to one, that one. */
@@ -170,7 +180,7 @@ final class ChannelState extends TaskState {
       plan(gate, here, state);
     }
     if (approach.isEmpty()) {
-      return step(pursuit, towards(pursuit, gate.beyond(-FAR_M), 1.0, APPROACH_MPS), now);
+      return step(pursuit, towards(pursuit, GateApproach.before(gate, surroundings.outlines(state)), 1.0, APPROACH_MPS), now);
     }
     SailingPath path = approach.get().path();
     path.follow(here);

@@ -24,12 +24,15 @@ record GateApproach(SailingPath path, Gate gate, double runM) {
   private static final double GOOD_RUN_M = 10.0;
   private static final double SHORT_COST = 2.0; // per metre of a shorter run
   private static final double TIGHT_COST = 4.0; // per metre of a smaller radius
-  private static final double NEAR_COST = 6.0; // per metre nearer to an object than this:
+  private static final double NEAR_COST = 10.0; // per metre nearer to an object than this:
   private static final double WELL_CLEAR_M = 2.5;
   private static final double CLEAR_M = 0.95; // of arcs: half the beam, and 0.6 m
   private static final double RUN_CLEAR_M = 0.7; // of the run, which may lead through a gate
   private static final double LEAVING_M = 1.5; // part in which the boat may leave a gate
   private static final double LEAVING_CLEAR_M = 0.45;
+  private static final double FAR_M = 10.0; // before a gate, while no way to it is clear
+  private static final double[] FAR_ASIDE_M = {0.0, 3.0, -3.0, 6.0, -6.0};
+  private static final double ROOM_M = 2.5; // between that place and all objects
   private static final double BEFORE_M = 1.5; // end of the part of the run that is checked
 
   /** The best way from a pose; empty if none is clear. */
@@ -64,6 +67,19 @@ record GateApproach(SailingPath path, Gate gate, double runM) {
       }
     }
     return Optional.ofNullable(best);
+  }
+
+  /** A place before the gate from which a way may be found, on its axis if there is room. */
+  static Point before(Gate gate, List<PlanarShape> objects) {
+    Point onAxis = gate.beyond(-FAR_M);
+    Point way = gate.way();
+    for (double aside : FAR_ASIDE_M) {
+      Point place = onAxis.plus(Point.of(-aside * way.y(), aside * way.x(), 0.0));
+      if (objects.stream().allMatch(each -> each.distanceM(place.x(), place.y()) > ROOM_M)) {
+        return place;
+      }
+    }
+    return onAxis;
   }
 
   /** How far the start of the run is from where it would be by a newer estimate of the gate [m]. */

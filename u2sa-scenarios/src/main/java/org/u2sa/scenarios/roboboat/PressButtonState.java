@@ -2,6 +2,7 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -17,8 +18,8 @@ final class PressButtonState extends StationTaskState {
   private static final double BESIDE_M = 1.2; // from the button to its buoy
   private static final double PRESSED_M = 0.55; // from the boat's centre: inside of the bow
   private static final double BEAM_M = 0.5; // beside the boat's centre
-  private static final double PRESS_MPS = 0.6;
-  private static final double BACK_MPS = 0.5;
+  private static final double PRESS_MPS = 0.8;
+  private static final double BACK_MPS = 1.6;
   private static final double OFF_M = 3.5; // from the button, backed off
   private static final double BESIDE_BOW_RAD = Math.toRadians(70.0); // the button was missed
   private static final double GIVE_UP_S = 45.0;
@@ -79,15 +80,17 @@ final class PressButtonState extends StationTaskState {
       phase = Phase.BACK_OFF;
     }
     if (phase == Phase.BACK_OFF) {
-      return backOff(task, state, away);
+      return backOff(away);
     }
     Point aim = TaskSite.at(button.get(), bearing, 1.0, 0.0);
     return Plan.underWay(List.of(surroundings.straight(state, aim).speed(PRESS_MPS)));
   }
 
-  private Plan backOff(BoatTask task, StateInformation state, double awayM) {
-    if (awayM < OFF_M) {
-      return back(task, state, BACK_MPS);
+  private Plan backOff(double awayM) {
+    if (awayM < OFF_M) { // straight, as a turn would cost time beside the other button
+      Point astern = Point.of(-OFF_M, 0.0, 0.0);
+      return Plan.underWay(
+          List.of(NavigationPoint.at(astern).backwards(true).speed(BACK_MPS).turn(0.0)));
     }
     if (isPressed) {
       return new Plan(List.of(), Plan.Progress.COMPLETED, "pressed");

@@ -117,6 +117,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
         new QuadrotorOnDeck(
             system().resolveSibling("quadrotor"),
             placed.run(),
+            dock.object().center(),
             directory.resolve("logs/quadrotor"),
             seed);
     AtomicReference<BoatJudge> judge = new AtomicReference<>();

@@ -17,6 +17,7 @@ import org.u2sa.messages.marine.Button;
 import org.u2sa.messages.marine.Hoop;
 import org.u2sa.scenarios.roboboat.gun.Dart;
 import org.u2sa.scenarios.roboboat.subvehicle.FetchJudge;
+import org.u2sa.scenarios.roboboat.subvehicle.PuckGripper;
 import org.u2sa.sim.vehicle.ContactWatch;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -42,10 +43,11 @@ final class TaskJudge {
   private boolean isDocked;
   private final FetchJudge fetch;
 
-  TaskJudge(List<TaskSite> sites, long seed, BiConsumer<Double, String> log) {
+  TaskJudge(
+      List<TaskSite> sites, PuckGripper gripper, long seed, BiConsumer<Double, String> log) {
     this.sites = sites.stream().collect(Collectors.toMap(TaskSite::task, site -> site));
     random = new Random(seed);
-    fetch = new FetchJudge(this.sites.get(TaskSite.Task.DOCK).object().center());
+    fetch = new FetchJudge(gripper);
     this.log = log;
   }
 

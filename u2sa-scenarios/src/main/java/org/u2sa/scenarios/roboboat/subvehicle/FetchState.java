@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -19,7 +20,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Fetches an object with a hovering aircraft: straight up, above the object, straight down, grip,
  * and the same way back to where the aircraft stood. It begins to descend within the horizontal
- * threshold of the vertical line, and climbs again beyond twice the threshold.
+ * threshold of the vertical line, and climbs again beyond twice the threshold. If its {@link
+ * GripperSensor} feels nothing in the gripper, it tries again beside the expected place.
  */
 final class FetchState implements PlannerState {
   private static final double NEAR_ALTITUDE_M = 0.3; // of the flight's
@@ -27,6 +29,15 @@ final class FetchState implements PlannerState {
   private static final double BELOW_DECK_M = 1.0; // aim of a landing, for control to stop rotors
   private static final double USUAL_VERTICAL_M = 0.15; // without a vertical threshold
   private static final double BREAK_OFF = 2.0; // off the line to break off a descent [thresholds]
+  private static final double FEEL_S = 1.5; // time after the grip until the load counts as missing
+  private static final double BESIDE_M = 0.3; // from the expected place of further attempts
+  private static final Point[] BESIDE = { // north, east; in turn
+    Point.ORIGIN,
+    Point.of(BESIDE_M, 0.0, 0.0),
+    Point.of(-BESIDE_M, 0.0, 0.0),
+    Point.of(0.0, BESIDE_M, 0.0),
+    Point.of(0.0, -BESIDE_M, 0.0)
+  };
 
   private enum Phase {
     CLIMB,
@@ -37,12 +48,21 @@ final class FetchState implements PlannerState {
     LAND
   }
 
+  private final BooleanSupplier isHolding;
   private Phase phase = Phase.CLIMB;
   private Place deck;
   private FetchGoal goal;
   private long beganMicros;
   private long thereMicros; // since when at the object or on the deck; Long.MIN_VALUE: not there
   private boolean gripped;
+  private int misses; // times that the gripper closed and held nothing
+
+  /**
+   * @param isHolding whether the gripper holds an object; true without a sensor that could tell
+   */
+  FetchState(BooleanSupplier isHolding) {
+    this.isHolding = isHolding;
+  }
 
   @Override
   public Class<? extends GoalInformation> goalClass() {
@@ -63,6 +83,7 @@ final class FetchState implements PlannerState {
     beganMicros = vehicle.timestampMicros();
     thereMicros = Long.MIN_VALUE;
     gripped = false;
+    misses = 0;
   }
 
   @Override
@@ -75,15 +96,15 @@ final class FetchState implements PlannerState {
           List.of(), Plan.Progress.ABANDONED, "given up: goal and state need x, y and z");
     }
     String remark = proceed(wanted, object, vehicle);
-    Place next = target(wanted, object);
-    NavigationPoint point = NavigationPoint.at(vehicle.body(vehicle.nedOf(next)));
+    NavigationPoint point = NavigationPoint.at(vehicle.body(toGo(wanted, object, vehicle)));
     boolean isBack = phase == Phase.LAND && isThereFor(SETTLED_S, vehicle);
+    boolean isFetched = gripped && isHolding.getAsBoolean();
     Plan.Progress progress =
         !isBack
             ? Plan.Progress.UNDER_WAY
-            : gripped ? Plan.Progress.COMPLETED : Plan.Progress.ABANDONED;
+            : isFetched ? Plan.Progress.COMPLETED : Plan.Progress.ABANDONED;
     if (isBack) {
-      remark = gripped ? "back with the object" : "given up: back without the object, out of time";
+      remark = isFetched ? "back with the object" : "given up: back without the object, " + reason();
     }
     return new Plan(List.of(point), progress, remark).changing(goal.copy());
   }
@@ -91,7 +112,7 @@ final class FetchState implements PlannerState {
   /** Changes the phase when its end is reached. Returns a remark for the log, empty if none. */
   private String proceed(FetchGoal wanted, Place object, Vehicle vehicle) {
     double vertical = wanted.verticalThreshold().orElse(USUAL_VERTICAL_M);
-    Point off = vehicle.nedOf(target(wanted, object));
+    Point off = toGo(wanted, object, vehicle);
     boolean isAbove = levelM(off) <= wanted.horizontalThreshold();
     boolean isOff = levelM(off) > BREAK_OFF * wanted.horizontalThreshold();
     boolean isLevel = Math.abs(off.z()) <= NEAR_ALTITUDE_M;
@@ -130,10 +151,26 @@ final class FetchState implements PlannerState {
     if (!isThereFor(wanted.gripTime(), vehicle)) {
       return "";
     }
+    if (!isHolding.getAsBoolean()) {
+      if (!isThereFor(wanted.gripTime() + FEEL_S, vehicle)) {
+        return "";
+      }
+      misses++;
+      return begin(Phase.CROSS, "the gripper holds nothing: attempt " + (misses + 1));
+    }
     gripped = true;
     return begin(
         Phase.CLIMB_BACK,
         String.format(Locale.ROOT, "gripped, %.2f m beside it by the estimate", levelM(off)));
+  }
+
+  private String reason() {
+    if (gripped) {
+      return "lost on the way";
+    }
+    return misses == 0
+        ? "out of time"
+        : "the gripper held nothing " + (misses == 1 ? "once" : misses + " times");
   }
 
   private String begin(Phase next, String remark) {
@@ -158,7 +195,15 @@ final class FetchState implements PlannerState {
     return Clock.seconds(vehicle.timestampMicros() - micros);
   }
 
-  /** Where the aircraft is to be in this phase. */
+  /** The way to where the aircraft is to be: north, east, down [m]. */
+  private Point toGo(FetchGoal wanted, Place object, Vehicle vehicle) {
+    Point way = vehicle.nedOf(target(wanted, object));
+    return phase == Phase.CROSS || phase == Phase.DESCEND
+        ? way.plus(BESIDE[misses % BESIDE.length])
+        : way;
+  }
+
+  /** Where the aircraft is to be in this phase, at the first attempt. */
   private Place target(FetchGoal wanted, Place object) {
     double flight =
         Math.max(deck.upM().orElseThrow(), object.upM().orElseThrow()) + wanted.height();
@@ -187,7 +232,7 @@ final class FetchState implements PlannerState {
   @Override
   public void handOver(HandOver state) {
     state.text("FETCH PHASE", phase.name()).flag("GRIPPED", gripped).message("FETCHED", goal);
-    state.number("FETCH BEGAN", Clock.seconds(beganMicros));
+    state.number("FETCH BEGAN", Clock.seconds(beganMicros)).number("FETCH MISSES", misses);
     deck.handOver(state, "DECK");
   }
 
@@ -203,6 +248,7 @@ final class FetchState implements PlannerState {
     phase = Phase.valueOf(state.text("FETCH PHASE").orElseThrow());
     gripped = state.flag("GRIPPED");
     beganMicros = Clock.micros(state.number("FETCH BEGAN").orElseThrow());
+    misses = (int) state.number("FETCH MISSES").orElse(0.0);
     thereMicros = Long.MIN_VALUE;
     return true;
   }

@@ -5,12 +5,18 @@ import java.util.Optional;
 import org.u2sa.core.launch.LaunchOptions;
 import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.device.payload.LoadCell;
 import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.service.ServiceContext;
+import org.u2sa.sim.device.SensorErrors;
+import org.u2sa.sim.device.SimulatedLoadCell;
 import org.u2sa.sim.file.VehicleFile;
+import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
@@ -23,8 +29,12 @@ public final class QuadrotorOnDeck implements AutoCloseable {
   /** Height of the boat's deck and of the dock above the water [m]. */
   public static final double DECK_M = 0.4;
 
+  /** A load cell of 5 N with an HX711 converter, tared before take-off. */
+  private static final SensorErrors CELL = new SensorErrors(10.0, 0.05, 0.1, 0.1, 0.0);
+
   private final Path folder;
   private final RunningVehicle boat;
+  private final PuckGripper gripper;
   private final Path logs;
   private final long seed;
   private volatile RunningVehicle flown; // null until it is switched on
@@ -33,12 +43,19 @@ public final class QuadrotorOnDeck implements AutoCloseable {
   /**
    * @param folder of its system file and vehicle file
    * @param boat moored when it is switched on
+   * @param puck on the dock: east, north [m]
    */
-  public QuadrotorOnDeck(Path folder, RunningVehicle boat, Path logs, long seed) {
+  public QuadrotorOnDeck(Path folder, RunningVehicle boat, Point puck, Path logs, long seed) {
     this.folder = folder;
     this.boat = boat;
+    gripper = new PuckGripper(puck);
     this.logs = logs;
     this.seed = seed;
+  }
+
+  /** Its gripper. */
+  public PuckGripper gripper() {
+    return gripper;
   }
 
   /** The vehicle, once it is switched on. */
@@ -70,8 +87,24 @@ public final class QuadrotorOnDeck implements AutoCloseable {
                 .seed(seed)
                 .logDirectory(logs)
                 .override("CommunicationManager", "BROKER", "none")
-                .devices(trial.devices()));
+                .devices(new Devices(trial.devices(), cell())));
     return system.communicationManager().transport();
+  }
+
+  private LoadCell cell() {
+    return new SimulatedLoadCell(CELL, new NoiseStreams(seed), gripper::loadN);
+  }
+
+  /** The vehicle's devices, and the gripper's load cell. */
+  private record Devices(ServiceContext.DeviceSource vehicle, LoadCell cell)
+      implements ServiceContext.DeviceSource {
+    @Override
+    public <D> Optional<D> device(
+        Class<D> port, String service, XmlConfiguration variables, Clock clock) {
+      return port == LoadCell.class
+          ? Optional.of(port.cast(cell))
+          : vehicle.device(port, service, variables, clock);
+    }
   }
 
   @Override

@@ -17,6 +17,11 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
           .ifAbsent(false)
           .describedAs(
               "Whether a sub-vehicle carries out goals of the class fetchGoal while this vehicle waits.");
+  private static final VariableDeclaration<Boolean> FELT =
+      VariableDeclaration.flag("GRIPPER FELT")
+          .ifAbsent(false)
+          .describedAs(
+              "Whether a GripperSensor tells what the gripper holds after a fetchGoal; a further attempt follows if it holds nothing.");
 
   @Override
   public Collection<MessageType<?>> messageTypes() {
@@ -27,6 +32,7 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
   public Collection<PlannerState> plannerStates(
       Configurator configuration, PlannerView surroundings) {
     boolean isCarrier = configuration.getVariable(CARRIER);
-    return List.of(isCarrier ? new AwaitState() : new FetchState());
+    boolean isFelt = configuration.getVariable(FELT);
+    return List.of(isCarrier ? new AwaitState() : new FetchState(() -> !isFelt || GripperSensor.isHolding(surroundings.objects())));
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.roboboat.subvehicle;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -13,7 +14,8 @@ import org.u2sa.planning.Pursuit;
 
 /** The sub-vehicle's states one by one, on a local plane; the object is 3 m north of the deck. */
 class FetchStateTest {
-  private final FetchState fetch = new FetchState();
+  private boolean isHolding = true;
+  private final FetchState fetch = new FetchState(() -> isHolding);
   private final FetchGoal goal = goal();
 
   private static FetchGoal goal() {
@@ -106,5 +108,54 @@ class FetchStateTest {
 
     assertThat(back.progress()).isEqualTo(Plan.Progress.ABANDONED);
     assertThat(back.remark()).isEqualTo("given up: back without the object, out of time");
+  }
+
+  @Test
+  void plan_gripperHoldsNothing_triesAgainBesideTheExpectedPlace() {
+    isHolding = false;
+    descend();
+    plan(8.0, 3.0, 0.5);
+    Plan waits = plan(10.5, 3.0, 0.5);
+    Plan again = plan(11.6, 3.0, 0.5);
+    plan(14.0, 3.3, 2.5);
+    isHolding = true;
+    plan(17.0, 3.3, 0.5);
+    Plan gripped = plan(19.0, 3.3, 0.5);
+
+    assertThat(waits.remark()).isEmpty();
+    assertThat(again.remark()).isEqualTo("the gripper holds nothing: attempt 2");
+    assertThat(Math.hypot(target(again).x(), target(again).y())).isCloseTo(0.3, within(1e-9));
+    assertThat(gripped.remark()).startsWith("gripped");
+  }
+
+  @Test
+  void plan_objectLostOnTheWayBack_saysThatItIsNotBack() {
+    descend();
+    plan(8.0, 3.0, 0.5);
+    plan(10.0, 3.0, 0.5);
+    plan(13.0, 3.0, 2.5);
+    isHolding = false;
+    plan(16.0, 0.0, 2.5);
+    plan(19.0, 0.0, 0.2);
+    Plan back = plan(22.0, 0.0, 0.2);
+
+    assertThat(back.progress()).isEqualTo(Plan.Progress.ABANDONED);
+    assertThat(back.remark()).isEqualTo("given up: back without the object, lost on the way");
+  }
+
+  @Test
+  void plan_gripperHoldsNothingUntilTheLimit_saysHowOften() {
+    isHolding = false;
+    descend();
+    plan(8.0, 3.0, 0.5);
+    plan(11.6, 3.0, 0.5);
+    plan(61.0, 3.3, 0.5);
+    plan(63.0, 3.0, 2.5);
+    plan(66.0, 0.0, 2.5);
+    plan(69.0, 0.0, 0.2);
+    Plan back = plan(72.0, 0.0, 0.2);
+
+    assertThat(back.remark())
+        .isEqualTo("given up: back without the object, the gripper held nothing once");
   }
 }
