@@ -62,6 +62,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
 
   private void listen() {
     handleMessagesAtSteps();
+    reference.configure(tuning.get().qnh());
     subscribe(Channels.STATE, reference::see);
     subscribe(Channels.GROUND_PRESSURE, told -> reference.hear(told, clock().micros()));
   }

@@ -60,7 +60,9 @@ public final class PressureAltitude {
     return standardPa(geopotentialM(altitudeM) + standardM(qnhPa));
   }
 
-  /** Pressure at sea level [Pa] on a day on which a pressure [Pa] was measured at an altitude [m]. */
+  /**
+   * Pressure at sea level [Pa] on a day on which a pressure [Pa] was measured at an altitude [m].
+   */
   public static double qnhOf(double pascals, double altitudeM) {
     return standardPa(standardM(pascals) - geopotentialM(altitudeM));
   }

@@ -64,8 +64,7 @@ final class PressureReference {
     String what = hectopascals(pascals) + " from " + told.operator();
     double ageS = Clock.seconds(nowMicros - told.timestamp().orElse(nowMicros));
     boolean comparable = isSure(nowMicros) && !Double.isNaN(newestPa);
-    double offM =
-        comparable ? PressureAltitude.altitudeM(newestPa, pascals) - stateM : Double.NaN;
+    double offM = comparable ? PressureAltitude.altitudeM(newestPa, pascals) - stateM : Double.NaN;
     if (!(pascals >= LEAST_PA && pascals <= MOST_PA)) {
       trouble.accept("QNH " + what + " is refused: expected 850…1100 hPa");
     } else if (ageS > OLDEST_S) {

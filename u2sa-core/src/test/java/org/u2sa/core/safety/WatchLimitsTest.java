@@ -43,7 +43,7 @@ class WatchLimitsTest {
     never.see(new OperatorHeartbeat().operator("Ann"), 0);
 
     assertThat(watch.trouble(180 * SECOND)).isEmpty();
-    assertThat(watch.trouble(181 * SECOND)).contains("\"Ann\" silent for 181 s");
+    assertThat(watch.trouble(181 * SECOND)).contains("\"Ann\" silent for 181.0 s");
     assertThat(never.trouble(100_000 * SECOND)).isEmpty();
     assertThat(watch.hazard().words()).isEqualTo("operator link for long");
   }

@@ -76,6 +76,21 @@ class GroundPressureTest {
   }
 
   @Test
+  void told_beforeTheFirstReading_isNotReplacedByTheConfiguredOne() {
+    try (ServiceKit early = new ServiceKit()) {
+      SimulatedBarometer device =
+          new SimulatedBarometer(
+              new SensorErrors(20.0, 0.0, 0.0, 0.0, 0.0), QNH_PA, new NoiseStreams(1), () -> UP_M);
+      early.publish(
+          Channels.GROUND_PRESSURE, new GroundPressure().operator("ann").pressure(QNH_PA));
+      early.start(context -> new BarometerSensor(context, device));
+      early.advance(1.0);
+      assertThat(early.latest(Channels.SENSED_STATE).orElseThrow().z().orElseThrow())
+          .isCloseTo(UP_M, within(0.5));
+    }
+  }
+
+  @Test
   void nobodyTells_tenHectopascalsOff_isDetectedAndFittedToTheAltitude() {
     fly(5.0, 2.0);
     assertThat(sensed().z().orElseThrow() - UP_M).as("not yet").isGreaterThan(80.0);

@@ -122,12 +122,13 @@ public class SearchArea extends GoalInformation {
     return put(SEEN, value);
   }
 
-  /** What makes the area impossible to search, with field, value and expectation; empty if nothing. */
+  /**
+   * What makes the area impossible to search, with field, value and expectation; empty if nothing.
+   */
   public Optional<String> fault() {
     List<Point> outline = corners();
     if (outline.size() < 3 || outline.size() > MAX_CORNERS) {
-      return Optional.of(
-          "corners: " + outline.size() + " of them; expected 3 to " + MAX_CORNERS);
+      return Optional.of("corners: " + outline.size() + " of them; expected 3 to " + MAX_CORNERS);
     }
     for (Point corner : outline) {
       boolean onEarth = referenceFrame().equals(ReferenceFrame.GLOBAL);

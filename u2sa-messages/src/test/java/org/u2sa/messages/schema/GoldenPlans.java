@@ -82,8 +82,7 @@ final class GoldenPlans {
             .z(43.25)
             .horizontalThreshold(5.0));
     golden.add(
-        "GroundPressure",
-        new GroundPressure().operator("anna").pressure(100_325.0).z(43.25));
+        "GroundPressure", new GroundPressure().operator("anna").pressure(100_325.0).z(43.25));
     addSearch(golden);
   }
 

@@ -17,8 +17,7 @@ class SurveyFaultTest {
   private static final SurveyVariables CAMERA =
       new SurveyVariables(1372.0, 1280.0, 0.3, 0.7, 40.0, 8);
   private static final List<Point> CORNERS =
-      List.of(
-          Point.of(0.0, 0.0, 0.0), Point.of(1000.0, 0.0, 0.0), Point.of(1000.0, 1000.0, 0.0));
+      List.of(Point.of(0.0, 0.0, 0.0), Point.of(1000.0, 0.0, 0.0), Point.of(1000.0, 1000.0, 0.0));
 
   private static SearchArea area(double resolution) {
     return new SearchArea()
@@ -64,8 +63,7 @@ class SurveyFaultTest {
     for (int i = 0; i < seen.length; i++) {
       seen[i] = (byte) (i % 2);
     }
-    ledger.cells(
-        Point.ORIGIN, 400.0, side, seen, new byte[seen.length], new byte[2 * seen.length]);
+    ledger.cells(Point.ORIGIN, 400.0, side, seen, new byte[seen.length], new byte[2 * seen.length]);
     StateInformation state = new StateInformation().sensorName("test");
     state.referenceFrame(ReferenceFrame.LOCAL_ENU).x(0.0).y(0.0).z(100.0).psi(0.0);
     List<LaneLegs.Leg> legs =

@@ -105,7 +105,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
         frame.isEarth()
             || frame.equals(ReferenceFrame.LOCAL_ENU)
             || frame.equals(ReferenceFrame.LOCAL_NED);
-    if (isPlace) {
+    if (isPlace && (!frame.isEarth() || state.x().isPresent() && state.y().isPresent())) {
       compare(state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(clock.micros()));
       double trueRad = run.at(clock.micros()).headingRad();
       headingError(state, trueRad, origin).ifPresent(error -> heading.add(error, state.psiSigma()));

@@ -27,6 +27,14 @@ class SuasScoreTest {
   }
 
   @Test
+  void drop_distance_fallsToZeroAt150Feet() {
+    assertThat(ScoreSheet.drop(0.0)).isEqualTo(1.0);
+    assertThat(ScoreSheet.drop(15.24)).isCloseTo(2.0 / 3.0, within(1e-9)); // 50 ft
+    assertThat(ScoreSheet.drop(60.0)).isZero();
+    assertThat(ScoreSheet.drop(Double.POSITIVE_INFINITY)).isZero();
+  }
+
+  @Test
   void scores_waypointsPassedInTheWrongOrder_onlyOneCounts() {
     List<ReportedTrack.Sample> track = List.of(at(0.0, 0.0), at(1.0, 100.0));
     List<Point> wrong = List.of(Point.of(100.0, 0.0, 0.0), Point.ORIGIN);
