@@ -17,7 +17,8 @@ import org.u2sa.planning.Pursuit;
 final class DockState extends StationTaskState {
   private static final double ALIGNED_RAD = Math.toRadians(30.0);
   private static final double AHEAD_M = 1.5; // of the point on the line to steer to
-  private static final double ENTER_MPS = 1.1; // slower, a current from the side would turn the bow off the line too far
+  private static final double ENTER_MPS =
+      1.1; // slower, a current from the side would turn the bow off the line too far
   private static final double FULL_SPEED_M = 3.0; // of a point at which control keeps that speed
   private static final double ENTRANCE_M = 2.5; // before the berth: last place to break off
   private static final double OFF_M = 0.6; // from the line

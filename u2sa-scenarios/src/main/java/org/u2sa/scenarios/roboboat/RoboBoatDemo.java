@@ -111,7 +111,9 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     BoatCourse sailed = tasksOnly ? drawn.tasksOnly() : drawn;
     course = sailed;
     Mission mission =
-        frame.isOwnMission() ? BoatMission.write(sailed, camera, directory.resolve("mission.xml")) : given;
+        frame.isOwnMission()
+            ? BoatMission.write(sailed, camera, directory.resolve("mission.xml"))
+            : given;
     VehicleFile file =
         changes.load(system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml"));
     World world = sailed.world();
