@@ -29,7 +29,8 @@ class SailDriftTest {
     assertThat(right).isCloseTo(0.159, within(0.001));
     assertThat(40.0 * right + 90.0 * right * right).isCloseTo(0.24 * 36.0, within(0.01));
     assertThat(last.fluidxDot()).as("ahead, thrusters decide").isEmpty();
-    assertThat(last.fluidyDotSigma().orElseThrow()).isCloseTo(Math.hypot(0.3, 0.0795), within(0.001));
+    assertThat(last.fluidyDotSigma().orElseThrow())
+        .isCloseTo(Math.hypot(0.3, 0.0795), within(0.001));
   }
 
   @Test

@@ -97,8 +97,7 @@ final class BoatJudge implements TruthObserver.Scorer {
     this.isDocked = isDocked;
     this.quadrotor = quadrotor;
     this.clock = clock;
-    tasks =
-        new TaskJudge(course.sites(), quadrotor.gripper(), course.weather().seed(), this::say);
+    tasks = new TaskJudge(course.sites(), quadrotor.gripper(), course.weather().seed(), this::say);
     home = course.home();
     this.directory = directory;
     speed = new Leg("speed gates", course.speedGates());

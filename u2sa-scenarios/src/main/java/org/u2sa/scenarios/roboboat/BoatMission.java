@@ -28,15 +28,22 @@ final class BoatMission {
 
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
   private final BoatCourse course;
+  private final boolean gatesOnly;
   private final StringBuilder text = new StringBuilder();
 
-  private BoatMission(BoatCourse course) {
+  private BoatMission(BoatCourse course, boolean gatesOnly) {
     this.course = course;
+    this.gatesOnly = gatesOnly;
   }
 
-  /** Writes the mission of a course. */
-  static Mission write(BoatCourse course, Path file) {
-    String text = new BoatMission(course).text();
+  /**
+   * Writes the mission of a course.
+   *
+   * @param gatesOnly whether it has no optional tasks, and tells the number of gates in place of
+   *     the buoy at the end
+   */
+  static Mission write(BoatCourse course, boolean gatesOnly, Path file) {
+    String text = new BoatMission(course, gatesOnly).text();
     ReportFile.writeText(file, out -> out.write(text));
     return Mission.load(file);
   }
@@ -50,20 +57,26 @@ final class BoatMission {
       Gate first = course.speedGates().get(0);
       channel("speed gates", first, false, "<next>channel</next><gates>2</gates>");
     }
-    channel("channel", course.channel().get(0), false, next("") + "<endBuoy>BLUE</endBuoy>");
-    course.sites().forEach(this::task);
+    if (gatesOnly) {
+      channel("channel", course.channel().get(0), false, "<next>return</next>" + gates());
+    } else {
+      channel("channel", course.channel().get(0), false, next("") + "<endBuoy>BLUE</endBuoy>");
+      course.sites().forEach(this::task);
+    }
     Gate last = course.channel().get(course.channel().size() - 1);
     channel(
         "return",
         new Gate(last.right(), last.left()),
         true,
-        "<next>home way</next><fallback>true</fallback><gates>"
-            + course.channel().size()
-            + "</gates>");
+        "<next>home way</next><fallback>true</fallback>" + gates());
     text.append("  <waypoint><name>home way</name>");
     text.append(place(course.home()));
     text.append("<horizontalThreshold>2</horizontalThreshold></waypoint>\n</mission>\n");
     return text.toString();
+  }
+
+  private String gates() {
+    return "<gates>" + course.channel().size() + "</gates>";
   }
 
   private void channel(String name, Gate first, boolean back, String rest) {

@@ -180,7 +180,11 @@ final class ChannelState extends TaskState {
       plan(gate, here, state);
     }
     if (approach.isEmpty()) {
-      return step(pursuit, towards(pursuit, GateApproach.before(gate, surroundings.outlines(state)), 1.0, APPROACH_MPS), now);
+      return step(
+          pursuit,
+          towards(
+              pursuit, GateApproach.before(gate, surroundings.outlines(state)), 1.0, APPROACH_MPS),
+          now);
     }
     SailingPath path = approach.get().path();
     path.follow(here);

@@ -17,7 +17,9 @@ import org.u2sa.planning.Pursuit;
 final class DockState extends StationTaskState {
   private static final double ALIGNED_RAD = Math.toRadians(30.0);
   private static final double AHEAD_M = 1.5; // of the point on the line to steer to
-  private static final double ENTER_MPS = 1.1; // slower, a current from the side would turn the bow off the line too far
+  private static final double ENTER_MPS =
+      1.1; // slower, a current from the side would turn the bow off the line too far
+  private static final double FULL_SPEED_M = 3.0; // of a point at which control keeps that speed
   private static final double ENTRANCE_M = 2.5; // before the berth: last place to break off
   private static final double OFF_M = 0.6; // from the line
   private static final double BACK_M = 2.0; // from the station, to try again
@@ -26,6 +28,7 @@ final class DockState extends StationTaskState {
   private static final double STILL_S = 2.0;
   private static final double LEFT_M = 3.5; // from the berth
   private static final double BACK_MPS = 0.7;
+  private static final double LEAVE_MPS = 1.6; // before a current carries it to the fingers
 
   private enum Phase {
     ALIGN,
@@ -71,12 +74,12 @@ final class DockState extends StationTaskState {
     if (phase == Phase.LEAVE && isHeld) { // the dock lets it push back, but not turn
       Point astern = Point.of(-LEFT_M, 0.0, 0.0);
       return Plan.underWay(
-          List.of(NavigationPoint.at(astern).backwards(true).speed(BACK_MPS).turn(0.0)));
+          List.of(NavigationPoint.at(astern).backwards(true).speed(LEAVE_MPS).turn(0.0)));
     }
     if (phase == Phase.LEAVE) {
       return toGo > LEFT_M
           ? new Plan(List.of(), Plan.Progress.COMPLETED, "left the dock")
-          : back(goal, state, BACK_MPS);
+          : back(goal, state, LEAVE_MPS);
     }
     double turn = Math.IEEEremainder(state.psi().orElseThrow() - psi, 2.0 * Math.PI);
     if (phase == Phase.ALIGN && Math.abs(turn) < ALIGNED_RAD) {
@@ -94,15 +97,17 @@ final class DockState extends StationTaskState {
           : new Plan(List.of(), Plan.Progress.COMPLETED, "docked");
     }
     return switch (phase) {
-      case ENTER ->
-          Plan.underWay(
-              List.of(
-                  surroundings
-                      .straight(state, TaskSite.at(from, psi, along + AHEAD_M, 0.0))
-                      .speed(ENTER_MPS)));
+      case ENTER -> Plan.underWay(List.of(in(state, TaskSite.at(from, psi, along + AHEAD_M, 0.0))));
       case BACK_OFF -> back(goal, state, BACK_MPS);
       default -> Plan.underWay(List.of(facing(goal, state, psi)));
     };
+  }
+
+  /** Towards a place on the line, without slowing down for it. */
+  private NavigationPoint in(StateInformation state, Point place) {
+    Point here = surroundings.here(state);
+    double share = FULL_SPEED_M / Math.max(AHEAD_M, distance(here, place));
+    return surroundings.straight(state, GateLine.between(here, place, share)).speed(ENTER_MPS);
   }
 
   private boolean isStill(double toGoM, StateInformation state) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
@@ -54,10 +55,20 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
           "Sail with four thrusters at 45 degrees, which also push sideways, instead of two.")
   private boolean holonomic;
 
+  @Option(
+      names = "--camera",
+      description =
+          "Find the buoys in rendered images, instead of a simulated detector, and sail the gates only.")
+  private boolean camera;
+
   private BoatCourse course; // of the newest run
 
   @Override
   public Integer call() throws InterruptedException, IOException {
+    if (camera && (holonomic || tasksOnly)) {
+      throw new BadInputException(
+          "--camera: sails the gates with two thrusters; expected without --holonomic and --tasks-only");
+    }
     return frame.run(this);
   }
 
@@ -68,7 +79,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
 
   @Override
   public String systemFile() {
-    return holonomic ? "system-holonomic.xml" : "system.xml";
+    return holonomic ? "system-holonomic.xml" : camera ? "system-camera.xml" : "system.xml";
   }
 
   @Override
@@ -100,7 +111,9 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     BoatCourse sailed = tasksOnly ? drawn.tasksOnly() : drawn;
     course = sailed;
     Mission mission =
-        frame.isOwnMission() ? BoatMission.write(sailed, directory.resolve("mission.xml")) : given;
+        frame.isOwnMission()
+            ? BoatMission.write(sailed, camera, directory.resolve("mission.xml"))
+            : given;
     VehicleFile file =
         changes.load(system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml"));
     World world = sailed.world();

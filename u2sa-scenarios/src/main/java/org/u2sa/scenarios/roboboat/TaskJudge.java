@@ -43,8 +43,7 @@ final class TaskJudge {
   private boolean isDocked;
   private final FetchJudge fetch;
 
-  TaskJudge(
-      List<TaskSite> sites, PuckGripper gripper, long seed, BiConsumer<Double, String> log) {
+  TaskJudge(List<TaskSite> sites, PuckGripper gripper, long seed, BiConsumer<Double, String> log) {
     this.sites = sites.stream().collect(Collectors.toMap(TaskSite::task, site -> site));
     random = new Random(seed);
     fetch = new FetchJudge(gripper);

@@ -12,11 +12,11 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.file.VehicleFile;
 import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Water;
-import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.World;
 import org.u2sa.testkit.Repository;
 import org.u2sa.testkit.ServiceKit;
@@ -60,7 +60,10 @@ class DriftWithoutGpsTest {
         VehicleFile.load(Repository.root().resolve("config/roboboat/vehicle.xml"))
             .make(world, Point.ORIGIN, 0.0, seed);
     try (ServiceKit kit = new ServiceKit()) {
-      kit.with("DOMAIN", "WATER").with("LOST SIGMA", 1000.0).with("POSITION CORRELATION", 60.0).with("FLOW SIGMA", 0.5);
+      kit.with("DOMAIN", "WATER")
+          .with("LOST SIGMA", 1000.0)
+          .with("POSITION CORRELATION", 60.0)
+          .with("FLOW SIGMA", 0.5);
       variables.forEach(kit::with);
       kit.start(FusingStateEstimator::new);
       Sensors sensors = new Sensors(random, boat);
@@ -122,8 +125,7 @@ class DriftWithoutGpsTest {
       log.referenceFrame(ReferenceFrame.BODY).fluidxDot(noisy(ahead(water), 0.05));
       kit.publish(Channels.SENSED_STATE, log.fluidxDotSigma(0.05));
       if (hasFix) {
-        Geodetic at =
-            boat.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
+        Geodetic at = boat.world().plane().at(truth.position().x(), truth.position().y(), 0.0);
         StateInformation fix = new StateInformation().sensorName("Gps");
         fix.x(at.longitudeDeg()).y(at.latitudeDeg()).z(0.0);
         kit.publish(Channels.SENSED_STATE, fix.xSigma(0.3).ySigma(0.3).zSigma(1.0));

@@ -104,7 +104,8 @@ final class FetchState implements PlannerState {
             ? Plan.Progress.UNDER_WAY
             : isFetched ? Plan.Progress.COMPLETED : Plan.Progress.ABANDONED;
     if (isBack) {
-      remark = isFetched ? "back with the object" : "given up: back without the object, " + reason();
+      remark =
+          isFetched ? "back with the object" : "given up: back without the object, " + reason();
     }
     return new Plan(List.of(point), progress, remark).changing(goal.copy());
   }

@@ -28,8 +28,7 @@ public final class PuckGripper {
   /** Moves with the quadrotor. */
   synchronized void see(VehicleTruth quadrotor) {
     Point at = quadrotor.position();
-    boolean isAtPuck =
-        Math.hypot(at.x() - puck.x(), at.y() - puck.y()) < REACH_M && at.z() < LOW_M;
+    boolean isAtPuck = Math.hypot(at.x() - puck.x(), at.y() - puck.y()) < REACH_M && at.z() < LOW_M;
     sinceS = !isAtPuck ? Double.NaN : Double.isNaN(sinceS) ? quadrotor.timeS() : sinceS;
     isHolding |= quadrotor.timeS() - sinceS >= GRIP_S;
   }

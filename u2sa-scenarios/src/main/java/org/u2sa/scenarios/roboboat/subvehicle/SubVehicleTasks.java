@@ -33,6 +33,9 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
       Configurator configuration, PlannerView surroundings) {
     boolean isCarrier = configuration.getVariable(CARRIER);
     boolean isFelt = configuration.getVariable(FELT);
-    return List.of(isCarrier ? new AwaitState() : new FetchState(() -> !isFelt || GripperSensor.isHolding(surroundings.objects())));
+    return List.of(
+        isCarrier
+            ? new AwaitState()
+            : new FetchState(() -> !isFelt || GripperSensor.isHolding(surroundings.objects())));
   }
 }
