@@ -84,7 +84,6 @@ def fly(proxy, items, patience):
     proxy.ask("mode AUTO", "Mode AUTO")
     for number in range(2, items + 1):
         proxy.expect(r"waypoint %d$" % number, patience)
-    until(proxy, "status MISSION_ITEM_REACHED", r"MISSION_ITEM_REACHED \{seq : (\d+)\}", items, patience)
 
 
 def mission(proxy, hold, items):
@@ -109,6 +108,7 @@ def rover(proxy):
     proxy.ask("disarm", "DISARMED")
     proxy.ask("arm throttle", "(?<!DIS)ARMED")
     fly(proxy, 6, 300.0)
+    until(proxy, "status MISSION_ITEM_REACHED", r"MISSION_ITEM_REACHED \{seq : (\d+)\}", 6)
     proxy.ask("mode RTL", "Mode RTL")
     proxy.ask("mode HOLD", "Mode HOLD")
 
@@ -116,9 +116,9 @@ def rover(proxy):
 def plane(proxy):
     parameter(proxy, "SAFM_TURN_BANK", 0.4, 9)
     mission(proxy, "LOITER", 10)
-    fly(proxy, 10, 900.0)
     proxy.ask("mode RTL", "Mode RTL")
     proxy.ask("mode LOITER", "Mode LOITER")
+    fly(proxy, 10, 900.0)  # at the last waypoint the demo ends
 
 
 proxy = MavProxy(sys.argv[1])

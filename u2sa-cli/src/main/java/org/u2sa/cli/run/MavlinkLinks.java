@@ -23,7 +23,8 @@ import picocli.CommandLine.Spec;
 
 /** The option {@code --mavlink}, and the bridges of a system that starts. */
 public final class MavlinkLinks {
-  private static final double TIMEOUT_S = 3.0;
+  private static final double CONNECT_WITHIN_S = 30.0; // a busy machine starts slowly
+  private static final double ANSWER_WITHIN_S = 3.0;
 
   private final List<BridgeOptions> asked = new ArrayList<>();
 
@@ -106,10 +107,10 @@ public final class MavlinkLinks {
                 new MessageCodec(MessageTypes.discovered()),
                 BrokerAccess.of("", "", false, ""))
             .ofTool()
-            .waiting(TIMEOUT_S);
+            .waiting(CONNECT_WITHIN_S);
     MavlinkBridge bridge =
         new MavlinkBridge(
-            new RemoteLink(transport, "u2sa-mavlink", new SystemClock(), TIMEOUT_S, console),
+            new RemoteLink(transport, "u2sa-mavlink", new SystemClock(), ANSWER_WITHIN_S, console),
             options,
             console);
     console.accept("MAVLink ground stations: " + options);

@@ -89,8 +89,7 @@ final class StationSession implements GroundStation {
       boolean isHandled =
           parameters.handle(message)
               || mission.handle(message, from)
-              || commands.handle(message, from)
-              || logs.handle(message);
+              || commands.handle(message, from);
       if (!isHandled) {
         takeOther(message, from);
       }
@@ -121,6 +120,8 @@ final class StationSession implements GroundStation {
       transfer.handle(request, from);
     } else if (message instanceof RequestDataStream request) {
       rates.stream(request.reqStreamId(), request.reqMessageRate(), request.startStop() == 1);
+    } else {
+      logs.handle(message);
     }
   }
 

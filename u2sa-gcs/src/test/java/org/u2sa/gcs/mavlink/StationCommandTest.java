@@ -128,6 +128,18 @@ class StationCommandTest {
   }
 
   @Test
+  void missionStart_heldOnTheWayHome_goesBackToTheMission() {
+    kit.mission("file.xml", List.of(BridgeKit.waypoint("home", 0.001, 0.0)), true);
+    kit.command(300);
+    kit.answerMission(true, "resumed at [home]");
+    assertThat(kit.received(CommandAck.class)).isEmpty();
+    assertThat(kit.order().action()).isEqualTo(MissionAction.RESUME);
+    kit.answerMission(true, "resumed at [1]");
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
+    assertThat(kit.published).noneMatch(MissionOrder.class::isInstance);
+  }
+
+  @Test
   void missionStart_paused_resumes() {
     kit.mission("file.xml", List.of(BridgeKit.waypoint("1", 0.001, 0.0)), true);
     kit.command(300);

@@ -29,6 +29,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /** Files by MAVLink FTP: component metadata and recordings, and nothing else of the host. */
+@SuppressWarnings("deprecation") // the library is older than the final form of COMPONENT_METADATA
 class StationFileTest {
   @TempDir Path folder;
 

@@ -1,8 +1,10 @@
 package org.u2sa.scenarios.client;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -38,6 +40,9 @@ class StationClientsTest {
     String link = "--mavlink=tcp:" + port + ",as=ardupilot";
     try (RunningDemo demo = new RunningDemo(folder, STATIONS, "cessna", link)) {
       demo.client(python, "mavproxy_drive.py", "tcp:127.0.0.1:" + port, "plane");
+      await()
+          .atMost(Duration.ofMinutes(10))
+          .until(() -> demo.said().contains("10 of 10 waypoints captured"));
     }
   }
 

@@ -56,17 +56,24 @@ final class ModeOrders {
     } else if (vehicle.mode() == VehicleMode.MISSION) {
       answer.done(true, "the mission is pursued");
     } else {
-      give(
-          MissionAction.RESUME,
-          Optional.empty(),
-          (resumed, why) -> {
-            if (resumed) {
-              answer.done(true, why);
-            } else {
-              goTo(book.firstGoal(), answer);
-            }
-          });
+      resume(vehicle.isHeldAside() ? 2 : 1, answer);
     }
+  }
+
+  /** The first of two ends the pause, the second goes back from home or a place to the mission. */
+  private void resume(int times, Answer answer) {
+    give(
+        MissionAction.RESUME,
+        Optional.empty(),
+        (resumed, why) -> {
+          if (!resumed) {
+            goTo(book.firstGoal(), answer);
+          } else if (times > 1) {
+            resume(times - 1, answer);
+          } else {
+            answer.done(true, why);
+          }
+        });
   }
 
   /** Pursues a goal of the mission. */

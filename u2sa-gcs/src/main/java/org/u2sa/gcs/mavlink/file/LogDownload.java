@@ -36,8 +36,8 @@ public final class LogDownload {
     this.station = station;
   }
 
-  /** Handles a message; false if it is not about logs. */
-  public boolean handle(Object message) {
+  /** Handles a message, if it is about logs. */
+  public void handle(Object message) {
     if (message instanceof LogRequestList request) {
       list(request);
     } else if (message instanceof LogRequestData request) {
@@ -47,10 +47,7 @@ public final class LogDownload {
     } else if (message instanceof LogErase) {
       station.text(
           MavSeverity.MAV_SEVERITY_WARNING, "logs not erased: stations may only read recordings");
-    } else {
-      return false;
     }
-    return true;
   }
 
   private void list(LogRequestList request) {

@@ -253,6 +253,13 @@ public final class VehicleStatus {
     };
   }
 
+  /** Whether the vehicle is held on its way to home or to another place beside the mission. */
+  public boolean isHeldAside() {
+    return goals != null
+        && goals.paused()
+        && current().map(this::mode).filter(mode -> mode != VehicleMode.MISSION).isPresent();
+  }
+
   private VehicleMode mode(String uid) {
     if (uid.equals(GO_TO)) {
       return VehicleMode.GO_TO;
