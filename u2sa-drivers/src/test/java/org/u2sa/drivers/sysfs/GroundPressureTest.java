@@ -39,8 +39,7 @@ class GroundPressureTest {
   }
 
   private void tell(double pascals) {
-    kit.publish(
-        Channels.GROUND_PRESSURE, new GroundPressure().operator("ann").pressure(pascals));
+    kit.publish(Channels.GROUND_PRESSURE, new GroundPressure().operator("ann").pressure(pascals));
   }
 
   /** The vehicle knows its altitude for a time. */
@@ -67,8 +66,7 @@ class GroundPressureTest {
   void told_pressureAtTheStation_isReducedToSeaLevelAndUsed() {
     // 1003.25 hPa at the sea are 5.2 hPa less at 43.3 m
     kit.publish(
-        Channels.GROUND_PRESSURE,
-        new GroundPressure().operator("ann").pressure(99_805.0).z(43.3));
+        Channels.GROUND_PRESSURE, new GroundPressure().operator("ann").pressure(99_805.0).z(43.3));
     kit.advance(1.0);
     assertThat(sensed().z().orElseThrow()).isCloseTo(UP_M, within(0.5));
     assertThat(sensed().zSigma()).hasValue(5.0);

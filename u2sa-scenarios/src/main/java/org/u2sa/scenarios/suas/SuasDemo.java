@@ -75,8 +75,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--told-qnh",
       paramLabel = "HPA",
-      description =
-          "Air pressure that the ground station tells instead of the true one; 0: none.")
+      description = "Air pressure that the ground station tells instead of the true one; 0: none.")
   private double toldHpa = Double.NaN;
 
   private SuasField field; // of the newest run
@@ -136,9 +135,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
     String[] times = down.isEmpty() ? new String[0] : down.split("-", -1);
     return new SuasStation.Script(
         Double.isNaN(toldHpa) ? drawn.qnhPa() : 100.0 * toldHpa,
-        frame.isOwnMission() && laps == 1
-            ? Optional.of(SuasMission.area(drawn))
-            : Optional.empty(),
+        frame.isOwnMission() && laps == 1 ? Optional.of(SuasMission.area(drawn)) : Optional.empty(),
         SuasMission.DROP,
         times.length > 0 ? seconds(times[0]) : Double.POSITIVE_INFINITY,
         times.length > 1 ? seconds(times[1]) : Double.POSITIVE_INFINITY);

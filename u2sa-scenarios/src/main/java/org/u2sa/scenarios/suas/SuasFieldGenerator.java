@@ -161,7 +161,8 @@ final class SuasFieldGenerator {
       double north = between(-BOUNDARY_M, BOUNDARY_M);
       double radius = between(10.0, 45.0);
       boolean free =
-          isFree(east, north, radius - INSIDE_M, INSIDE_M + 150.0) && !isNearRunway(east, north, radius);
+          isFree(east, north, radius - INSIDE_M, INSIDE_M + 150.0)
+              && !isNearRunway(east, north, radius);
       for (Point waypoint : waypoints) {
         free &= Math.hypot(waypoint.x() - east, waypoint.y() - north) > radius + 90.0;
       }

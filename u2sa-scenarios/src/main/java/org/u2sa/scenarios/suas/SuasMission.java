@@ -92,7 +92,9 @@ final class SuasMission {
       text.append("<horizontalThreshold>12</horizontalThreshold>");
       text.append("<verticalThreshold>8</verticalThreshold></waypoint>\n");
     }
-    text.append("  <payloadDrop><name>" + DROP + "</name>").append(place(field.drop())).append(altitude(0.0));
+    text.append("  <payloadDrop><name>" + DROP + "</name>")
+        .append(place(field.drop()))
+        .append(altitude(0.0));
     text.append(
         String.format(
             Locale.ROOT,

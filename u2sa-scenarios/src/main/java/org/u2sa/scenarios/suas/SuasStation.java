@@ -80,8 +80,7 @@ final class SuasStation extends PeriodicService {
     if (script.toldPa() > 0.0 && nowS >= pressureDueS) {
       pressureDueS = nowS + PRESSURE_S;
       publish(
-          Channels.GROUND_PRESSURE,
-          new GroundPressure().operator("ann").pressure(script.toldPa()));
+          Channels.GROUND_PRESSURE, new GroundPressure().operator("ann").pressure(script.toldPa()));
     }
     if (flies && !toInsert.isEmpty() && nowS >= orderDueS) {
       orderDueS = nowS + ANSWERED_S;

@@ -37,7 +37,8 @@ class AircraftFaultTest {
     Path own = Repository.root().resolve("config/suas").resolve(aircraft);
     List<String> arguments =
         new ArrayList<>(
-            List.of("simulate", own.resolve("system.xml").toString(), "--port", "0", "--seed", "5"));
+            List.of(
+                "simulate", own.resolve("system.xml").toString(), "--port", "0", "--seed", "5"));
     arguments.addAll(List.of("--vehicle", own.resolve("vehicle.xml").toString()));
     arguments.addAll(List.of("--mission", file.toString(), "--limit", String.valueOf(limitS)));
     arguments.addAll(List.of("--change", fault, "--out", folder.resolve("out").toString()));

@@ -37,8 +37,7 @@ class SuasStationTest {
     SuasStation station = station(3.5, 7.5);
     kit.advance(3.2);
     assertThat(kit.published(Channels.OPERATOR)).hasSizeBetween(3, 4);
-    assertThat(kit.latest(Channels.GROUND_PRESSURE).orElseThrow().pressure())
-        .isEqualTo(100_325.0);
+    assertThat(kit.latest(Channels.GROUND_PRESSURE).orElseThrow().pressure()).isEqualTo(100_325.0);
     int before = kit.published(Channels.OPERATOR).size();
     kit.advance(4.0);
     assertThat(kit.published(Channels.OPERATOR)).hasSize(before);
@@ -51,7 +50,9 @@ class SuasStationTest {
   @Test
   void step_missionManagerDoesNotAnswer_ordersAgainUntilItIsAcknowledged() {
     SuasStation station = station(1e9, 1e9);
-    kit.publish(Channels.GOALS, new GoalList().goals(List.of(new Waypoint().horizontalThreshold(1.0).uid("1"))));
+    kit.publish(
+        Channels.GOALS,
+        new GoalList().goals(List.of(new Waypoint().horizontalThreshold(1.0).uid("1"))));
     kit.advance(8.0);
     List<MissionOrder> orders =
         kit.published(Channels.MISSION).stream()

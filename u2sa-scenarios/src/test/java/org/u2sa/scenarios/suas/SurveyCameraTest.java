@@ -46,7 +46,9 @@ class SurveyCameraTest {
     return new SearchArea()
         .corners(
             List.of(
-                corner, corner.plus(Point.of(1e-3, 0.0, 0.0)), corner.plus(Point.of(0.0, 1e-3, 0.0))))
+                corner,
+                corner.plus(Point.of(1e-3, 0.0, 0.0)),
+                corner.plus(Point.of(0.0, 1e-3, 0.0))))
         .resolution(0.05)
         .ground(SuasField.ORIGIN.altitudeM())
         .uid("search");

@@ -163,11 +163,7 @@ final class StateSensors {
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
         vehicle ->
-            new SimulatedBarometer(
-                errors,
-                qnh,
-                vehicle.streams(),
-                () -> vehicle.altitudeM(mount)));
+            new SimulatedBarometer(errors, qnh, vehicle.streams(), () -> vehicle.altitudeM(mount)));
   }
 
   static SensorKinds.Reader depthGauge(FileElement file) {
