@@ -76,11 +76,11 @@ def identify(station):
     print("modes", count)
 
 
-def download(files, path):
+def download(files, path, idle_s=3.7):
     with tempfile.TemporaryDirectory() as folder:
         target = os.path.join(folder, "file")
         files.ftp_settings.burst_read_size = 239
-        files.ftp_settings.idle_detection_time = 1.5
+        files.ftp_settings.idle_detection_time = idle_s
         files.cmd_get([path, target])
         answer = files.process_ftp_reply("OpenFileRO", timeout=PATIENCE_S)
         if answer.error_code != 0:
@@ -89,15 +89,21 @@ def download(files, path):
             return content.read()
 
 
+def required(files, path):
+    content = download(files, path, 30.0)  # a busy machine may be slow
+    require(isinstance(content, bytes), "%s: %s" % (path, content))
+    return content
+
+
 def metadata(station, files):
     station.mav.command_long_send(1, 1, 512, 0, COMPONENT_METADATA, 0, 0, 0, 0, 0, 0)
     content = station.unknown(COMPONENT_METADATA)
     _, file_crc = struct.unpack("<II", content[:8])
     uri = content[8:].split(b"\0")[0].decode()
-    general = download(files, uri[len("mftp://"):])
+    general = required(files, uri[len("mftp://"):])
     require(crc(general) == file_crc, "general metadata differs from its CRC")
     types = {each["type"]: each for each in json.loads(general)["metadataTypes"]}
-    parameters = download(files, types[1]["uri"][len("mftp://"):])
+    parameters = required(files, types[1]["uri"][len("mftp://"):])
     require(crc(parameters) == types[1]["fileCrc"], "parameter metadata differs from its CRC")
     described = json.loads(parameters)
     require(described["version"] == 1, "QGroundControl reads version 1 only")
@@ -173,8 +179,8 @@ def main():
     buttons(station)
     require(sorted(each.name for each in files.cmd_list(["/"]).directory_listing)[:2] == ["general.json", "logs"], "listing")
     intrusions(files)
-    recording = download(files, "/logs/recording.mcap")
-    require(isinstance(recording, bytes) and recording[:8] == b"\x89MCAP0\r\n", "the recording is none")
+    recording = required(files, "/logs/recording.mcap")
+    require(recording[:8] == b"\x89MCAP0\r\n", "the recording is none")
     print("recording of", len(recording), "bytes")
     print("done")
 
