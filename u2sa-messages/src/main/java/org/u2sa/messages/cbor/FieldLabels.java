@@ -52,7 +52,7 @@ public final class FieldLabels {
       excessTemperature
       turn duration approach slope payload terminalSpeed
       corners ground lowest highest share seen image area corner cell resolutions images
-      fence margin
+      fence margin takeovers turnRate speedShare turnShare
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");
