@@ -10,6 +10,7 @@ import java.util.Deque;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.command.CommandService;
 import org.u2sa.gcs.mavlink.command.MessageCommands;
+import org.u2sa.gcs.mavlink.command.StickInput;
 import org.u2sa.gcs.mavlink.command.VehicleCommands;
 import org.u2sa.gcs.mavlink.parameter.ParameterService;
 import org.u2sa.gcs.mavlink.plan.MissionService;
@@ -37,6 +38,7 @@ final class StationSession implements GroundStation {
   private final ParameterService parameters;
   private final MissionService mission;
   private final CommandService commands;
+  private final StickInput sticks;
   private final StatusTexts texts = new StatusTexts();
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
@@ -50,6 +52,7 @@ final class StationSession implements GroundStation {
     boolean casts = vehicle.identity.castsParameters();
     parameters = new ParameterService(vehicle.model, vehicle.orders, this, casts);
     mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
+    sticks = new StickInput(vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
     commands =
         new CommandService(
             this,
@@ -84,7 +87,8 @@ final class StationSession implements GroundStation {
       boolean isHandled =
           parameters.handle(message)
               || mission.handle(message, from)
-              || commands.handle(message, from);
+              || commands.handle(message, from)
+              || sticks.handle(message, from);
       if (!isHandled) {
         takeOther(message, from);
       }
