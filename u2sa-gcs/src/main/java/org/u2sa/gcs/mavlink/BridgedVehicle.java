@@ -9,6 +9,7 @@ import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.Surroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
@@ -17,6 +18,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 final class BridgedVehicle {
   final VehicleOrders orders;
   final VehicleStatus model;
+  final Surroundings surroundings;
   final Identity identity;
   final String systemId;
   final int mavlinkId;
@@ -48,8 +50,10 @@ final class BridgedVehicle {
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);
     fences = new FenceBook(model);
+    surroundings = new Surroundings(clock);
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
+    telemetry.add(surroundings, placement, uptime);
     telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);
   }
 }

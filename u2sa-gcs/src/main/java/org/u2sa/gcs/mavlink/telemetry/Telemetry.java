@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
+import org.u2sa.gcs.mavlink.vehicle.Surroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 
 /** The messages that stations can have regularly or on request, by message ID. */
@@ -58,6 +59,15 @@ public final class Telemetry {
     add(HOME_POSITION, 0.5, status::home);
     add(245, 1.0, status::extendedState);
     add(436, 0.5, status::currentMode);
+  }
+
+  /** Adds the messages about the vehicle's surroundings. */
+  public void add(Surroundings surroundings, Placement placement, Uptime uptime) {
+    SurroundingsMessages seen = new SurroundingsMessages(surroundings, placement, uptime);
+    add(36, 2.0, seen::outputs);
+    add(231, 1.0, seen::wind);
+    add(246, 5.0, seen::traffic);
+    add(330, 4.0, seen::obstacles);
   }
 
   /** Adds a message. */
