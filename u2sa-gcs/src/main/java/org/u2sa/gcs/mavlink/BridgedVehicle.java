@@ -9,7 +9,7 @@ import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.Surroundings;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
@@ -18,7 +18,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 final class BridgedVehicle {
   final VehicleOrders orders;
   final VehicleStatus model;
-  final Surroundings surroundings;
+  final VehicleSurroundings surroundings;
   final Identity identity;
   final String systemId;
   final int mavlinkId;
@@ -50,7 +50,7 @@ final class BridgedVehicle {
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);
     fences = new FenceBook(model);
-    surroundings = new Surroundings(clock);
+    surroundings = new VehicleSurroundings(clock);
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
     telemetry.add(surroundings, placement, uptime);

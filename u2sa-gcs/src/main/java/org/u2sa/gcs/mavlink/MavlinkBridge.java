@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.u2sa.gcs.mavlink.vehicle.Surroundings;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.remote.Operator;
@@ -70,7 +70,7 @@ public final class MavlinkBridge implements AutoCloseable {
     }
     VehicleStatus.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
-    Surroundings.CHANNELS.forEach(
+    VehicleSurroundings.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.surroundings.take((U2SAData) message)));
     beganMicros = link.clock().micros();
     thread = new Thread(this::run, "u2sa-mavlink");

@@ -15,7 +15,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.u2sa.gcs.mavlink.vehicle.Surroundings;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
@@ -34,12 +34,12 @@ final class SurroundingsMessages {
   private static final int MAX_OUTPUTS = 16;
   private static final String ICAO = "traffic [0-9a-fA-F]{6}";
 
-  private final Surroundings surroundings;
+  private final VehicleSurroundings surroundings;
   private final Placement placement;
   private final Uptime uptime;
   private int nextAircraft;
 
-  SurroundingsMessages(Surroundings surroundings, Placement placement, Uptime uptime) {
+  SurroundingsMessages(VehicleSurroundings surroundings, Placement placement, Uptime uptime) {
     this.surroundings = surroundings;
     this.placement = placement;
     this.uptime = uptime;

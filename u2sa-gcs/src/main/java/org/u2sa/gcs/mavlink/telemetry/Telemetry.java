@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.Surroundings;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 
 /** The messages that stations can have regularly or on request, by message ID. */
@@ -62,7 +62,7 @@ public final class Telemetry {
   }
 
   /** Adds the messages about the vehicle's surroundings. */
-  public void add(Surroundings surroundings, Placement placement, Uptime uptime) {
+  public void add(VehicleSurroundings surroundings, Placement placement, Uptime uptime) {
     SurroundingsMessages seen = new SurroundingsMessages(surroundings, placement, uptime);
     add(36, 2.0, seen::outputs);
     add(231, 1.0, seen::wind);

@@ -19,7 +19,7 @@ import org.u2sa.messages.shape.MovingSphere;
  * What the vehicle sees, and the commands of its actuators. {@link #take} may be called on any
  * thread.
  */
-public final class Surroundings {
+public final class VehicleSurroundings {
   /** Channels to subscribe to. */
   public static final List<Channel<?>> CHANNELS =
       List.of(Channels.SCANS, Channels.OBJECTS, Channels.ACTUATION);
@@ -38,7 +38,7 @@ public final class Surroundings {
   /**
    * @param micros real time [µs]
    */
-  public Surroundings(LongSupplier micros) {
+  public VehicleSurroundings(LongSupplier micros) {
     this.micros = micros;
   }
 
