@@ -32,9 +32,9 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands, mission, failsafe, arming-state, manual-state. Out: goals, at the start, on every
- * change, and in answer to a report on a goal that is not current; mission, in answer to requests
- * and orders.
+ * goal-updates, goal-commands, mission, failsafe, arming-state, manual-state. Out: goals, at the
+ * start, on every change, and in answer to a report on a goal that is not current; mission, in
+ * answer to requests and orders.
  *
  * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
  * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes at the
@@ -54,7 +54,8 @@ public final class MissionManager extends PeriodicService {
           double defaultThreshold) {}
 
   private static final String NAME = "MissionManager";
-  private static final long MANUAL_NEWS_MICROS = 5 * Clock.MICROS_PER_SECOND; // older: of another run
+  private static final long MANUAL_NEWS_MICROS =
+      5 * Clock.MICROS_PER_SECOND; // older: of another run
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
   private static final long ALWAYS_LOGGED = 100; // later ones at 128, 256, 512…

@@ -11,7 +11,8 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Driving by hand: begins and ends by an operator's order, and ends by a failsafe or when the
- * vehicle is disarmed. Only the operator who began it is obeyed; who falls silent stops the vehicle.
+ * vehicle is disarmed. Only the operator who began it is obeyed; who falls silent stops the
+ * vehicle.
  */
 final class HandDriving {
   /** Limits of driving by hand. */

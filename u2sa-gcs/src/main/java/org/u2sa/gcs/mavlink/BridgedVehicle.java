@@ -9,10 +9,10 @@ import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
 /** What all stations of a bridge share: one vehicle and its identity. */
 final class BridgedVehicle {

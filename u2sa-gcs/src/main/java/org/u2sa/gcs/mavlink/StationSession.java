@@ -52,7 +52,9 @@ final class StationSession implements GroundStation {
     boolean casts = vehicle.identity.castsParameters();
     parameters = new ParameterService(vehicle.model, vehicle.orders, this, casts);
     mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
-    sticks = new StickInput(vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
+    sticks =
+        new StickInput(
+            vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
     commands =
         new CommandService(
             this,

@@ -58,7 +58,8 @@ class FleetOnOnePortTest {
     List<Member> fleet = new ArrayList<>();
     try (DatagramChannel port = DatagramChannel.open();
         Selector selector = Selector.open()) {
-      port.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0)).configureBlocking(false);
+      port.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))
+          .configureBlocking(false);
       InetSocketAddress address = (InetSocketAddress) port.getLocalAddress();
       for (int id = 1; id <= VEHICLES; id++) {
         fleet.add(member(id, address, selector));

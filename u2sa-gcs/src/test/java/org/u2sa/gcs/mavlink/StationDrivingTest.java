@@ -31,10 +31,7 @@ class StationDrivingTest {
   private ManualOrder answer(boolean active, String reason) {
     ManualOrder order = kit.orders(ManualOrder.class).get(0);
     ManualState state =
-        new ManualState()
-            .active(active)
-            .operator(order.operator())
-            .requestId(order.requestId());
+        new ManualState().active(active).operator(order.operator()).requestId(order.requestId());
     kit.says(reason.isEmpty() ? state : state.reason(reason));
     kit.step();
     return order;
@@ -102,8 +99,7 @@ class StationDrivingTest {
     assertThat(drive.speedShare().orElseThrow()).isCloseTo(0.5, within(1e-9));
     assertThat(drive.turnShare().orElseThrow()).isCloseTo(0.4, within(1e-9));
 
-    kit.send(
-        RcChannelsOverride.builder().targetSystem(1).chan1Raw(0).chan3Raw(65_535).build());
+    kit.send(RcChannelsOverride.builder().targetSystem(1).chan1Raw(0).chan3Raw(65_535).build());
     assertThat(drive().speedShare().orElseThrow()).isZero();
   }
 

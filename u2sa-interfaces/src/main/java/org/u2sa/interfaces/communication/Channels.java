@@ -193,8 +193,7 @@ public final class Channels {
 
   /** Operators' orders to change the geofence, and their results. */
   public static final Channel<U2SAData> FENCE_ORDERS =
-      Channel.every("fence-orders", U2SAData.TYPE)
-          .carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
+      Channel.every("fence-orders", U2SAData.TYPE).carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
 
   /** Requests to begin or end driving by hand; to control. */
   public static final Channel<ManualOrder> MANUAL_ORDERS =

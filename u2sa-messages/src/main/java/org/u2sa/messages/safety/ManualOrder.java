@@ -29,7 +29,9 @@ public final class ManualOrder extends U2SAData {
     return put(REQUEST_ID, value);
   }
 
-  /** True: navigation is ignored, and {@link ManualDrive} obeyed. False: navigation is obeyed again. */
+  /**
+   * True: navigation is ignored, and {@link ManualDrive} obeyed. False: navigation is obeyed again.
+   */
   public boolean active() {
     return require(ACTIVE);
   }

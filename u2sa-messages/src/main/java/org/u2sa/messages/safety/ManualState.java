@@ -14,7 +14,8 @@ public final class ManualState extends U2SAData {
   private static final ValueField<ManualState, String> OPERATOR = SCHEMA.name("operator", "");
   private static final ValueField<ManualState, String> REASON = SCHEMA.optionalNote("reason");
   private static final ValueField<ManualState, String> REQUEST_ID = SCHEMA.optionalId("requestId");
-  private static final ValueField<ManualState, Long> TAKEOVERS = SCHEMA.optionalCount("takeovers", "");
+  private static final ValueField<ManualState, Long> TAKEOVERS =
+      SCHEMA.optionalCount("takeovers", "");
 
   public static final MessageType<ManualState> TYPE = SCHEMA.build();
 

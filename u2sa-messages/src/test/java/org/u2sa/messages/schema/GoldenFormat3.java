@@ -196,10 +196,8 @@ final class GoldenFormat3 {
             .serviceName("SafetyManager")
             .accepted(true)
             .outcome("fence of field.xml in force"));
-    golden.add(
-        "FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
-    golden.add(
-        "ManualOrder", new ManualOrder().requestId("o4").active(true).operator("anna"));
+    golden.add("FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
+    golden.add("ManualOrder", new ManualOrder().requestId("o4").active(true).operator("anna"));
     golden.add(
         "ManualState",
         new ManualState()

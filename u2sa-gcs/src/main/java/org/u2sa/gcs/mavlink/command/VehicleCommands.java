@@ -112,8 +112,7 @@ public final class VehicleCommands {
       case RETURN -> modes.change(VehicleMode.RETURN, answer);
       case LAND -> modes.change(VehicleMode.LAND, answer);
       case TAKE_OFF -> takeOff(command, answer);
-      case SET_MODE ->
-          mode(identity.custom(command.param2(), command.param3()), station, answer);
+      case SET_MODE -> mode(identity.custom(command.param2(), command.param3()), station, answer);
       case CHANGE_SPEED -> speed(command.param2(), answer);
       case TERMINATE -> terminate(command, answer);
       case REPOSITION -> reposition(command, answer);

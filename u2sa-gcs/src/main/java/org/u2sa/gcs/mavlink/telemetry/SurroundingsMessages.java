@@ -98,8 +98,7 @@ final class SurroundingsMessages {
         bit(AdsbFlags.ADSB_FLAGS_VALID_COORDS)
             | bit(AdsbFlags.ADSB_FLAGS_VALID_ALTITUDE)
             | (velocity.isPresent()
-                ? bit(AdsbFlags.ADSB_FLAGS_VALID_HEADING)
-                    | bit(AdsbFlags.ADSB_FLAGS_VALID_VELOCITY)
+                ? bit(AdsbFlags.ADSB_FLAGS_VALID_HEADING) | bit(AdsbFlags.ADSB_FLAGS_VALID_VELOCITY)
                 : 0);
     Point v = velocity.orElse(Point.of(0.0, 0.0, 0.0));
     double headingDeg = (Math.toDegrees(Math.atan2(v.x(), v.y())) + 360.0) % 360.0;

@@ -6,8 +6,8 @@ import java.util.OptionalDouble;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
-import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
 /** The messages that stations can have regularly or on request, by message ID. */
 public final class Telemetry {
