@@ -33,6 +33,9 @@ CHANNELS = {
     'arming-state': (1, True, ''),
     'fence': (1, True, ''),
     'fence-orders': (1, False, ''),
+    'manual-orders': (1, False, ''),
+    'manual-state': (1, True, ''),
+    'manual-drive': (0, False, ''),
     'power': (0, False, ''),
 }
 
@@ -609,6 +612,31 @@ MESSAGES = [
         ('serviceName', 'text', 'required', None, None, None, (), 3, 255, False),
         ('accepted', 'bool', 'always', False, None, None, (), 3, None, False),
         ('outcome', 'text', 'always', '', None, None, (), 3, 1000, True),
+    ]),
+    (('ManualOrder',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('requestId', 'text', 'required', None, None, None, (), 3, 1000, False),
+        ('active', 'bool', 'always', False, None, None, (), 3, None, False),
+        ('operator', 'text', 'always', '', None, None, (), 3, 255, False),
+    ]),
+    (('ManualState',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('active', 'bool', 'always', False, None, None, (), 3, None, False),
+        ('operator', 'text', 'always', '', None, None, (), 3, 255, False),
+        ('reason', 'text', 'optional', None, None, None, (), 3, 1000, True),
+        ('requestId', 'text', 'optional', None, None, None, (), 3, 1000, False),
+        ('takeovers', 'int', 'optional', None, None, None, (), 3, None, False),
+    ]),
+    (('ManualDrive',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('operator', 'text', 'always', '', None, None, (), 3, 255, False),
+        ('speed', 'float64', 'optional', None, None, None, (), 3, None, False),
+        ('turnRate', 'float64', 'optional', None, None, None, (), 3, None, False),
+        ('speedShare', 'float64', 'optional', None, -1.0, 1.0, (), 3, None, False),
+        ('turnShare', 'float64', 'optional', None, -1.0, 1.0, (), 3, None, False),
     ]),
     (('OperatorHeartbeat',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1769,4 +1797,8 @@ LABELS = (
     'images',
     'fence',
     'margin',
+    'takeovers',
+    'turnRate',
+    'speedShare',
+    'turnShare',
 )

@@ -17,14 +17,16 @@ import org.u2sa.messages.command.PercentageCommand;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state. Out:
- * actuation.
+ * Turns navigation points into actuator commands (thesis 3.2.3.5). In: navigation, state,
+ * manual-orders. Out: actuation, manual-state.
  *
  * <p>{@link #control} is called once per new state, on the service's thread. A navigation point
  * older than STALE AFTER counts as absent. When states stop, no commands are sent, and the last
@@ -71,7 +73,9 @@ public abstract class ControlSystem extends EventDrivenService {
     states.span(Clock.micros(limits.get().staleAfter()));
     subscribe(Channels.NAVIGATION, this::onNavigation);
     subscribe(Channels.STATE, this::onState);
+    subscribe(Channels.MANUAL_ORDERS, this::onManualOrder);
     registerPublisher(Channels.ACTUATION);
+    registerPublisher(Channels.MANUAL_STATE);
   }
 
   /**
@@ -105,6 +109,18 @@ public abstract class ControlSystem extends EventDrivenService {
   /** The subsystem that it moves; the vehicle, unless overridden. Constant. */
   protected String subsystem() {
     return VEHICLE;
+  }
+
+  /** Carries out an order to drive by hand, and answers; refuses unless overridden. */
+  protected ManualState byHand(ManualOrder order) {
+    ManualState state = new ManualState();
+    return order.active() ? state.reason("this vehicle cannot be driven by hand") : state;
+  }
+
+  private void onManualOrder(ManualOrder order) {
+    if (subsystem().equals(VEHICLE)) {
+      publish(Channels.MANUAL_STATE, byHand(order).requestId(order.requestId()));
+    }
   }
 
   private void onNavigation(NavigationPoint point) {

@@ -22,6 +22,7 @@ import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.FirstFailsafe;
@@ -32,9 +33,9 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands, mission, failsafe, arming-state. Out: goals, at the start, on every
- * change, and in answer to a report on a goal that is not current; mission, in answer to requests
- * and orders.
+ * goal-updates, goal-commands, mission, failsafe, arming-state, manual-state. Out: goals, at the
+ * start, on every change, and in answer to a report on a goal that is not current; mission, in
+ * answer to requests and orders.
  *
  * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
  * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes at the
@@ -54,6 +55,8 @@ public final class MissionManager extends PeriodicService {
           double defaultThreshold) {}
 
   private static final String NAME = "MissionManager";
+  private static final long MANUAL_NEWS_MICROS =
+      5 * Clock.MICROS_PER_SECOND; // older: of another run
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
   private static final long ALWAYS_LOGGED = 100; // later ones at 128, 256, 512…
@@ -99,6 +102,7 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.MISSION, this::onMission);
     subscribe(Channels.FAILSAFE, this::onFailsafe);
     subscribe(Channels.ARMING_STATE, this::onArming);
+    subscribe(Channels.MANUAL_STATE, this::onManual);
   }
 
   /** Rejects an unreadable mission before it replaces a readable one. */
@@ -219,6 +223,18 @@ public final class MissionManager extends PeriodicService {
     passTime(); // first, under the previous conditions
     if (limits.count(state.armed())) {
       publish(Channels.GOALS, goalList()); // the mission's time counts again from here
+    }
+  }
+
+  /** Who ends driving by hand is to find the vehicle holding, not on its way. */
+  private void onManual(ManualState state) {
+    boolean isNews = clock().micros() - state.timestamp().orElse(0L) < MANUAL_NEWS_MICROS;
+    MissionProgress progress = run.progress();
+    if (state.active() && isNews && !progress.isPaused() && !progress.mission().isOver()) {
+      passTime();
+      progress.pause(true);
+      log("paused: driven by hand by \"" + state.operator() + "\"");
+      publishGoals();
     }
   }
 

@@ -17,6 +17,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
 import org.u2sa.planning.guidance.ChosenGuidance;
@@ -36,7 +37,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
- * goals. In: state, goals, failsafe. Out: navigation, goal-reports.
+ * goals. In: state, goals, failsafe, manual-state. Out: navigation, goal-reports.
  *
  * <p>It plans once per state estimate, so without fresh states it publishes no navigation points.
  * On request of a failsafe it holds its position, as at the mission's end, or publishes none. The
@@ -57,6 +58,7 @@ public class PathPlanner extends EventDrivenService {
   private Optional<GoalInformation> finished = Optional.empty(); // last one reported
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
+  private boolean byHand; // navigation is not obeyed
   private String foreseen = ""; // UID of the goal expected next
   private long reportedMicros;
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
@@ -107,6 +109,7 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.OBJECTS, this::onObjects);
     subscribe(Channels.GRID, grid -> avoidance.world().see(grid, clock().micros()));
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
+    subscribe(Channels.MANUAL_STATE, this::onManual);
     FirstFailsafe first = new FirstFailsafe(this, context);
     subscribe(
         Channels.FAILSAFE,
@@ -220,6 +223,16 @@ public class PathPlanner extends EventDrivenService {
       complain(
           "no plan from a state without x, y or psi, or in BODY: " + state, "state incomplete");
     }
+  }
+
+  /** A vehicle that was driven by hand holds where it was left, not where it held before. */
+  private void onManual(ManualState state) {
+    if (byHand && !state.active()) {
+      holdAt = Optional.empty();
+      finished = Optional.empty();
+      end.leave();
+    }
+    byHand = state.active();
   }
 
   private void react(FailsafeAction action) {

@@ -99,7 +99,12 @@ public final class AckermannPursuitControl extends GroundControl {
     PursuitControl.Demand demand = pursuit.step(target, measured, stepS());
     OptionalDouble alongPath =
         steering.get().steeringLaw() == SteeringLaw.STANLEY
-            ? path.steeringRad(stanley.get(), state, target, steering.get().wheelbase(), measured)
+            ? path.steeringRad(
+                stanley.get(),
+                state,
+                target.filter(each -> each.byHand().isEmpty()),
+                steering.get().wheelbase(),
+                measured)
             : OptionalDouble.empty();
     pursuit.commanded(demand, drive(demand, alongPath), measured, stepS()).ifPresent(this::trouble);
   }

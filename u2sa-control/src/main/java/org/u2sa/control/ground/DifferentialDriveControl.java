@@ -62,6 +62,12 @@ public final class DifferentialDriveControl extends GroundControl {
     return true;
   }
 
+  /** Its gains say nothing about speeds. */
+  @Override
+  boolean isDrivenByHand() {
+    return false;
+  }
+
   @Override
   void drive(StateInformation state, Optional<GroundTarget> target, Measured measured) {
     double ahead = 0.0; // [%]

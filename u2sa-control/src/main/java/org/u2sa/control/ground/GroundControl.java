@@ -9,17 +9,26 @@ import java.util.stream.Collectors;
 import org.u2sa.control.ControlSystem;
 import org.u2sa.control.allocation.ActuatorRoster;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * Control of a ground vehicle by the navigation point relative to the vehicle now and by its
- * measured motion; it stops without its motors. In: navigation, state, arming-state, actuators.
+ * measured motion, or by the hand of an operator; it stops without its motors. In: navigation,
+ * state, arming-state, actuators, failsafe, manual-orders, manual-drive. Out: manual-state.
  */
 abstract class GroundControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
+  private final Settings<HandDriving.Limits> handLimits = settings(HandDriving.Limits.class);
+  private final HandDriving hand = new HandDriving();
   private boolean navigating;
   private boolean powerless;
   private boolean armed = true; // without an arming service, motors obey immediately
@@ -27,7 +36,9 @@ abstract class GroundControl extends ControlSystem {
 
   GroundControl(ServiceContext context) {
     super(context, "Control");
-    subscribe(Channels.ARMING_STATE, state -> armed = state.armed());
+    subscribe(Channels.ARMING_STATE, this::onArming);
+    subscribe(Channels.FAILSAFE, failsafe -> hand.see(failsafe.action()).ifPresent(this::ended));
+    subscribe(Channels.MANUAL_DRIVE, drive -> hand.see(drive, clock().micros()));
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
   }
 
@@ -44,7 +55,7 @@ abstract class GroundControl extends ControlSystem {
 
   @Override
   protected final void control(StateInformation state, Optional<NavigationPoint> point) {
-    drive(state, target(state, point), measured(state));
+    drive(state, hand.isActive() ? wanted() : target(state, point), measured(state));
   }
 
   @Override
@@ -86,6 +97,65 @@ abstract class GroundControl extends ControlSystem {
       log(navigating ? "driving" : "no navigation: stopped");
     }
     return target;
+  }
+
+  private Optional<GroundTarget> wanted() {
+    return isPowerless()
+        ? Optional.empty()
+        : hand.wanted(handLimits.get(), clock().micros()).map(GroundTarget::byHand);
+  }
+
+  /** Whether targets that are motions, not places, are obeyed. */
+  boolean isDrivenByHand() {
+    return true;
+  }
+
+  @Override
+  protected ManualState byHand(ManualOrder order) {
+    if (!isDrivenByHand()) {
+      return super.byHand(order);
+    }
+    ManualState state = hand.obey(order);
+    log(
+        LogLevelEnum.WARN,
+        "driving by hand, "
+            + (order.active() ? "begun" : "ended")
+            + " by \""
+            + order.operator()
+            + "\": "
+            + state.reason().orElse("takeovers: " + state.takeovers()));
+    return state;
+  }
+
+  private void onArming(ArmingState state) {
+    armed = state.armed();
+    hand.see(armed).ifPresent(this::ended);
+  }
+
+  private void ended(ManualState state) {
+    log(LogLevelEnum.WARN, "driving by hand ended: " + state.reason().orElse(""));
+    publish(Channels.MANUAL_STATE, state);
+  }
+
+  /** Late subscribers, and those of a predecessor's message, learn how it stands. */
+  @Override
+  protected void begin() {
+    super.begin();
+    publish(Channels.MANUAL_STATE, hand.state());
+  }
+
+  @Override
+  protected void handOver(HandOver state) {
+    super.handOver(state);
+    hand.handOver(state);
+  }
+
+  @Override
+  protected void takeOver(HandOver state) {
+    super.takeOver(state);
+    if (isDrivenByHand()) {
+      hand.takeOver(state);
+    }
   }
 
   private boolean isPowerless() {

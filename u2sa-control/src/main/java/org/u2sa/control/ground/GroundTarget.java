@@ -14,8 +14,24 @@ import org.u2sa.messages.frame.Point;
  * @param leftM distance to the left [m]; negative to the right
  * @param speedMps speed toward the target [m/s]; empty if control chooses it
  * @param backwards whether to go there with the rear first
+ * @param byHand motion wanted instead of a place; empty unless the vehicle is driven by hand
  */
-record GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, boolean backwards) {
+record GroundTarget(
+    double forwardM,
+    double leftM,
+    OptionalDouble speedMps,
+    boolean backwards,
+    Optional<Drive> byHand) {
+
+  GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, boolean backwards) {
+    this(forwardM, leftM, speedMps, backwards, Optional.empty());
+  }
+
+  /** A motion, far from any place. */
+  static GroundTarget byHand(Drive drive) {
+    return new GroundTarget(
+        Double.POSITIVE_INFINITY, 0.0, OptionalDouble.empty(), false, Optional.of(drive));
+  }
 
   /** Distance [m]. */
   double distanceM() {

@@ -59,7 +59,8 @@ final class PursuitLaw {
             wanted.speedMps(),
             stepS * (slower ? settings.tuning().braking() : settings.tuning().acceleration()));
     double yawRate = wanted.yawRateRadPerS();
-    if (!turning && wanted.speedMps() != 0.0) {
+    boolean byHand = target.flatMap(GroundTarget::byHand).isPresent();
+    if (!turning && !byHand && wanted.speedMps() != 0.0) {
       yawRate *= speed / wanted.speedMps(); // same curvature at the actual speed
     }
     drive =
@@ -78,6 +79,11 @@ final class PursuitLaw {
   }
 
   private Drive towards(GroundTarget target) {
+    if (target.byHand().isPresent()) {
+      arrived = false;
+      turning = false;
+      return target.byHand().get();
+    }
     arrived = target.distanceM() <= settings.tuning().tolerance() * (arrived ? LEAVES_AFTER : 1.0);
     if (arrived) {
       return stand();

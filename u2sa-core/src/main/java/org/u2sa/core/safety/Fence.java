@@ -16,9 +16,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Geofence: a keep-in polygon, keep-out polygons and two altitude limits, each optional. Uses a local plane in
- * metres east and north of the polygon's first corner, accurate enough for fences of some tens of
- * kilometres. Immutable.
+ * Geofence: a keep-in polygon, keep-out polygons and two altitude limits, each optional. Uses a
+ * local plane in metres east and north of the polygon's first corner, accurate enough for fences of
+ * some tens of kilometres. Immutable.
  */
 final class Fence {
   private final Optional<Geodetic> origin; // empty on a local plane
@@ -152,8 +152,7 @@ final class Fence {
   /** Distance from an allowed position to the nearest forbidden one [m]. */
   double clearanceM(Point place) {
     Geometry here = geometry(place);
-    double clearance =
-        border.map(line -> line.distance(here)).orElse(Double.POSITIVE_INFINITY);
+    double clearance = border.map(line -> line.distance(here)).orElse(Double.POSITIVE_INFINITY);
     for (Polygon keepOut : keepOuts) {
       clearance = Math.min(clearance, keepOut.distance(here));
     }

@@ -105,6 +105,9 @@ public final class AccessTable {
           row(Channels.FENCE, REPORT, Set.of(SAFETY)),
           row(Channels.FENCE_ORDERS, FenceOrder.TYPE, ORDER, Set.of(OPERATOR)),
           row(Channels.FENCE_ORDERS, FenceOrderResult.TYPE, REPORT, Set.of(SAFETY)),
+          row(Channels.MANUAL_ORDERS, ORDER, Set.of(OPERATOR)),
+          row(Channels.MANUAL_STATE, REPORT, Set.of(CONTROL)),
+          row(Channels.MANUAL_DRIVE, REPORT, Set.of(OPERATOR)),
           row(Channels.POWER, REPORT, SERVICES),
           row(Channels.GROUND_PRESSURE, REPORT, Set.of(OPERATOR)));
 

@@ -80,7 +80,11 @@ class FenceTest {
                 .union(GEOMETRY.toGeometry(new Envelope(200.0, 300.0, 0.0, 100.0)));
     Fence fence =
         new Fence(
-            Optional.empty(), Optional.of(waisted), List.of(), OptionalDouble.empty(), OptionalDouble.empty());
+            Optional.empty(),
+            Optional.of(waisted),
+            List.of(),
+            OptionalDouble.empty(),
+            OptionalDouble.empty());
 
     assertThat(fence.drawnInBy(4.0).floorM).isEmpty();
     assertThatThrownBy(() -> fence.drawnInBy(6.0))

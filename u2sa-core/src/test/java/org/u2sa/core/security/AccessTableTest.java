@@ -70,7 +70,8 @@ class AccessTableTest {
             "conditions ServiceCondition monitor",
             "goal-commands GoalCommand operator",
             "mission MissionOrder operator",
-            "fence-orders FenceOrder operator");
+            "fence-orders FenceOrder operator",
+            "manual-orders ManualOrder operator");
   }
 
   @Test

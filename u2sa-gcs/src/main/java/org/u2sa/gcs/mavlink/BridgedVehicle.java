@@ -15,11 +15,13 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
 /** What all stations of a bridge share: one vehicle and its identity. */
 final class BridgedVehicle {
   final VehicleOrders orders;
   final VehicleStatus model;
+  final VehicleSurroundings surroundings;
   final Identity identity;
   final String systemId;
   final int mavlinkId;
@@ -54,8 +56,10 @@ final class BridgedVehicle {
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);
     fences = new FenceBook(model);
+    surroundings = new VehicleSurroundings(clock);
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
+    telemetry.add(surroundings, placement, uptime);
     telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);
     ComponentMetadataFiles metadata =
         new ComponentMetadataFiles(model.configurations(), systemId, uptime);

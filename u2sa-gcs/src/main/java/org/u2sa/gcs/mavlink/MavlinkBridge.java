@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
@@ -71,6 +72,8 @@ public final class MavlinkBridge implements AutoCloseable {
     }
     VehicleStatus.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
+    VehicleSurroundings.CHANNELS.forEach(
+        channel -> link.listen(channel, message -> vehicle.surroundings.take((U2SAData) message)));
     beganMicros = link.clock().micros();
     thread = new Thread(this::run, "u2sa-mavlink");
     thread.setDaemon(true);

@@ -10,6 +10,7 @@ import java.util.Deque;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.command.CommandService;
 import org.u2sa.gcs.mavlink.command.MessageCommands;
+import org.u2sa.gcs.mavlink.command.StickInput;
 import org.u2sa.gcs.mavlink.command.VehicleCommands;
 import org.u2sa.gcs.mavlink.file.FileTransfer;
 import org.u2sa.gcs.mavlink.file.LogDownload;
@@ -40,6 +41,7 @@ final class StationSession implements GroundStation {
   private final CommandService commands;
   private final FileTransfer transfer;
   private final LogDownload logs;
+  private final StickInput sticks;
   private final StatusTexts texts = new StatusTexts();
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
@@ -55,6 +57,9 @@ final class StationSession implements GroundStation {
     mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
     transfer = new FileTransfer(vehicle.files, this);
     logs = new LogDownload(vehicle.files, this);
+    sticks =
+        new StickInput(
+            vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
     commands =
         new CommandService(
             this,
@@ -89,7 +94,8 @@ final class StationSession implements GroundStation {
       boolean isHandled =
           parameters.handle(message)
               || mission.handle(message, from)
-              || commands.handle(message, from);
+              || commands.handle(message, from)
+              || sticks.handle(message, from);
       if (!isHandled) {
         takeOther(message, from);
       }

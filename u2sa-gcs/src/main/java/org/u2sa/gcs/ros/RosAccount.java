@@ -107,7 +107,8 @@ final class RosAccount {
             && rule.get().roles().contains(AccessRole.OPERATOR)
             && (rule.get().kind() != AccessRule.Kind.REPORT
                 || channel.equals(Channels.GOAL_UPDATES)
-                || channel.equals(Channels.OPERATOR));
+                || channel.equals(Channels.OPERATOR)
+                || channel.equals(Channels.MANUAL_DRIVE));
     if (!isOrder) {
       throw new BadInputException(
           "a "

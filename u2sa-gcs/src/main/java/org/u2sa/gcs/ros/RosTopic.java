@@ -14,6 +14,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.safety.ManualDrive;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.message.MessageJson;
@@ -131,6 +132,14 @@ record RosTopic(
             BatteryState.class,
             RosStates::battery,
             Channels.POWER));
+    all.add(
+        made(
+            RosTwist.TOPIC,
+            "geometry_msgs",
+            "Twist",
+            ManualDrive.class,
+            RosTwist::of,
+            Channels.MANUAL_DRIVE));
     all.add(
         made("/clock", "rosgraph_msgs", "Clock", U2SAData.class, RosStates::clock, Channels.STATE));
     all.add(

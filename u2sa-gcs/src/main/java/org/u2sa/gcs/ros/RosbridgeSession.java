@@ -15,6 +15,8 @@ import org.u2sa.interfaces.JsonText;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.safety.ManualDrive;
+import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.message.MessageFromJson;
@@ -35,6 +37,7 @@ final class RosbridgeSession {
   private final Map<String, RosSubscription> subscriptions = new ConcurrentHashMap<>(); // by ID
   private final Map<String, Consumer<U2SAData>> listeners = new HashMap<>(); // by channel
   private final Map<String, String> advertised = new HashMap<>(); // type by topic
+  private Optional<String> driver = Optional.empty(); // who drives by hand through this client
   private final AtomicLong dropped = new AtomicLong();
   private final RosBacklog backlog = RosBacklog.ofClient();
 
@@ -197,7 +200,9 @@ final class RosbridgeSession {
 
   private void advertise(RosOperation operation) {
     String topic = operation.topic();
-    commandChannel(topic);
+    if (!server.topic(topic).name().equals(RosTwist.TOPIC)) {
+      commandChannel(topic);
+    }
     if (advertised.size() >= MAX_ADVERTISED) {
       throw new BadInputException("there are " + MAX_ADVERTISED + " topics advertised already");
     }
@@ -215,6 +220,10 @@ final class RosbridgeSession {
   }
 
   private void publish(RosOperation operation) {
+    if (server.topic(operation.topic()).name().equals(RosTwist.TOPIC)) {
+      publishTwist(operation.object("msg"));
+      return;
+    }
     Channel<?> channel = commandChannel(operation.topic());
     Map<String, Object> fields = operation.object("msg");
     MessageFromJson reader = new MessageFromJson(server.messageTypes());
@@ -230,7 +239,22 @@ final class RosbridgeSession {
               + channel.carriedTypes().stream().map(MessageType::name).toList());
     }
     account.requireRight(channel, type);
-    account.link().publish(channel, reader.message("msg", type, fields));
+    U2SAData message = reader.message("msg", type, fields);
+    account.link().publish(channel, message);
+    if (message instanceof ManualOrder order && order.active()) {
+      driver = Optional.of(order.operator());
+    }
+  }
+
+  private void publishTwist(Map<String, Object> twist) {
+    account.requireRight(Channels.MANUAL_DRIVE, ManualDrive.TYPE);
+    String operator =
+        driver.orElseThrow(
+            () ->
+                new BadInputException(
+                    RosTwist.TOPIC
+                        + " counts after a ManualOrder on /u2sa/manual_orders (docs/ros.md#drive)"));
+    account.link().publish(Channels.MANUAL_DRIVE, RosTwist.drive(twist, operator));
   }
 
   private Optional<MessageType<?>> declared(String topic) {

@@ -108,7 +108,7 @@ class StationCommandTest {
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
     kit.send(SetMode.builder().targetSystem(1).customMode(PX4_LAND).build());
     assertThat(kit.orders(MissionOrder.class).get(0).action()).isEqualTo(MissionAction.LAND);
-    kit.command(176, 1, 1, 0); // PX4: manual
+    kit.command(176, 1, 7, 0); // PX4: stabilized
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
     assertThat(kit.texts()).contains("the vehicle has no mode");
 

@@ -56,10 +56,10 @@ class StationConnectTest {
 
   @Test
   void requestMessage_availableModes_sendsEachBeforeTheAnswer() {
-    assertThat(kit.vehicle.telemetry.modes()).isEqualTo(4);
+    assertThat(kit.vehicle.telemetry.modes()).isEqualTo(5);
     kit.command(REQUEST_MESSAGE, 435, 0);
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
-    kit.command(REQUEST_MESSAGE, 435, 5);
+    kit.command(REQUEST_MESSAGE, 435, 6);
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
   }
 

@@ -134,8 +134,7 @@ class StationFenceTest {
             field()
                 .toString()
                 .replace(
-                    "targetSystem=1, targetComponent=1",
-                    "targetSystem=255, targetComponent=190"));
+                    "targetSystem=1, targetComponent=1", "targetSystem=255, targetComponent=190"));
   }
 
   @Test
@@ -154,8 +153,7 @@ class StationFenceTest {
 
     upload(field());
 
-    assertThat(answer(true, "in force").fence().orElseThrow())
-        .contains("<ceiling>300.0</ceiling>");
+    assertThat(answer(true, "in force").fence().orElseThrow()).contains("<ceiling>300.0</ceiling>");
   }
 
   @Test
@@ -178,7 +176,9 @@ class StationFenceTest {
 
     List<MissionItemInt> items = downloaded();
 
-    assertThat(items).extracting(each -> each.command().value()).containsExactly(5003, 5002, 5002, 5002);
+    assertThat(items)
+        .extracting(each -> each.command().value())
+        .containsExactly(5003, 5002, 5002, 5002);
     assertThat(items.get(0).param1()).isEqualTo(80.0f);
     assertThat(kit.texts()).contains("ceiling 300 is not shown");
   }

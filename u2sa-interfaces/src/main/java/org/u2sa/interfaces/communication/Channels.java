@@ -47,6 +47,9 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.safety.ManualDrive;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.U2SAData;
@@ -198,6 +201,18 @@ public final class Channels {
   public static final Channel<U2SAData> FENCE_ORDERS =
       Channel.every("fence-orders", U2SAData.TYPE).carrying(FenceOrder.TYPE, FenceOrderResult.TYPE);
 
+  /** Requests to begin or end driving by hand; to control. */
+  public static final Channel<ManualOrder> MANUAL_ORDERS =
+      Channel.every("manual-orders", ManualOrder.TYPE);
+
+  /** Whether the vehicle is driven by hand; to the Mission Manager and screens. */
+  public static final Channel<ManualState> MANUAL_STATE =
+      Channel.latest("manual-state", ManualState.TYPE, state -> "").retained();
+
+  /** Motion wanted by the person who drives by hand; to control. */
+  public static final Channel<ManualDrive> MANUAL_DRIVE =
+      Channel.latest("manual-drive", ManualDrive.TYPE, ManualDrive::operator);
+
   /** Battery states. */
   public static final Channel<BatteryState> POWER =
       Channel.latest("power", BatteryState.TYPE, BatteryState::sensorName);
@@ -239,6 +254,9 @@ public final class Channels {
           ARMING_STATE,
           FENCE,
           FENCE_ORDERS,
+          MANUAL_ORDERS,
+          MANUAL_STATE,
+          MANUAL_DRIVE,
           POWER,
           GROUND_PRESSURE);
 

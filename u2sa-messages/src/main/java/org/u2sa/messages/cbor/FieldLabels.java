@@ -55,6 +55,7 @@ public final class FieldLabels {
       fence margin
       classes required
       pressure
+      takeovers turnRate speedShare turnShare
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -69,6 +69,9 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.safety.ManualDrive;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.messages.schema.MessageType;
@@ -131,6 +134,9 @@ public final class StandardTypes implements MessageTypeProvider {
           FenceState.TYPE,
           FenceOrder.TYPE,
           FenceOrderResult.TYPE,
+          ManualOrder.TYPE,
+          ManualState.TYPE,
+          ManualDrive.TYPE,
           OperatorHeartbeat.TYPE,
           ArmCommand.TYPE,
           ArmingState.TYPE,

@@ -28,6 +28,9 @@ import org.u2sa.messages.safety.FenceAction;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.safety.ManualDrive;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 
 /** What the third format brought: scans, and fields of older messages. */
 final class GoldenFormat3 {
@@ -196,6 +199,23 @@ final class GoldenFormat3 {
             .accepted(true)
             .outcome("fence of field.xml in force"));
     golden.add("FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
+    golden.add("ManualOrder", new ManualOrder().requestId("o4").active(true).operator("anna"));
+    golden.add(
+        "ManualState",
+        new ManualState()
+            .active(true)
+            .operator("anna")
+            .reason("disarmed")
+            .requestId("o4")
+            .takeovers(3));
+    golden.add(
+        "ManualDrive",
+        new ManualDrive()
+            .operator("anna")
+            .speed(1.25)
+            .turnRate(-0.5)
+            .speedShare(0.75)
+            .turnShare(-0.25));
     golden.add("GoalList-paused", new GoalList().paused(true));
     golden.add(
         "DiscoveryResponse-choices",

@@ -64,7 +64,8 @@ public record SourceName(
             Channels.GRID,
             Channels.FAILSAFE,
             Channels.ARMING_STATE,
-            Channels.FENCE)
+            Channels.FENCE,
+            Channels.MANUAL_STATE)
         .forEach(channel -> fields.put(channel.name(), ONLY_WRITER));
     return fields;
   }

@@ -39,7 +39,7 @@ public final class CommandService {
     } else if (message instanceof CommandInt command) {
       obey(Command.of(command), from);
     } else if (message instanceof SetMode request) {
-      vehicle.mode(request.customMode(), answer("mode not changed", result -> {}));
+      vehicle.mode(request.customMode(), from.system(), answer("mode not changed", result -> {}));
     } else {
       return false;
     }
@@ -58,6 +58,7 @@ public final class CommandService {
     boolean isKnown =
         vehicle.obey(
             command,
+            from.system(),
             answer(
                 "command " + name(command.id()) + " refused",
                 result -> {

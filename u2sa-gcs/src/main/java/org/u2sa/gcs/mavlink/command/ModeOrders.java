@@ -37,7 +37,7 @@ final class ModeOrders {
       case MISSION -> mission(answer);
       case RETURN -> give(MissionAction.GOTO, Optional.of(VehicleStatus.HOME), answer);
       case LAND -> give(MissionAction.LAND, Optional.empty(), answer);
-      case GO_TO -> answer.done(false, "expected a place to go to");
+      case GO_TO, MANUAL -> answer.done(false, "expected a place to go to, or a driver");
     }
   }
 

@@ -2,6 +2,7 @@ package org.u2sa.gcs.mavlink.command;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
@@ -27,6 +28,8 @@ public final class VehicleCommands {
   private static final int START = 300;
   private static final int ARM = 400;
   private static final int PRE_ARM_CHECKS = 401;
+  private static final Set<Integer> BY_NAVIGATION =
+      Set.of(RETURN, LAND, TAKE_OFF, REPOSITION, PAUSE_CONTINUE, SET_CURRENT, START);
   private static final double TAKE_OFF_M = 50.0;
   private static final double AHEAD_M = 2000.0; // a plane cannot climb on the spot
 
@@ -51,18 +54,55 @@ public final class VehicleCommands {
     modes = new ModeOrders(vehicle, orders, book);
   }
 
-  /** Changes the mode to that of a number. */
-  void mode(long custom, Answer answer) {
+  /**
+   * Changes the mode to that of a number.
+   *
+   * @param station MAVLink system ID of the station
+   */
+  void mode(long custom, int station, Answer answer) {
     Optional<VehicleMode> mode = identity.mode(custom, vehicle.kind());
     if (mode.isEmpty()) {
       answer.done(false, "the vehicle has no mode " + custom);
+    } else if (mode.get() == VehicleMode.MANUAL) {
+      orders.manual(true, orders.driver(station), answer);
     } else {
-      modes.change(mode.get(), answer);
+      byNavigation(() -> modes.change(mode.get(), answer), answer);
     }
   }
 
-  /** Obeys a command; false if it is none of these. */
-  boolean obey(Command command, Answer answer) {
+  /** Ends driving by hand, if somebody does, before what leads the vehicle by navigation. */
+  private void byNavigation(Runnable then, Answer answer) {
+    Optional<String> driver = vehicle.driver();
+    if (driver.isEmpty()) {
+      then.run();
+    } else {
+      orders.manual(
+          false,
+          driver.get(),
+          (ended, why) -> {
+            if (ended) {
+              then.run();
+            } else {
+              answer.done(false, why);
+            }
+          });
+    }
+  }
+
+  /**
+   * Obeys a command; false if it is none of these.
+   *
+   * @param station MAVLink system ID of the station
+   */
+  boolean obey(Command command, int station, Answer answer) {
+    if (BY_NAVIGATION.contains(command.id())) {
+      byNavigation(() -> carryOut(command, station, answer), answer);
+      return true;
+    }
+    return carryOut(command, station, answer);
+  }
+
+  private boolean carryOut(Command command, int station, Answer answer) {
     switch (command.id()) {
       case ARM -> orders.arm(command.param1() >= 0.5f, answer);
       case PRE_ARM_CHECKS ->
@@ -72,7 +112,7 @@ public final class VehicleCommands {
       case RETURN -> modes.change(VehicleMode.RETURN, answer);
       case LAND -> modes.change(VehicleMode.LAND, answer);
       case TAKE_OFF -> takeOff(command, answer);
-      case SET_MODE -> mode(identity.custom(command.param2(), command.param3()), answer);
+      case SET_MODE -> mode(identity.custom(command.param2(), command.param3()), station, answer);
       case CHANGE_SPEED -> speed(command.param2(), answer);
       case TERMINATE -> terminate(command, answer);
       case REPOSITION -> reposition(command, answer);

@@ -14,7 +14,8 @@ final class FenceShapes {
   private static final int CIRCLE_IN = 5003;
   private static final int CIRCLE_OUT = 5004;
   private static final int GLOBAL = 0; // MAV_FRAME
-  private static final Set<Integer> ON_EARTH = Set.of(0, 3, 5, 6); // MAV_FRAME_GLOBAL…; a fence's z does not count
+  private static final Set<Integer> ON_EARTH =
+      Set.of(0, 3, 5, 6); // MAV_FRAME_GLOBAL…; a fence's z does not count
   private static final double PER_DEGREE = 1.0e7;
 
   private FenceShapes() {}
@@ -51,13 +52,17 @@ final class FenceShapes {
   private static int corners(List<MissionItem> items, int from) {
     MissionItem first = items.get(from);
     if (first.command() != POLYGON_IN && first.command() != POLYGON_OUT) {
-      throw refusal(from, "is a command " + first.command() + "; expected 5001 to 5004, polygons and circles");
+      throw refusal(
+          from,
+          "is a command " + first.command() + "; expected 5001 to 5004, polygons and circles");
     }
     int count = (int) first.param1();
     if (count < 3 || count != first.param1() || count > items.size() - from) {
       throw refusal(
           from,
-          "begins a polygon of " + first.param1() + " corners; expected 3 or more, and not beyond the last item");
+          "begins a polygon of "
+              + first.param1()
+              + " corners; expected 3 or more, and not beyond the last item");
     }
     for (int k = from; k < from + count; k++) {
       MissionItem item = items.get(k);

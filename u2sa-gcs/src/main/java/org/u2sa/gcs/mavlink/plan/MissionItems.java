@@ -27,8 +27,7 @@ final class MissionItems implements ItemStore {
   private Optional<Confirmation> confirmation = Optional.empty();
   private long nowMicros;
 
-  MissionItems(
-      VehicleStatus vehicle, VehicleOrders orders, PlanBook book, MissionAnswers answers) {
+  MissionItems(VehicleStatus vehicle, VehicleOrders orders, PlanBook book, MissionAnswers answers) {
     this.vehicle = vehicle;
     this.orders = orders;
     this.book = book;

@@ -114,8 +114,7 @@ final class MissionUpload {
       ask(upload);
     } else {
       incoming = Optional.empty();
-      answers.acknowledge(
-          MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, type, upload.from);
+      answers.acknowledge(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, type, upload.from);
     }
   }
 }

@@ -18,9 +18,10 @@ public final class MessageRates {
       Map.of(
           2, List.of(1, 2, 24, 62, Telemetry.MISSION_CURRENT, 147), // EXTENDED_STATUS
           6, List.of(32, 33), // POSITION
+          3, List.of(36), // RC_CHANNELS
           10, List.of(30), // EXTRA1
           11, List.of(74), // EXTRA2
-          12, List.of(230, 147)); // EXTRA3
+          12, List.of(230, 147, 231, 246, 330)); // EXTRA3
 
   private final Telemetry telemetry;
   private final Map<Integer, Long> intervals = new TreeMap<>(); // [µs]; OFF: none

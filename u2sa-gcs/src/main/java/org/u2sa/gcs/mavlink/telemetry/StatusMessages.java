@@ -58,6 +58,9 @@ final class StatusMessages {
             | flag(MavModeFlag.MAV_MODE_FLAG_STABILIZE_ENABLED)
             | flag(MavModeFlag.MAV_MODE_FLAG_GUIDED_ENABLED)
             | flag(MavModeFlag.MAV_MODE_FLAG_AUTO_ENABLED)
+            | (mode == VehicleMode.MANUAL
+                ? flag(MavModeFlag.MAV_MODE_FLAG_MANUAL_INPUT_ENABLED)
+                : 0)
             | (armed ? flag(MavModeFlag.MAV_MODE_FLAG_SAFETY_ARMED) : 0);
     return Optional.of(
         Heartbeat.builder()

@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
 /** The messages that stations can have regularly or on request, by message ID. */
 public final class Telemetry {
@@ -61,6 +62,15 @@ public final class Telemetry {
     add(HOME_POSITION, 0.5, status::home);
     add(245, 1.0, status::extendedState);
     add(436, 0.5, status::currentMode);
+  }
+
+  /** Adds the messages about the vehicle's surroundings. */
+  public void add(VehicleSurroundings surroundings, Placement placement, Uptime uptime) {
+    SurroundingsMessages seen = new SurroundingsMessages(surroundings, placement, uptime);
+    add(36, 2.0, seen::outputs);
+    add(231, 1.0, seen::wind);
+    add(246, 5.0, seen::traffic);
+    add(330, 4.0, seen::obstacles);
   }
 
   /** Adds a message. */

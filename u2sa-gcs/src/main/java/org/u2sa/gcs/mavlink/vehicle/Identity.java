@@ -63,6 +63,7 @@ public enum Identity {
       modes.put(VehicleMode.RETURN, px4(5));
       modes.put(VehicleMode.LAND, px4(6));
       modes.put(VehicleMode.GO_TO, px4(3)); // as PX4 does, go-to is Hold at another place
+      modes.put(VehicleMode.MANUAL, 1L << PX4_MAIN_SHIFT);
     } else if (this == ARDUPILOT) {
       boolean isCopter = kind == VehicleKind.COPTER;
       boolean dives = kind == VehicleKind.SUBMARINE;
@@ -70,6 +71,7 @@ public enum Identity {
       modes.put(VehicleMode.GO_TO, isCopter || dives ? 4L : 15L);
       modes.put(VehicleMode.RETURN, isCopter ? 6L : 11L);
       modes.put(VehicleMode.LAND, isCopter || dives ? 9L : 11L);
+      modes.put(VehicleMode.MANUAL, dives ? 19L : 0L);
       modes.put(
           VehicleMode.HOLD, isCopter ? 5L : dives ? 16L : kind == VehicleKind.PLANE ? 12L : 4L);
     } else {

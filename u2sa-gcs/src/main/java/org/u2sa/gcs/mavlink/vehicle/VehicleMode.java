@@ -10,7 +10,8 @@ public enum VehicleMode {
   MISSION("Mission", 6),
   RETURN("Return", 5),
   LAND("Land", 7),
-  GO_TO("Go to", 0);
+  GO_TO("Go to", 0),
+  MANUAL("Manual", 0);
 
   private final String label;
   private final int standard;

@@ -20,6 +20,8 @@ import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -50,7 +52,7 @@ public final class VehicleOrders {
   }
 
   private enum Kind {
-    ARM,
+    ARM, // or drive by hand
     DISARM,
     STOP,
     OTHER
@@ -106,6 +108,26 @@ public final class VehicleOrders {
     send(id, Kind.OTHER, Channels.MISSION, order.requestId(id).operator(operator), answer);
   }
 
+  /**
+   * Begins or ends driving by hand.
+   *
+   * @param driver who drives
+   */
+  public void manual(boolean active, String driver, Answer answer) {
+    String id = UUID.randomUUID().toString();
+    send(
+        id,
+        active ? Kind.ARM : Kind.DISARM,
+        Channels.MANUAL_ORDERS,
+        new ManualOrder().requestId(id).active(active).operator(driver),
+        answer);
+  }
+
+  /** Name of a person at a station, as the vehicle logs it. */
+  public String driver(int station) {
+    return operator + " station " + station;
+  }
+
   /** Changes the fence. */
   public void fence(FenceOrder order, Answer answer) {
     String id = UUID.randomUUID().toString();
@@ -150,6 +172,14 @@ public final class VehicleOrders {
       if (asked != null) {
         boolean isDone = state.armed() == (asked.kind() == Kind.ARM);
         answered(id, isDone, String.join("; ", state.reasons()));
+      }
+    } else if (message instanceof ManualState state && state.requestId().isPresent()) {
+      Pending asked = pending.get(state.requestId().get());
+      if (asked != null) {
+        answered(
+            state.requestId().get(),
+            state.active() == (asked.kind() == Kind.ARM),
+            state.reason().orElse(""));
       }
     } else if (message instanceof HealthReport report
         && report.emergencyStops().orElse(List.of()).contains(stopId)) {

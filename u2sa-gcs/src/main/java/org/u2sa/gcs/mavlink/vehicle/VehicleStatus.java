@@ -24,6 +24,7 @@ import org.u2sa.messages.safety.EmergencyStop;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
@@ -50,6 +51,7 @@ public final class VehicleStatus {
           Channels.FAILSAFE,
           Channels.FENCE,
           Channels.FENCE_ORDERS,
+          Channels.MANUAL_STATE,
           Channels.EMERGENCY_STOP,
           Channels.HEALTH,
           Channels.POWER,
@@ -75,6 +77,7 @@ public final class VehicleStatus {
   private volatile ArmingState arming;
   private volatile FailsafeState failsafe;
   private volatile FenceState fence;
+  private volatile ManualState manual;
   private volatile BatteryState battery;
   private volatile NavigationPoint navigation;
 
@@ -106,6 +109,8 @@ public final class VehicleStatus {
       failsafe = now;
     } else if (message instanceof FenceState now) {
       fence = now;
+    } else if (message instanceof ManualState now) {
+      manual = now;
     } else if (message instanceof BatteryState now) {
       battery = now;
     } else if (message instanceof NavigationPoint now) {
@@ -226,6 +231,11 @@ public final class VehicleStatus {
     return Optional.ofNullable(fence);
   }
 
+  /** Who drives the vehicle by hand; empty if nobody does. */
+  public Optional<String> driver() {
+    return Optional.ofNullable(manual).filter(ManualState::active).map(ManualState::operator);
+  }
+
   /** Whether an emergency stop is in force. */
   public boolean isStopped() {
     return !stops.isEmpty();
@@ -243,6 +253,9 @@ public final class VehicleStatus {
 
   /** What the vehicle is doing. */
   public VehicleMode mode() {
+    if (driver().isPresent()) {
+      return VehicleMode.MANUAL;
+    }
     boolean holds = goals == null || goals.paused() || isStopped();
     return switch (failsafe()) {
       case HOLD, STOP -> VehicleMode.HOLD;

@@ -1,0 +1,114 @@
+package org.u2sa.control.ground;
+
+import java.util.Optional;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.ManualDrive;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Driving by hand: begins and ends by an operator's order, and ends by a failsafe or when the
+ * vehicle is disarmed. Only the operator who began it is obeyed; who falls silent stops the
+ * vehicle.
+ */
+final class HandDriving {
+  /** Limits of driving by hand. */
+  record Limits(
+      @Variable(unit = "m/s", min = 0.05, max = 50, ifAbsent = 1)
+          @Description("Maximum speed when driven by hand.")
+          double manualSpeed,
+      @Variable(unit = "deg/s", min = 1, max = 720, ifAbsent = 45)
+          @Description("Maximum turn rate when driven by hand.")
+          double manualTurnRate) {}
+
+  private static final long DEAD_MAN_MICROS = 500_000;
+
+  private boolean active;
+  private String operator = "";
+  private long takeovers;
+  private ManualDrive newest; // null: none since the beginning
+  private long heardMicros;
+  private boolean armed;
+  private FailsafeAction failsafe = FailsafeAction.CONTINUE;
+
+  /** Carries out an order. */
+  ManualState obey(ManualOrder order) {
+    if (order.active() && failsafe != FailsafeAction.CONTINUE) {
+      return state().reason("the failsafe " + failsafe + " is in force");
+    }
+    if (order.active() && !(active && operator.equals(order.operator()))) {
+      active = true;
+      operator = order.operator();
+      takeovers++;
+      newest = null;
+    } else if (!order.active()) {
+      active = false;
+    }
+    return state();
+  }
+
+  ManualState state() {
+    return new ManualState().active(active).operator(operator).takeovers(takeovers);
+  }
+
+  boolean isActive() {
+    return active;
+  }
+
+  void see(ManualDrive drive, long nowMicros) {
+    if (active && drive.operator().equals(operator)) {
+      newest = drive;
+      heardMicros = nowMicros;
+    }
+  }
+
+  /** New state if the arming ends driving by hand; otherwise empty. */
+  Optional<ManualState> see(boolean nowArmed) {
+    boolean disarmed = armed && !nowArmed;
+    armed = nowArmed;
+    return disarmed ? end("the vehicle was disarmed") : Optional.empty();
+  }
+
+  /** New state if the failsafe ends driving by hand; otherwise empty. */
+  Optional<ManualState> see(FailsafeAction action) {
+    failsafe = action;
+    return action == FailsafeAction.CONTINUE ? Optional.empty() : end("failsafe " + action);
+  }
+
+  private Optional<ManualState> end(String reason) {
+    boolean was = active;
+    active = false;
+    return was ? Optional.of(state().reason(reason)) : Optional.empty();
+  }
+
+  /** Motion wanted, within the limits; empty: stop. */
+  Optional<Drive> wanted(Limits limits, long nowMicros) {
+    if (!active || newest == null || nowMicros - heardMicros > DEAD_MAN_MICROS) {
+      return Optional.empty();
+    }
+    double fastest = limits.manualSpeed();
+    double tightest = Math.toRadians(limits.manualTurnRate());
+    Drive drive =
+        new Drive(
+            bounded(newest.speed().orElse(newest.speedShare().orElse(0.0) * fastest), fastest),
+            bounded(newest.turnRate().orElse(newest.turnShare().orElse(0.0) * tightest), tightest));
+    return drive.isStanding() ? Optional.empty() : Optional.of(drive);
+  }
+
+  private static double bounded(double value, double bound) {
+    return Math.max(-bound, Math.min(bound, value));
+  }
+
+  void handOver(HandOver state) {
+    state.flag("BY HAND", active).text("DRIVER", operator).number("TAKEOVERS", takeovers);
+  }
+
+  void takeOver(HandOver state) {
+    active = state.flag("BY HAND");
+    operator = state.text("DRIVER").orElse("");
+    takeovers = (long) state.number("TAKEOVERS").orElse(0.0);
+  }
+}

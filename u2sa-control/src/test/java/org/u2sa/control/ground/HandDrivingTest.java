@@ -1,0 +1,168 @@
+package org.u2sa.control.ground;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.control.ControlSystem;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.ManualDrive;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
+import org.u2sa.service.ServiceContext;
+
+/** Ground vehicles on a mission that an operator drives by hand for a while. */
+class HandDrivingTest {
+  private static final double[][] CORNERS = {{60, 0}, {60, 30}};
+
+  @TempDir private Path directory;
+
+  private RoverDrive onItsWay(
+      Function<ServiceContext, ? extends ControlSystem> control, Map<String, Object> variables) {
+    RoverDrive drive =
+        new RoverDrive(
+            new KinematicRover(KinematicRover.differential(0.0), 0.0),
+            RoverDrive.mission(directory, 0.5, CORNERS),
+            Map.of("LOOK AHEAD", 1.2, "LOOK AHEAD TIME", 1.2, "AT END", "HOLD"),
+            control,
+            variables);
+    drive.until(() -> false, 5.0);
+    return drive;
+  }
+
+  private RoverDrive differential() {
+    return onItsWay(DifferentialPursuitControl::new, Map.of("MANUAL SPEED", 0.8));
+  }
+
+  private static ManualState order(RoverDrive drive, boolean active, String operator) {
+    drive.kit.publish(
+        Channels.MANUAL_ORDERS,
+        new ManualOrder().requestId("m" + active).active(active).operator(operator));
+    drive.until(() -> false, 0.1);
+    return drive.kit.latest(Channels.MANUAL_STATE).orElseThrow();
+  }
+
+  private static void hold(RoverDrive drive, ManualDrive wanted, double forS) {
+    for (double t = 0.0; t < forS; t += 0.1) {
+      drive.kit.publish(Channels.MANUAL_DRIVE, (ManualDrive) wanted.copy());
+      drive.until(() -> false, 0.1);
+    }
+  }
+
+  private static ManualDrive by(String operator) {
+    return new ManualDrive().operator(operator);
+  }
+
+  private static double speed(RoverDrive drive) {
+    return drive.track.get(drive.track.size() - 1).speed();
+  }
+
+  @Test
+  void drive_speedAndTurnRate_areThoseOfTheVehicle() {
+    try (RoverDrive drive = differential()) {
+      assertThat(order(drive, true, "Ann").active()).isTrue();
+      hold(drive, by("Ann").speed(0.5).turnRate(-0.3), 4.0);
+      double before = drive.rover.heading;
+      hold(drive, by("Ann").speed(0.5).turnRate(-0.3), 2.0);
+
+      assertThat(speed(drive)).isCloseTo(0.5, within(0.08));
+      assertThat(drive.rover.heading - before).as("to the right").isCloseTo(0.6, within(0.1));
+    }
+  }
+
+  @Test
+  void drive_sharesAndBeyondTheLimit_areThoseOfManualSpeed() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speedShare(-0.5), 4.0);
+      assertThat(speed(drive)).isCloseTo(-0.4, within(0.08));
+      hold(drive, by("Ann").speed(5.0), 4.0);
+      assertThat(speed(drive)).isCloseTo(0.8, within(0.1));
+    }
+  }
+
+  @Test
+  void drive_fallsSilent_standsAndGoesOnWhenHeardAgain() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(0.6), 3.0);
+      drive.until(() -> false, 0.45);
+      assertThat(speed(drive)).as("within the dead man's time").isGreaterThan(0.5);
+      drive.until(() -> false, 2.0);
+      assertThat(speed(drive)).isCloseTo(0.0, within(0.02));
+      hold(drive, by("Ann").speed(0.6), 3.0);
+      assertThat(speed(drive)).isGreaterThan(0.5);
+    }
+  }
+
+  @Test
+  void drive_bySomebodyElseOrWithoutOrder_isNotObeyed() {
+    try (RoverDrive drive = differential()) {
+      hold(drive, by("Ann").speed(-0.6), 2.0);
+      assertThat(speed(drive)).as("on its mission").isGreaterThan(0.3);
+      order(drive, true, "Ann");
+      hold(drive, by("Ben").speed(0.6), 3.0);
+      assertThat(speed(drive)).isCloseTo(0.0, within(0.02));
+      assertThat(order(drive, true, "Ben").takeovers()).isEqualTo(2);
+      hold(drive, by("Ben").speed(0.6), 3.0);
+      assertThat(speed(drive)).isGreaterThan(0.5);
+    }
+  }
+
+  @Test
+  void end_byOrder_leavesTheMissionPaused() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      hold(drive, by("Ann").speed(0.6), 2.0);
+      assertThat(order(drive, false, "Ann").active()).isFalse();
+      drive.until(() -> false, 5.0);
+
+      assertThat(drive.kit.latest(Channels.GOALS).orElseThrow().paused()).isTrue();
+      assertThat(speed(drive)).isCloseTo(0.0, within(0.05));
+    }
+  }
+
+  @Test
+  void end_byAFailsafeOrDisarming_isAnnouncedWithItsReason() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      drive.kit.publish(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.HOLD));
+      drive.until(() -> false, 0.1);
+      ManualState ended = drive.kit.latest(Channels.MANUAL_STATE).orElseThrow();
+      assertThat(ended.active()).isFalse();
+      assertThat(ended.reason()).contains("failsafe HOLD");
+      assertThat(order(drive, true, "Ann").reason()).contains("the failsafe HOLD is in force");
+
+      drive.kit.publish(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.CONTINUE));
+      assertThat(order(drive, true, "Ann").active()).isTrue();
+      drive.kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+      drive.kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
+      drive.until(() -> false, 0.1);
+      assertThat(drive.kit.latest(Channels.MANUAL_STATE).orElseThrow().reason())
+          .contains("the vehicle was disarmed");
+    }
+  }
+
+  @Test
+  void swap_whileDrivenByHand_goesOnByHandOrStandsIfTheControlCannot() {
+    try (RoverDrive drive = differential()) {
+      order(drive, true, "Ann");
+      drive.swap(DifferentialPursuitControl::new);
+      hold(drive, by("Ann").speed(-0.4), 3.0);
+      assertThat(speed(drive)).isLessThan(-0.3);
+
+      drive.swap(DifferentialDriveControl::new);
+      hold(drive, by("Ann").speed(-0.4), 6.0);
+      assertThat(speed(drive)).as("the mission is paused").isCloseTo(0.0, within(0.1));
+      assertThat(order(drive, true, "Ann").reason())
+          .contains("this vehicle cannot be driven by hand");
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.u2sa.messages.safety;
+
+import java.util.Optional;
+import org.u2sa.messages.schema.MessageType;
+import org.u2sa.messages.schema.Schema;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.schema.ValueField;
+
+/** Whether the vehicle is driven by hand; also the answer to a {@link ManualOrder}. */
+public final class ManualState extends U2SAData {
+  private static final Schema<ManualState> SCHEMA =
+      Schema.of(ManualState.class, ManualState::new, U2SAData.TYPE).since(3);
+  private static final ValueField<ManualState, Boolean> ACTIVE = SCHEMA.flag("active");
+  private static final ValueField<ManualState, String> OPERATOR = SCHEMA.name("operator", "");
+  private static final ValueField<ManualState, String> REASON = SCHEMA.optionalNote("reason");
+  private static final ValueField<ManualState, String> REQUEST_ID = SCHEMA.optionalId("requestId");
+  private static final ValueField<ManualState, Long> TAKEOVERS =
+      SCHEMA.optionalCount("takeovers", "");
+
+  public static final MessageType<ManualState> TYPE = SCHEMA.build();
+
+  @Override
+  public MessageType<ManualState> type() {
+    return TYPE;
+  }
+
+  /** Whether {@link ManualDrive} is obeyed instead of navigation. */
+  public boolean active() {
+    return require(ACTIVE);
+  }
+
+  public ManualState active(boolean value) {
+    return put(ACTIVE, value);
+  }
+
+  /** Who drives, or drove last. */
+  public String operator() {
+    return require(OPERATOR);
+  }
+
+  public ManualState operator(String value) {
+    return put(OPERATOR, value);
+  }
+
+  /** Why driving by hand ended, or an order to begin it was refused; empty otherwise. */
+  public Optional<String> reason() {
+    return Optional.ofNullable(get(REASON));
+  }
+
+  public ManualState reason(String value) {
+    return put(REASON, value);
+  }
+
+  /** ID of the order answered; empty: the state changed by itself. */
+  public Optional<String> requestId() {
+    return Optional.ofNullable(get(REQUEST_ID));
+  }
+
+  public ManualState requestId(String value) {
+    return put(REQUEST_ID, value);
+  }
+
+  /** How often driving by hand has begun in this run. */
+  public long takeovers() {
+    return optionalCount(TAKEOVERS).orElse(0);
+  }
+
+  public ManualState takeovers(long value) {
+    return put(TAKEOVERS, value);
+  }
+}
