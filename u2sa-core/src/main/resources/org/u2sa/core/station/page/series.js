@@ -18,7 +18,7 @@ export class SeriesBook {
     if (this.series.size < MAX_SERIES && !this.series.has(key)) this.series.set(key, {times: [], values: []});
   }
 
-  /** Begins all curves anew. */
+  /** Forgets what all curves show. */
   clear() {
     for (const key of this.series.keys()) this.series.set(key, {times: [], values: []});
   }
