@@ -31,8 +31,7 @@ final class Detour {
 
   /** The next step around what is in the way; empty if the straight way is free. */
   Optional<Plan> ifHindered(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
-    boolean isHindered =
-        avoidance.isOn() && avoidance.isHindered(vehicle, state, wanted.target());
+    boolean isHindered = avoidance.isOn() && avoidance.isHindered(vehicle, state, wanted.target());
     if (isHindered != isTaken) {
       begin();
       isTaken = isHindered;

@@ -24,8 +24,7 @@ final class VerticalDescent implements LandingState.Descent {
   private boolean above;
   private double altitudeM; // of the way there
 
-  VerticalDescent(
-      Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
+  VerticalDescent(Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
     this.detour = detour;
     this.settings = settings;
     guidance = new LineGuidance(lines);
@@ -59,8 +58,7 @@ final class VerticalDescent implements LandingState.Descent {
       if (around.isPresent()) {
         return around.get();
       }
-      Point body =
-          guidance.towards(vehicle, over, goal.horizontalThreshold(), Optional.empty());
+      Point body = guidance.towards(vehicle, over, goal.horizontalThreshold(), Optional.empty());
       NavigationPoint point = NavigationPoint.at(body);
       goal.speed().ifPresent(point::speed);
       return Plan.underWay(List.of(point));

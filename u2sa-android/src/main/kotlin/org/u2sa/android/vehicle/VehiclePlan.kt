@@ -23,7 +23,6 @@ import org.u2sa.interfaces.BadInputException
 import org.u2sa.interfaces.time.Clock
 
 private const val RUNS_KEPT = 20
-private const val WEB_PORT = 8080
 private const val MICROS_PER_SECOND = 1_000_000L
 
 /** Turns the user's choices into a launch for [VehicleHost], providing services with the phone's devices. */
@@ -81,8 +80,6 @@ internal class VehiclePlan(context: Context, private val settings: PhoneSettings
         }
         if (!settings.network) {
             options.override("CommunicationManager", "BROKER", "none")
-        } else if (SystemFile.read(files.system(settings.system).toPath()).webPort().isEmpty) {
-            options.override("CommunicationManager", "WEB PORT", WEB_PORT) // the operator's page
         }
         if (mission != null) {
             options.override("MissionManager", "MISSION", mission.path)

@@ -75,9 +75,7 @@ final class FenceOrders {
   }
 
   private static String text(FenceOrder order) {
-    return order
-        .fence()
-        .orElseThrow(() -> new BadInputException("no fence; expected one in XML"));
+    return order.fence().orElseThrow(() -> new BadInputException("no fence; expected one in XML"));
   }
 
   private void check(GivenFence given, boolean armed, long nowMicros) {

@@ -195,11 +195,7 @@ class FenceOrdersTest extends WatchedVehicle {
     replace(square(-1000, 1000));
     kit.send(
         Channels.STATE,
-        new StateInformation()
-            .referenceFrame(ReferenceFrame.LOCAL_ENU)
-            .x(0.0)
-            .y(60.0)
-            .xSigma(1.0));
+        new StateInformation().referenceFrame(ReferenceFrame.LOCAL_ENU).x(0.0).y(60.0).xSigma(1.0));
     kit.advance(0.2);
 
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.HOLD);

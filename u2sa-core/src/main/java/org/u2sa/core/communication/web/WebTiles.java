@@ -16,8 +16,8 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A file of map tiles (PMTiles, version 3), of which the page reads one range per request. No log-in
- * is needed for it, as for the page itself. Thread-safe.
+ * A file of map tiles (PMTiles, version 3), of which the page reads one range per request. No
+ * log-in is needed for it, as for the page itself. Thread-safe.
  */
 public final class WebTiles {
   /** Path of the file at the web port. */
@@ -81,8 +81,7 @@ public final class WebTiles {
     }
     content.flip();
     FullHttpResponse response =
-        WebResponses.response(
-            HttpResponseStatus.PARTIAL_CONTENT, Unpooled.wrappedBuffer(content));
+        WebResponses.response(HttpResponseStatus.PARTIAL_CONTENT, Unpooled.wrappedBuffer(content));
     response
         .headers()
         .set(HttpHeaderNames.CONTENT_TYPE, "application/octet-stream")
