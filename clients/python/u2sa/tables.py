@@ -1178,6 +1178,7 @@ MESSAGES = [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
         ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
         ('requestId', 'text', 'required', None, None, None, (), 3, 1000, False),
+        ('classes', 'bool', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('MissionReport',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1196,6 +1197,14 @@ MESSAGES = [
         ('began', 'int', 'optional', None, None, None, (), 3, None, False),
         ('resumable', 'text', 'optional', None, None, None, (), 3, 1000, True),
         ('paused', 'bool', 'optional', None, None, None, (), 3, None, False),
+    ]),
+    (('GoalClass',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('serviceName', 'text', 'required', None, None, None, (), 3, 255, False),
+        ('className', 'text', 'required', None, None, None, (), 3, 255, False),
+        ('variables', 'messages:ConfigurationVariable', 'always', (), None, None, (), 3, None, False),
+        ('required', 'texts', 'always', (), None, None, (), 3, 1000, False),
     ]),
     (('MissionOrder',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1801,4 +1810,6 @@ LABELS = (
     'turnRate',
     'speedShare',
     'turnShare',
+    'classes',
+    'required',
 )

@@ -27,6 +27,10 @@ public record ManagerVariables(
         @Description(
             "TCP port on which the embedded broker serves the operator's page, at BIND ADDRESS; 0: none.")
         int webPort,
+    @Variable(ifAbsentText = "")
+        @Description(
+            "File of raster map tiles (PMTiles) that the operator's page shows; empty: none.")
+        String webTiles,
     @Variable(max = 65_535, ifAbsent = 0)
         @Description(
             "TCP port on which clients of the rosbridge protocol connect, at BIND ADDRESS; 0: none.")

@@ -1,10 +1,12 @@
 package org.u2sa.core.communication;
 
 import java.net.InetSocketAddress;
+import java.nio.file.Paths;
 import java.util.Optional;
 import org.u2sa.core.communication.web.SameOrigin;
 import org.u2sa.core.communication.web.WebResponses;
 import org.u2sa.core.communication.web.WebSite;
+import org.u2sa.core.communication.web.WebTiles;
 
 /** Where the embedded broker serves the operator's page, and what it serves. */
 record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, boolean encrypted) {
@@ -21,7 +23,9 @@ record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, 
     return Optional.of(
         new WebPort(
             address,
-            new WebResponses(WebSite.discovered()),
+            new WebResponses(
+                WebSite.discovered(),
+                manager.webTiles().isEmpty() ? null : WebTiles.open(Paths.get(manager.webTiles()))),
             SameOrigin.of(encrypted, address.getAddress()),
             encrypted));
   }

@@ -33,11 +33,22 @@ public final class WebResponses {
           + " require-trusted-types-for 'script'; trusted-types 'none'";
 
   private final Map<String, Stored> files = new HashMap<>();
+  private final WebTiles tiles; // null: none
 
   private record Stored(String mediaType, byte[] plain, byte[] zipped, String tag) {}
 
-  /** Prepares the responses of a page. */
+  /** Prepares the responses of a page without map tiles. */
   public WebResponses(WebSite site) {
+    this(site, null);
+  }
+
+  /**
+   * Prepares the responses of a page.
+   *
+   * @param tiles null: none
+   */
+  public WebResponses(WebSite site, WebTiles tiles) {
+    this.tiles = tiles;
     site.files()
         .forEach(
             (path, file) ->
@@ -52,6 +63,9 @@ public final class WebResponses {
 
   /** The answer to a GET or HEAD. */
   FullHttpResponse answer(HttpRequest request, String path) {
+    if (tiles != null && path.equals(WebTiles.PATH) && request.method().equals(HttpMethod.GET)) {
+      return tiles.answer(request);
+    }
     Stored file = files.get(path);
     if (file == null) {
       return error(HttpResponseStatus.NOT_FOUND);
@@ -89,7 +103,7 @@ public final class WebResponses {
     return response;
   }
 
-  private static FullHttpResponse response(HttpResponseStatus status, ByteBuf content) {
+  static FullHttpResponse response(HttpResponseStatus status, ByteBuf content) {
     FullHttpResponse response = new DefaultFullHttpResponse(HttpVersion.HTTP_1_1, status, content);
     response
         .headers()

@@ -28,7 +28,7 @@ public interface WebSite {
     try {
       Iterator<WebSite> sites = ServiceLoader.load(WebSite.class).iterator();
       if (!sites.hasNext()) {
-        throw new BadInputException("WEB PORT: no operator's page found; it is in u2sa-gcs");
+        throw new BadInputException("WEB PORT: no operator's page found; it is in u2sa-core");
       }
       WebSite site = sites.next();
       if (sites.hasNext()) {

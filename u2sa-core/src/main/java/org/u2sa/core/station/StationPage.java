@@ -1,5 +1,6 @@
-package org.u2sa.gcs.station;
+package org.u2sa.core.station;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -8,9 +9,10 @@ import java.util.List;
 import java.util.Map;
 import org.u2sa.core.communication.web.WebSite;
 
-/** The files of the operator's page, from the resources of this module. */
+/** The files of the operator's page, from the resources of this module, which phones carry, too. */
 public final class StationPage implements WebSite {
   private static final String PAGE = "index.html";
+  private static final int PART_BYTES = 8_192;
 
   private static final List<String> NAMES =
       List.of(
@@ -47,6 +49,7 @@ public final class StationPage implements WebSite {
           "series.js",
           "services.js",
           "texts.js",
+          "tiles.js",
           "xml.js");
 
   private static final Map<String, String> MEDIA_TYPES =
@@ -72,7 +75,12 @@ public final class StationPage implements WebSite {
       if (in == null) {
         throw new IllegalStateException("the page lacks its file " + name);
       }
-      return in.readAllBytes();
+      ByteArrayOutputStream content = new ByteArrayOutputStream();
+      byte[] part = new byte[PART_BYTES];
+      for (int count = in.read(part); count >= 0; count = in.read(part)) {
+        content.write(part, 0, count);
+      }
+      return content.toByteArray();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -1,4 +1,4 @@
-package org.u2sa.gcs.station;
+package org.u2sa.core.station;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;

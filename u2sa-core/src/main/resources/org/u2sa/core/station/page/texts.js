@@ -2,7 +2,7 @@
 
 export const texts = {
   layers: {
-    coast: 'Coastline', cells: 'Occupancy', objects: 'Objects', traffic: 'Traffic and separation', areas: 'Search areas', fence: 'Fence', plan: 'Plan', route: 'Mission', trail: 'Trail', uncertainty: 'Uncertainty',
+    coast: 'Coastline', tiles: 'Base map', cells: 'Occupancy', objects: 'Objects', traffic: 'Traffic and separation', areas: 'Search areas', fence: 'Fence', plan: 'Plan', route: 'Mission', trail: 'Trail', uncertainty: 'Uncertainty',
   },
   measured: (length, bearing, sum) => `${distance(length)}, ${bearing.toFixed(0)}°${sum === undefined ? '' : ', total ' + distance(sum)}`,
   add: 'Add',

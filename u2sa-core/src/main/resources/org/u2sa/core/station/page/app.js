@@ -17,6 +17,7 @@ import {Timeline} from './playback.js';
 import {SeriesBook} from './series.js';
 import {ServicesTab} from './services.js';
 import {texts} from './texts.js';
+import {drawTiles} from './tiles.js';
 
 const PANEL_EVERY_MS = 250;
 const DRAW_EVERY_MS = 40; // spares the battery of a phone
@@ -157,6 +158,7 @@ function frame() {
   map.clear();
   const coast = vehicle && tools.layers.coast && land(vehicle.place, () => map.touch());
   if (coast) map.shape(coast, map.colours.land, map.colours.dim);
+  if (vehicle && tools.layers.tiles) drawTiles(map, vehicle.place, () => map.touch());
   map.drawGrid();
   for (const other of model.vehicles.values()) {
     if (other !== vehicle) drawVehicle(map, seenFrom(vehicle, other), [], false, tools.layers);

@@ -1,0 +1,95 @@
+package org.u2sa.core.communication.web;
+
+import io.netty.buffer.Unpooled;
+import io.netty.handler.codec.http.FullHttpResponse;
+import io.netty.handler.codec.http.HttpHeaderNames;
+import io.netty.handler.codec.http.HttpRequest;
+import io.netty.handler.codec.http.HttpResponseStatus;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.u2sa.interfaces.BadInputException;
+
+/**
+ * A file of map tiles (PMTiles, version 3), of which the page reads one range per request. No
+ * log-in is needed for it, as for the page itself. Thread-safe.
+ */
+public final class WebTiles {
+  /** Path of the file at the web port. */
+  static final String PATH = "/tiles.pmtiles";
+
+  /** Longest range: what a connection's thread reads at once. */
+  static final int LONGEST_RANGE = 1 << 20;
+
+  private static final Pattern RANGE = Pattern.compile("bytes=([0-9]{1,18})-([0-9]{1,18})");
+  private static final byte[] MAGIC = {'P', 'M', 'T', 'i', 'l', 'e', 's', 3};
+
+  private final FileChannel file;
+  private final long size;
+
+  private WebTiles(FileChannel file, long size) {
+    this.file = file;
+    this.size = size;
+  }
+
+  /**
+   * Opens a file, for as long as the process runs.
+   *
+   * @throws BadInputException if it is not there, or no PMTiles file
+   */
+  public static WebTiles open(Path path) {
+    if (!Files.isRegularFile(path)) {
+      throw new BadInputException("WEB TILES: " + path + ": no such file; expected PMTiles");
+    }
+    try {
+      FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
+      ByteBuffer start = ByteBuffer.allocate(MAGIC.length);
+      if (file.read(start, 0) != MAGIC.length || !start.flip().equals(ByteBuffer.wrap(MAGIC))) {
+        file.close();
+        throw new BadInputException(
+            "WEB TILES: " + path + ": no PMTiles of version 3; ./u2sa does not convert others");
+      }
+      return new WebTiles(file, file.size());
+    } catch (IOException e) {
+      throw new BadInputException("WEB TILES: " + path + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** The range that a request names; exactly one, within the file, of at most 1 MiB. */
+  FullHttpResponse answer(HttpRequest request) {
+    Matcher range = RANGE.matcher(request.headers().get(HttpHeaderNames.RANGE, ""));
+    if (!range.matches()) {
+      return WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE);
+    }
+    long from = Long.parseLong(range.group(1));
+    long length = Math.min(Long.parseLong(range.group(2)), size - 1) - from + 1;
+    if (length < 1 || length > LONGEST_RANGE) {
+      return WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE);
+    }
+    ByteBuffer content = ByteBuffer.allocate((int) length);
+    try {
+      while (content.hasRemaining() && file.read(content, from + content.position()) >= 0) {
+        // a read may be short
+      }
+    } catch (IOException e) {
+      return WebResponses.error(HttpResponseStatus.INTERNAL_SERVER_ERROR); // the card was removed
+    }
+    content.flip();
+    FullHttpResponse response =
+        WebResponses.response(HttpResponseStatus.PARTIAL_CONTENT, Unpooled.wrappedBuffer(content));
+    response
+        .headers()
+        .set(HttpHeaderNames.CONTENT_TYPE, "application/octet-stream")
+        .set(HttpHeaderNames.CACHE_CONTROL, "no-store")
+        .set(
+            HttpHeaderNames.CONTENT_RANGE,
+            "bytes " + from + "-" + (from + content.limit() - 1) + "/" + size)
+        .setInt(HttpHeaderNames.CONTENT_LENGTH, content.limit());
+    return response;
+  }
+}
