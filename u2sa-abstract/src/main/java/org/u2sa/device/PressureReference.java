@@ -13,8 +13,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * far as that is certain; one that contradicts it is replaced by the one that fits.
  */
 final class PressureReference {
-  private static final double LEAST_PA = 85_000.0;
-  private static final double MOST_PA = 110_000.0;
+  private static final double LOWEST_PA = 85_000.0;
+  private static final double HIGHEST_PA = 110_000.0;
   private static final double SURE_M = 10.0; // sigma of an altitude to compare with
   private static final double FRESH_S = 1.0;
   private static final double COMPARES_S = 10.0;
@@ -65,7 +65,7 @@ final class PressureReference {
     double ageS = Clock.seconds(nowMicros - told.timestamp().orElse(nowMicros));
     boolean comparable = isSure(nowMicros) && !Double.isNaN(newestPa);
     double offM = comparable ? PressureAltitude.altitudeM(newestPa, pascals) - stateM : Double.NaN;
-    if (!(pascals >= LEAST_PA && pascals <= MOST_PA)) {
+    if (!(pascals >= LOWEST_PA && pascals <= HIGHEST_PA)) {
       trouble.accept("QNH " + what + " is refused: expected 850…1100 hPa");
     } else if (ageS > OLDEST_S) {
       trouble.accept("QNH " + what + " is refused: it is older than an hour");
