@@ -48,6 +48,7 @@ class FleetOnOnePortTest {
             Optional.of(VehicleKind.ROVER),
             "rover" + id,
             id,
+            Optional.empty(),
             clock::get);
     StationSession session = new StationSession(vehicle, Optional.empty());
     return new Member(vehicle, session, new UdpLink(address, session, selector));

@@ -2,7 +2,6 @@ package org.u2sa.scenarios.roboboat;
 
 import java.util.List;
 import java.util.Optional;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
@@ -20,7 +19,6 @@ final class PressButtonState extends StationTaskState {
   private static final double BEAM_M = 0.5; // beside the boat's centre
   private static final double PRESS_MPS = 0.8;
   private static final double BACK_MPS = 1.6;
-  private static final double SLANTED_RAD = Math.toRadians(30.0); // bow from the way back
   private static final double OFF_M = 3.5; // from the button, backed off
   private static final double BESIDE_BOW_RAD = Math.toRadians(70.0); // the button was missed
   private static final double GIVE_UP_S = 45.0;
@@ -89,16 +87,7 @@ final class PressButtonState extends StationTaskState {
 
   private Plan backOff(BoatTask task, StateInformation state, double awayM) {
     if (awayM < OFF_M) {
-      Point here = surroundings.here(state);
-      Point station = station(task, state);
-      double home = Math.atan2(here.y() - station.y(), here.x() - station.x());
-      double off = Math.IEEEremainder(state.psi().orElseThrow() - home, 2.0 * Math.PI);
-      if (Math.abs(off) > SLANTED_RAD) { // straight astern may be the other button
-        return back(task, state, BACK_MPS);
-      }
-      Point astern = Point.of(-OFF_M, 0.0, 0.0);
-      return Plan.underWay(
-          List.of(NavigationPoint.at(astern).backwards(true).speed(BACK_MPS).turn(0.0)));
+      return back(task, state, BACK_MPS);
     }
     if (isPressed) {
       return new Plan(List.of(), Plan.Progress.COMPLETED, "pressed");
