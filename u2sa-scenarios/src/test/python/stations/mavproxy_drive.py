@@ -114,6 +114,7 @@ def rover(proxy):
 
 
 def plane(proxy):
+    proxy.expect(r"height 1\d\d$", 600.0)  # it takes off by itself
     parameter(proxy, "SAFM_TURN_BANK", 0.4, 9)
     mission(proxy, "LOITER", 10)
     proxy.ask("mode RTL", "Mode RTL")

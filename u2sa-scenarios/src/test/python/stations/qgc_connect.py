@@ -76,11 +76,10 @@ def identify(station):
     print("modes", count)
 
 
-def download(files, path, idle_s=3.7):
+def download(files, path):
     with tempfile.TemporaryDirectory() as folder:
         target = os.path.join(folder, "file")
         files.ftp_settings.burst_read_size = 239
-        files.ftp_settings.idle_detection_time = idle_s
         files.cmd_get([path, target])
         answer = files.process_ftp_reply("OpenFileRO", timeout=PATIENCE_S)
         if answer.error_code != 0:
@@ -90,9 +89,11 @@ def download(files, path, idle_s=3.7):
 
 
 def required(files, path):
-    content = download(files, path, 30.0)  # a busy machine may be slow
-    require(isinstance(content, bytes), "%s: %s" % (path, content))
-    return content
+    for _ in range(10):  # mavftp gives up after 3.7 s, which a busy machine may need
+        content = download(files, path)
+        if isinstance(content, bytes):
+            return content
+    return fail("%s: %s" % (path, content))
 
 
 def metadata(station, files):

@@ -29,9 +29,14 @@ class MavlinkEntryTest {
   void read_elements_areLinksWithOptions() throws IOException {
     assertThat(links("")).isEmpty();
     assertThat(links("<mavlink/>")).containsExactly("udp:127.0.0.1:14550");
-    assertThat(links("<mavlink link='tcp:5760' as='ardupilot' id='2' key='key.txt' logs='logs'/><mavlink/>"))
+    assertThat(
+            links(
+                "<mavlink link='tcp:5760' as='ardupilot' id='2' key='key.txt' logs='logs'/><mavlink/>"))
         .containsExactly(
-            "tcp:5760,as=ardupilot,id=2,key=" + directory.resolve("key.txt") + ",logs=" + directory.resolve("logs"),
+            "tcp:5760,as=ardupilot,id=2,key="
+                + directory.resolve("key.txt")
+                + ",logs="
+                + directory.resolve("logs"),
             "udp:127.0.0.1:14550");
   }
 

@@ -14,12 +14,12 @@ final class ChecksumJob {
 
   private FilePacket request; // null if there is nothing to do, as the following
   private Sender from;
-  private VehicleFile file;
+  private ReadableFile file;
   private MavlinkCrc32 crc;
   private long at;
 
   /** Begins, in place of another. */
-  void begin(FilePacket asked, Sender sender, VehicleFile content) {
+  void begin(FilePacket asked, Sender sender, ReadableFile content) {
     request = asked;
     from = sender;
     file = content;

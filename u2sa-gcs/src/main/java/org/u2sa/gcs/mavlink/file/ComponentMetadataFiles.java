@@ -12,7 +12,7 @@ import org.u2sa.mavlink.MavlinkCrc32;
 
 /**
  * Component metadata (mavlink.io/en/services/component_information): which parameters there are,
- * with text, unit and range. Made anew when a service has announced its variables.
+ * with text, unit and range. Made again when a service has announced its variables.
  */
 public final class ComponentMetadataFiles {
   static final String GENERAL = "general.json";

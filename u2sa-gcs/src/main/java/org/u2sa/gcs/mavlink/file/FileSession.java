@@ -10,12 +10,12 @@ final class FileSession {
   private static final int BURST_PACKETS = 256;
 
   final Sender owner;
-  final VehicleFile file;
+  final ReadableFile file;
   long usedMicros;
   private Optional<FilePacket> burst = Optional.empty();
   private int sent;
 
-  FileSession(Sender owner, VehicleFile file, long nowMicros) {
+  FileSession(Sender owner, ReadableFile file, long nowMicros) {
     this.owner = owner;
     this.file = file;
     usedMicros = nowMicros;

@@ -88,7 +88,7 @@ public final class FileTransfer {
             : Optional.of(request.nak(Refusal.INVALID_SESSION));
       }
       case FilePacket.CHECKSUM -> {
-        Optional<VehicleFile> file = named(request);
+        Optional<ReadableFile> file = named(request);
         file.ifPresent(each -> checksum.begin(request, from, each));
         yield file.isPresent() ? Optional.empty() : Optional.of(request.nak(notFound(request)));
       }
@@ -110,7 +110,7 @@ public final class FileTransfer {
     return session;
   }
 
-  private Optional<VehicleFile> named(FilePacket request) throws IOException {
+  private Optional<ReadableFile> named(FilePacket request) throws IOException {
     return request.size() > FilePacket.MAX_DATA ? Optional.empty() : files.open(request.path());
   }
 
@@ -141,7 +141,7 @@ public final class FileTransfer {
   }
 
   private FilePacket open(FilePacket request, Sender from) throws IOException {
-    Optional<VehicleFile> file = named(request);
+    Optional<ReadableFile> file = named(request);
     if (file.isEmpty()) {
       return request.nak(notFound(request));
     }

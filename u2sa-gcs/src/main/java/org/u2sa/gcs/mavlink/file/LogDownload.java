@@ -26,7 +26,7 @@ public final class LogDownload {
   private int nextEntry = 1;
   private int lastEntry;
   private int sending; // number of the log being sent; 0: none
-  private VehicleFile file;
+  private ReadableFile file;
   private long at;
   private long end;
 

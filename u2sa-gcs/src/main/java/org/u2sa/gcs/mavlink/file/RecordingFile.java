@@ -14,7 +14,7 @@ import java.util.Arrays;
  * A recording, in its size of when it was opened. Reads blocks and holds no file open between them,
  * so a station that disappears leaves nothing to close.
  */
-final class RecordingFile implements VehicleFile {
+final class RecordingFile implements ReadableFile {
   private static final int BLOCK = 64 * 1024;
 
   private final Path file;

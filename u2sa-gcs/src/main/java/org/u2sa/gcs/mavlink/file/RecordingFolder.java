@@ -23,7 +23,7 @@ public final class RecordingFolder {
    * @param seconds time of its last change, since 1970 [s]
    */
   record Entry(String name, Path file, long size, long seconds) {
-    VehicleFile open() {
+    ReadableFile open() {
       return new RecordingFile(file, size);
     }
   }

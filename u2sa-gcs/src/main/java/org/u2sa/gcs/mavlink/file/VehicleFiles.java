@@ -34,7 +34,7 @@ public final class VehicleFiles {
   }
 
   /** Opens a file; empty if there is none of that path. */
-  Optional<VehicleFile> open(String path) throws IOException {
+  Optional<ReadableFile> open(String path) throws IOException {
     String relative = relative(path);
     if (relative.startsWith(LOGS + "/") && recordings.isPresent()) {
       return recordings
@@ -42,7 +42,7 @@ public final class VehicleFiles {
           .entry(relative.substring(LOGS.length() + 1))
           .map(RecordingFolder.Entry::open);
     }
-    return metadata.content(relative).map(VehicleFile::of);
+    return metadata.content(relative).map(ReadableFile::of);
   }
 
   /**

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.Arrays;
 
 /** Content that stations can download. */
-interface VehicleFile {
+interface ReadableFile {
   /** Number of bytes; stays the same although a recording grows. */
   long size();
 
@@ -18,8 +18,8 @@ interface VehicleFile {
   byte[] read(long offset, int length) throws IOException;
 
   /** A file whose content is in memory. */
-  static VehicleFile of(byte[] content) {
-    return new VehicleFile() {
+  static ReadableFile of(byte[] content) {
+    return new ReadableFile() {
       @Override
       public long size() {
         return content.length;
