@@ -37,6 +37,7 @@ CHANNELS = {
     'manual-state': (1, True, ''),
     'manual-drive': (0, False, ''),
     'power': (0, False, ''),
+    'ground-pressure': (1, True, ''),
 }
 
 # (type chain, abstract, fields); a field: (name, kind, presence, default, least, most, constants, since, longest, shortens)
@@ -699,6 +700,13 @@ MESSAGES = [
         ('voltage', 'float64', 'optional', None, 0.0, None, (), 2, None, False),
         ('current', 'float64', 'optional', None, None, None, (), 2, None, False),
         ('remaining', 'float64', 'optional', None, 0.0, None, (), 2, None, False),
+    ]),
+    (('GroundPressure',), False, [
+        ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
+        ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
+        ('operator', 'text', 'required', None, None, None, (), 3, 255, False),
+        ('pressure', 'float64', 'required', None, 50000.0, 110000.0, (), 3, None, False),
+        ('z', 'float64', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('RangeScan',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1806,10 +1814,11 @@ LABELS = (
     'images',
     'fence',
     'margin',
+    'classes',
+    'required',
+    'pressure',
     'takeovers',
     'turnRate',
     'speedShare',
     'turnShare',
-    'classes',
-    'required',
 )
