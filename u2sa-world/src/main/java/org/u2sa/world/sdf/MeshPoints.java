@@ -83,7 +83,9 @@ final class MeshPoints {
         return;
       }
       boolean isTag = next < 0 || tagEnd < next;
-      if (isTag && tagEnd - at < LONGEST_TAG && DAE_POSITION.matcher(text.substring(at, tagEnd)).find()) {
+      if (isTag
+          && tagEnd - at < LONGEST_TAG
+          && DAE_POSITION.matcher(text.substring(at, tagEnd)).find()) {
         int end = text.indexOf('<', tagEnd);
         readPositions(text.substring(tagEnd + 1, end < 0 ? text.length() : end), points);
       }
