@@ -8,6 +8,7 @@ import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.schema.MessageField;
 import org.u2sa.messages.schema.MessageType;
@@ -42,6 +43,7 @@ final class ExtremeMessages {
   private static final double POLE_DEG = 90.0;
   private static final long LAST_MICROS = Long.MAX_VALUE / 1_000;
   private static final int GRID_SIDE = 300;
+  private static final int OUTLINE_CORNERS = 200;
   private static final int LEDGER_SIDE = 100;
 
   private final String serviceName;
@@ -89,8 +91,22 @@ final class ExtremeMessages {
       int side = extreme == Extreme.LONG ? LEDGER_SIDE : extreme == Extreme.EMPTY ? 1 : 3;
       byte[] cells = new byte[side * side];
       ledger.cells(ledger.corner(), ledger.cell(), side, cells, cells, new byte[2 * cells.length]);
+    } else if (message instanceof SearchArea area) {
+      area.corners(outline(extreme == Extreme.LONG ? OUTLINE_CORNERS : 3));
+      if (extreme != Extreme.EMPTY) {
+        area.ground(0.0).lowest(0.0).highest(HUGE);
+      }
     }
     return message;
+  }
+
+  private static List<Point> outline(int corners) {
+    List<Point> outline = new ArrayList<>();
+    for (int i = 0; i < corners; i++) {
+      double angle = 2.0 * Math.PI * i / corners;
+      outline.add(Point.of(11.5 + Math.cos(angle), 48.5 + Math.sin(angle), 0.0));
+    }
+    return outline;
   }
 
   private Object value(MessageType<?> type, MessageField<?> field, Extreme extreme) {

@@ -14,6 +14,7 @@ import org.u2sa.messages.cbor.ByteString;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.messages.shape.CoverageLedger;
 
@@ -80,6 +81,11 @@ final class MessageArbitraries {
           field.set(message, List.of(Point.of(11.5, 48.5, 400.0)));
         }
       }
+    }
+    if (message instanceof SearchArea area) {
+      Point first = Point.of(11.5, 48.5, 400.0);
+      area.corners(List.of(first, Point.of(11.6, 48.5, 400.0), Point.of(11.6, 48.6, 400.0)));
+      area.ground(400.0).lowest(410.0).highest(500.0);
     }
   }
 
