@@ -3,6 +3,7 @@ package org.u2sa.device;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.u2sa.device.port.PitotTube;
+import org.u2sa.device.pressure.PressureAltitude;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;

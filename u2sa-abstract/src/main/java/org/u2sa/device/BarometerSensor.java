@@ -3,6 +3,8 @@ package org.u2sa.device;
 import java.util.stream.Stream;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Pressure;
+import org.u2sa.device.pressure.PressureAltitude;
+import org.u2sa.device.pressure.PressureReference;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;

@@ -4,6 +4,8 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import org.u2sa.device.port.DepthGauge;
 import org.u2sa.device.port.Pressure;
+import org.u2sa.device.pressure.PressureAltitude;
+import org.u2sa.device.pressure.PressureZero;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;

@@ -9,6 +9,7 @@ import java.util.function.DoubleSupplier;
 import java.util.stream.Stream;
 import org.u2sa.device.port.TrafficReceiver;
 import org.u2sa.device.port.TrafficTarget;
+import org.u2sa.device.pressure.PressureAltitude;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;

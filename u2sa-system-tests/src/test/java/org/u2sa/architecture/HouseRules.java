@@ -199,6 +199,7 @@ final class HouseRules {
     rules.put("vehicles do not wait for output", vehiclesDoNotWaitForOutput());
     rules.put(
         "small circles", ClassCircles.ofClassesIn(ROOT + "messages..", ROOT + "interfaces.."));
+    rules.put("small packages", PackageSize.ofAll());
     rules.replaceAll((name, rule) -> rule.as(name).allowEmptyShould(true));
     return rules;
   }

@@ -133,6 +133,18 @@ class HouseRulesBiteTest {
   }
 
   @Test
+  void smallPackages_onOneOfMoreThanThirtyClasses_refusesIt() throws IOException {
+    List<JavaFileObject> sources = new ArrayList<>();
+    for (int i = 0; i < 31; i++) {
+      sources.add(
+          new Source("package org.u2sa.mission; class Part" + i + " { static class Piece {} }"));
+    }
+    assertThat(violations("small packages", compiled(sources.subList(0, 30)))).isEmpty();
+    assertThat(violations("small packages", compiled(sources)))
+        .anySatisfy(line -> assertThat(line).contains("Part30").contains("31 classes"));
+  }
+
+  @Test
   void classCircles_ofThreeClasses_areAccepted() throws IOException {
     String three =
         "package org.u2sa.messages; class A { B b; C c; } class B { C c; } class C { A a; }";

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.device.AirspeedSensor;
 import org.u2sa.device.BarometerSensor;
 import org.u2sa.device.DepthSensor;
-import org.u2sa.device.PressureAltitude;
+import org.u2sa.device.pressure.PressureAltitude;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;

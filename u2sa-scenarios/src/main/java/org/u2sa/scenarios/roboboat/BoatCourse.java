@@ -10,6 +10,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.marine.Buoy;
 import org.u2sa.messages.marine.Colour;
+import org.u2sa.scenarios.roboboat.gate.Gate;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.CurrentField;
 import org.u2sa.sim.world.Water;

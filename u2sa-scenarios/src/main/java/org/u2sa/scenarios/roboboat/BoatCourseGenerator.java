@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.scenarios.roboboat.gate.Gate;
 
 /**
  * Draws courses by the rules: gates 2.2 to 3 m wide, the speed gates 8 to 25 m apart, 10 to 15

@@ -14,6 +14,11 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.scenarios.roboboat.gate.Gate;
+import org.u2sa.scenarios.roboboat.gate.GateApproach;
+import org.u2sa.scenarios.roboboat.gate.GateLine;
+import org.u2sa.scenarios.roboboat.gate.GateSequence;
+import org.u2sa.scenarios.roboboat.gate.SailingPath;
 
 /**
  * Passes the gates of a {@link BuoyChannel} in order: always the nearest one ahead that has not

@@ -9,6 +9,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
+import org.u2sa.scenarios.roboboat.gate.GateLine;
 
 /**
  * {@link DockBoat}: along the line to the berth until the dock holds the boat; another attempt if

@@ -15,6 +15,7 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
+import org.u2sa.scenarios.vrx.sight.SeenSigns;
 
 /**
  * Docks by a {@link DockBySign}: waits near the light buoy until the sequence is known, goes around

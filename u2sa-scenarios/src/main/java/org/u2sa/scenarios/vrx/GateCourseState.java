@@ -1,6 +1,6 @@
 package org.u2sa.scenarios.vrx;
 
-import static org.u2sa.scenarios.vrx.MarkerGate.apart;
+import static org.u2sa.scenarios.vrx.sight.MarkerGate.apart;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +16,7 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
+import org.u2sa.scenarios.vrx.sight.MarkerGate;
 
 /**
  * Passes the gates of a {@link GateCourse}: the first one, then always the nearest that lies ahead

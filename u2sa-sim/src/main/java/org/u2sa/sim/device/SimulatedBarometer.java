@@ -2,9 +2,9 @@ package org.u2sa.sim.device;
 
 import java.util.OptionalDouble;
 import java.util.function.DoubleSupplier;
-import org.u2sa.device.PressureAltitude;
 import org.u2sa.device.port.Barometer;
 import org.u2sa.device.port.Pressure;
+import org.u2sa.device.pressure.PressureAltitude;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /** A barometer in the standard atmosphere, offset by the day's sea-level pressure. */

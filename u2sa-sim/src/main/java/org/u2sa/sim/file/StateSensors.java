@@ -3,7 +3,7 @@ package org.u2sa.sim.file;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
-import org.u2sa.device.PressureAltitude;
+import org.u2sa.device.pressure.PressureAltitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
 import org.u2sa.messages.frame.Point;

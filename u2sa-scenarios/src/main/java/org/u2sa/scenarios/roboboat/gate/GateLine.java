@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gate;
 
 import org.u2sa.messages.frame.Point;
 
@@ -10,11 +10,11 @@ import org.u2sa.messages.frame.Point;
  * @param over middle of the gate
  * @param to place behind it
  */
-record GateLine(Point from, Point over, Point to) {
+public record GateLine(Point from, Point over, Point to) {
   private static final double MIN_LENGTH_M = 1.0e-6; // length of a piece
 
   /** Distance from the piece to the gate, positive to the right [m]. */
-  double asideM(Point here) {
+  public double asideM(Point here) {
     double length = lengthM();
     double north = (over.x() - from.x()) / length;
     double east = (over.y() - from.y()) / length;
@@ -26,7 +26,7 @@ record GateLine(Point from, Point over, Point to) {
   }
 
   /** Place this far ahead of a boat that is abreast of the piece to the gate. */
-  Point ahead(Point here, double metres) {
+  public Point ahead(Point here, double metres) {
     double length = lengthM();
     double along =
         ((here.x() - from.x()) * (over.x() - from.x())
@@ -39,7 +39,7 @@ record GateLine(Point from, Point over, Point to) {
   }
 
   /** Place between two others, or beyond them. */
-  static Point between(Point from, Point to, double share) {
+  public static Point between(Point from, Point to, double share) {
     return Point.of(
         from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.0);
   }

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.vrx;
+package org.u2sa.scenarios.vrx.sight;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,9 +12,9 @@ import org.u2sa.messages.frame.Point;
  * @param starboard marker to be left to starboard
  * @param place of the gate in the course, by the type of its port marker
  */
-record MarkerGate(Point port, Point starboard, Place place) {
+public record MarkerGate(Point port, Point starboard, Place place) {
   /** First, in between, or last. */
-  enum Place {
+  public enum Place {
     FIRST,
     BETWEEN,
     LAST
@@ -25,13 +25,13 @@ record MarkerGate(Point port, Point starboard, Place place) {
    *
    * @param gate place of its gate in the course
    */
-  record Port(Point at, Place gate) {}
+  public record Port(Point at, Place gate) {}
 
   private static final double NARROWEST_M = 10.0;
   private static final double WIDEST_M = 27.0;
 
   /** Gates between markers that are each the other's nearest of the other side. */
-  static List<MarkerGate> among(List<Port> ports, List<Point> starboards) {
+  public static List<MarkerGate> among(List<Port> ports, List<Point> starboards) {
     List<MarkerGate> gates = new ArrayList<>();
     for (Port port : ports) {
       Optional<Point> partner =
@@ -48,44 +48,44 @@ record MarkerGate(Point port, Point starboard, Place place) {
     return gates;
   }
 
-  static double apart(Point a, Point b) {
+  public static double apart(Point a, Point b) {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
-  double widthM() {
+  public double widthM() {
     return apart(port, starboard);
   }
 
-  Point middle() {
+  public Point middle() {
     return port.plus(starboard).times(0.5);
   }
 
   /** Unit vector of the way through. */
-  Point way() {
+  public Point way() {
     double width = widthM();
     return Point.of((starboard.y() - port.y()) / width, (port.x() - starboard.x()) / width, 0.0);
   }
 
   /** Distance to go along the way until the gate [m]; negative behind it. */
-  double aheadM(Point from) {
+  public double aheadM(Point from) {
     Point to = middle().minus(from);
     return to.x() * way().x() + to.y() * way().y();
   }
 
   /** Distance from its axis, positive to starboard [m]. */
-  double asideM(Point at) {
+  public double asideM(Point at) {
     Point from = at.minus(middle());
     return from.y() * way().x() - from.x() * way().y();
   }
 
   /** Place on its axis, this far beyond the gate [m]. */
-  Point beyond(double metres) {
+  public Point beyond(double metres) {
     Point place = middle().plus(way().times(metres));
     return Point.of(place.x(), place.y(), 0.0);
   }
 
   /** Whether a move leads through it in its direction. */
-  boolean isPassed(Point before, Point now) {
+  public boolean isPassed(Point before, Point now) {
     return aheadM(before) > 0.0 && aheadM(now) <= 0.0 && Math.abs(asideM(now)) < widthM() / 2.0;
   }
 }

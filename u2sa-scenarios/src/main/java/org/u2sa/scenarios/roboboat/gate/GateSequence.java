@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gate;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -7,7 +7,7 @@ import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 
 /** The gates of a channel as they are known, which have been passed, and which is next. */
-final class GateSequence {
+public final class GateSequence {
   private static final double SAME_M = 2.0; // two gates this near are the same
   private static final double BEHIND_M = 1.0; // a gate is still ahead
   private static final double REACH_M = 30.0; // to the next gate
@@ -19,7 +19,7 @@ final class GateSequence {
   private Optional<Gate> last = Optional.empty();
   private Optional<Gate> aimed = Optional.empty(); // gate to be passed, at the last state
 
-  void begin() {
+  public void begin() {
     passed.clear();
     before = Optional.empty();
     last = Optional.empty();
@@ -27,7 +27,7 @@ final class GateSequence {
   }
 
   /** Returns whether the boat has passed a gate since the last call. */
-  boolean move(List<Gate> seen, Point here) {
+  public boolean move(List<Gate> seen, Point here) {
     gates = new ArrayList<>(seen);
     aimed
         .filter(gate -> Gate.distance(gate.middle(), here) < KEPT_M)
@@ -48,17 +48,17 @@ final class GateSequence {
     return now.isPresent();
   }
 
-  int passed() {
+  public int passed() {
     return passed.size();
   }
 
   /** The gate passed last. */
-  Optional<Gate> last() {
+  public Optional<Gate> last() {
     return last;
   }
 
   /** Remembers the gate that the boat sails to. */
-  void aimAt(Optional<Gate> gate) {
+  public void aimAt(Optional<Gate> gate) {
     aimed = gate;
   }
 
@@ -67,19 +67,19 @@ final class GateSequence {
   }
 
   /** The newest estimate of a gate that has not been passed. */
-  Optional<Gate> again(Gate gate) {
+  public Optional<Gate> again(Gate gate) {
     return nearest(gate.middle(), SAME_M);
   }
 
   /** The gate nearest to a place that has not been passed. */
-  Optional<Gate> nearest(Point place, double withinM) {
+  public Optional<Gate> nearest(Point place, double withinM) {
     return gates.stream()
         .filter(gate -> !isPassed(gate) && Gate.distance(gate.middle(), place) < withinM)
         .min(Comparator.comparingDouble(gate -> Gate.distance(gate.middle(), place)));
   }
 
   /** The gate nearest to a place, ahead of it and behind another gate. */
-  Optional<Gate> next(Point here, Gate behind) {
+  public Optional<Gate> next(Point here, Gate behind) {
     return gates.stream()
         .filter(gate -> !isPassed(gate) && gate.aheadM(here) > -BEHIND_M)
         .filter(gate -> behind.aheadM(gate.middle()) < -SAME_M)

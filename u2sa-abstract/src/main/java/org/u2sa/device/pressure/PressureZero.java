@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.pressure;
 
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.time.Clock;
@@ -7,19 +7,19 @@ import org.u2sa.interfaces.time.Clock;
  * Constant error of a pressure sensor, from readings at a known pressure. Depths under water depend
  * on it: 1 kPa is 0.1 m, and a sensor for 300 m is accurate to some 5 kPa. Not thread-safe.
  */
-final class PressureZero {
+public final class PressureZero {
   private OptionalDouble errorPa = OptionalDouble.empty();
   private long beganMicros = Long.MIN_VALUE;
   private double sumPa;
   private int count;
 
   /** The error [Pa]; empty until it is known. */
-  OptionalDouble errorPa() {
+  public OptionalDouble errorPa() {
     return errorPa;
   }
 
   /** Fixes the error [Pa]. */
-  void is(double pascals) {
+  public void is(double pascals) {
     errorPa = OptionalDouble.of(pascals);
   }
 
@@ -30,7 +30,7 @@ final class PressureZero {
    * @param offPa reading minus the known pressure [Pa]
    * @param forS length of time [s]
    */
-  void take(long measuredMicros, double offPa, double forS) {
+  public void take(long measuredMicros, double offPa, double forS) {
     beganMicros = count == 0 ? measuredMicros : beganMicros;
     sumPa += offPa;
     count++;

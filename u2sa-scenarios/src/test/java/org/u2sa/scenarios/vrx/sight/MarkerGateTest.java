@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.vrx;
+package org.u2sa.scenarios.vrx.sight;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.vrx;
+package org.u2sa.scenarios.vrx.sight;
 
 import java.util.Map;
 import java.util.TreeMap;
@@ -8,11 +8,11 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.PlannerView;
 
 /** The signs of a dock's bays in the world model. */
-final class SeenSigns {
+public final class SeenSigns {
   private SeenSigns() {}
 
   /** Signs by their type; of several tracks of one, the surest: the others are old sightings. */
-  static Map<String, Point> of(PlannerView surroundings, StateInformation state) {
+  public static Map<String, Point> of(PlannerView surroundings, StateInformation state) {
     Map<String, ObjectDescription> surest = new TreeMap<>();
     for (ObjectDescription object : surroundings.objects()) {
       if (object.objectType().matches("\\w+ (circle|cross|triangle|rectangle)")) {

@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.pressure;
 
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * ground station tells, else what is configured. It is compared with the altitude of the state, as
  * far as that is certain; one that contradicts it is replaced by the one that fits.
  */
-final class PressureReference {
+public final class PressureReference {
   private static final double LOWEST_PA = 85_000.0;
   private static final double HIGHEST_PA = 110_000.0;
   private static final double SURE_M = 10.0; // sigma of an altitude to compare with
@@ -38,12 +38,12 @@ final class PressureReference {
   /**
    * @param trouble receives what the operator has to know
    */
-  PressureReference(Consumer<String> trouble) {
+  public PressureReference(Consumer<String> trouble) {
     this.trouble = trouble;
   }
 
   /** Sets the configured pressure at sea level [Pa]; a change takes effect at once. */
-  void configure(double pascals) {
+  public void configure(double pascals) {
     if (pascals != configuredPa) {
       configuredPa = pascals;
       adopt(pascals, "configured, no station told any", 0.0);
@@ -59,7 +59,7 @@ final class PressureReference {
   }
 
   /** Uses what a ground station tells, unless it is old or contradicts a certain altitude. */
-  void hear(GroundPressure told, long nowMicros) {
+  public void hear(GroundPressure told, long nowMicros) {
     double pascals = PressureAltitude.qnhOf(told.pressure(), told.z().orElse(0.0));
     String what = hectopascals(pascals) + " from " + told.operator();
     double ageS = Clock.seconds(nowMicros - told.timestamp().orElse(nowMicros));
@@ -79,7 +79,7 @@ final class PressureReference {
   }
 
   /** Sets the difference from a certain altitude at which a pressure counts as wrong [m]. */
-  void tolerate(double metres) {
+  public void tolerate(double metres) {
     toleranceM = metres;
   }
 
@@ -88,7 +88,7 @@ final class PressureReference {
   }
 
   /** Notes the altitude of a state if it is certain. */
-  void see(StateInformation state) {
+  public void see(StateInformation state) {
     boolean isSure =
         state.referenceFrame().equals(ReferenceFrame.GLOBAL)
             && state.z().isPresent()
@@ -100,7 +100,7 @@ final class PressureReference {
   }
 
   /** Altitude above mean sea level of a pressure [m]. */
-  double altitudeM(double pascals, long micros) {
+  public double altitudeM(double pascals, long micros) {
     newestPa = pascals;
     double altitude = PressureAltitude.altitudeM(pascals, qnhPa);
     if (!isSure(micros)) {
@@ -134,7 +134,7 @@ final class PressureReference {
   }
 
   /** Standard deviation of an altitude [m]. */
-  double sigmaM(double configuredM) {
+  public double sigmaM(double configuredM) {
     return sigmaM == 0.0 ? configuredM : sigmaM;
   }
 

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gate;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -10,12 +10,12 @@ import org.u2sa.messages.frame.Point;
  * @param left buoy to the left of a boat that passes
  * @param right buoy to the right
  */
-record Gate(Point left, Point right) {
+public record Gate(Point left, Point right) {
   private static final double NARROWEST_M = 1.5;
   private static final double WIDEST_M = 4.0;
 
   /** Gates between buoys of two colours: each left buoy with the nearest right one, if alone. */
-  static List<Gate> among(List<Point> lefts, List<Point> rights) {
+  public static List<Gate> among(List<Point> lefts, List<Point> rights) {
     List<Gate> gates = new ArrayList<>();
     for (Point left : lefts) {
       Point partner = nearest(left, rights);
@@ -40,48 +40,48 @@ record Gate(Point left, Point right) {
   }
 
   /** Level distance [m]. */
-  static double distance(Point a, Point b) {
+  public static double distance(Point a, Point b) {
     return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
   /** Half its width, between the centres of its buoys [m]. */
-  double halfM() {
+  public double halfM() {
     return distance(left, right) / 2.0;
   }
 
-  Point middle() {
+  public Point middle() {
     return Point.of((left.x() + right.x()) / 2.0, (left.y() + right.y()) / 2.0, 0.0);
   }
 
   /** Unit vector of the way through. */
-  Point way() {
+  public Point way() {
     double width = distance(left, right);
     return Point.of((right.y() - left.y()) / width, (left.x() - right.x()) / width, 0.0);
   }
 
   /** Distance to go along the way until the gate [m]; negative behind it. */
-  double aheadM(Point from) {
+  public double aheadM(Point from) {
     Point way = way();
     Point middle = middle();
     return (middle.x() - from.x()) * way.x() + (middle.y() - from.y()) * way.y();
   }
 
   /** Distance from the gate's axis, positive to the right [m]. */
-  double asideM(Point from) {
+  public double asideM(Point from) {
     Point way = way();
     Point middle = middle();
     return (from.y() - middle.y()) * way.x() - (from.x() - middle.x()) * way.y();
   }
 
   /** Place on its axis, this far beyond the gate [m]. */
-  Point beyond(double metres) {
+  public Point beyond(double metres) {
     Point way = way();
     Point middle = middle();
     return Point.of(middle.x() + metres * way.x(), middle.y() + metres * way.y(), 0.0);
   }
 
   /** Whether a move leads through it in its direction. */
-  boolean isPassed(Point before, Point now) {
+  public boolean isPassed(Point before, Point now) {
     double from = aheadM(before);
     double to = aheadM(now);
     if (!(from > 0.0 && to <= 0.0)) {

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gate;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +17,7 @@ import org.u2sa.planning.seen.PlanarShape;
  * @param gate as it was known
  * @param runM length of the straight run [m]
  */
-record GateApproach(SailingPath path, Gate gate, double runM) {
+public record GateApproach(SailingPath path, Gate gate, double runM) {
   private static final double[] LEADS_M = {0.0, 4.0, 8.0}; // straight on before the first turn
   private static final double[] RADII_M = {4.0, 3.0, 2.2};
   private static final double[] RUNS_M = {10.0, 8.0, 6.0, 14.0, 4.5};
@@ -36,7 +36,7 @@ record GateApproach(SailingPath path, Gate gate, double runM) {
   private static final double BEFORE_M = 1.5; // end of the part of the run that is checked
 
   /** The best way from a pose; empty if none is clear. */
-  static Optional<GateApproach> plan(Pose from, Gate gate, List<PlanarShape> objects) {
+  public static Optional<GateApproach> plan(Pose from, Gate gate, List<PlanarShape> objects) {
     Point way = gate.way();
     double heading = Math.atan2(way.y(), way.x());
     GateApproach best = null;
@@ -70,7 +70,7 @@ record GateApproach(SailingPath path, Gate gate, double runM) {
   }
 
   /** A place before the gate from which a way may be found, on its axis if there is room. */
-  static Point before(Gate gate, List<PlanarShape> objects) {
+  public static Point before(Gate gate, List<PlanarShape> objects) {
     Point onAxis = gate.beyond(-FAR_M);
     Point way = gate.way();
     for (double aside : FAR_ASIDE_M) {
@@ -83,7 +83,7 @@ record GateApproach(SailingPath path, Gate gate, double runM) {
   }
 
   /** How far the start of the run is from where it would be by a newer estimate of the gate [m]. */
-  double movedM(Gate newer) {
+  public double movedM(Gate newer) {
     return newer.beyond(-runM).minus(gate.beyond(-runM)).distance();
   }
 

@@ -1,11 +1,11 @@
-package org.u2sa.scenarios.roboboat;
+package org.u2sa.scenarios.roboboat.gate;
 
 import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.curve.Pose;
 
 /** A way over the water as closely spaced poses, sailed in order. Not thread-safe. */
-final class SailingPath {
+public final class SailingPath {
   /** Largest distance between two poses [m]. */
   static final double SPACING_M = 0.25;
 
@@ -14,12 +14,12 @@ final class SailingPath {
   private final List<Pose> poses;
   private int at; // pose nearest to the boat
 
-  SailingPath(List<Pose> poses) {
+  public SailingPath(List<Pose> poses) {
     this.poses = List.copyOf(poses);
   }
 
   /** Follows the boat along the path. */
-  void follow(Point here) {
+  public void follow(Point here) {
     int nearest = at;
     for (int i = at; i < Math.min(poses.size(), at + WINDOW); i++) {
       if (awayM(i, here) < awayM(nearest, here)) {
@@ -34,17 +34,17 @@ final class SailingPath {
   }
 
   /** Distance of the boat from the path [m]. */
-  double offM(Point here) {
+  public double offM(Point here) {
     return awayM(at, here);
   }
 
   /** Length that is left, at most [m]. */
-  double leftM() {
+  public double leftM() {
     return (poses.size() - 1 - at) * SPACING_M;
   }
 
   /** Place this far along the path; straight on beyond its end. */
-  Point ahead(double metres) {
+  public Point ahead(double metres) {
     int steps = (int) Math.ceil(metres / SPACING_M);
     int index = Math.min(poses.size() - 1, at + steps);
     Pose pose = poses.get(index).along(Math.max(0.0, metres - leftM()), 0.0);

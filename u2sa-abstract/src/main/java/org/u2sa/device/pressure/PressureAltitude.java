@@ -1,4 +1,4 @@
-package org.u2sa.device;
+package org.u2sa.device.pressure;
 
 import org.u2sa.messages.frame.Gravity;
 
