@@ -148,6 +148,19 @@ class StationMissionTest {
   }
 
   @Test
+  void upload_lastItemRepeatedAsTheAnswerWasLost_isAnsweredAgain() {
+    upload(kit, List.of(item(0, 16, 0.001), item(1, 189, 0.001)));
+    assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
+    kit.send(item(0, 16, 0.001));
+    assertThat(kit.received(MissionAck.class)).isEmpty();
+    kit.send(item(1, 189, 0.001));
+    assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
+    upload(kit, List.of(item(0, 16, 0.001)));
+    kit.send(item(0, 16, 0.001)); // the Mission Manager has not answered yet
+    assertThat(kit.received(MissionAck.class)).isEmpty();
+  }
+
+  @Test
   void upload_abandoned_isCancelled() {
     kit.send(MissionCount.builder().targetSystem(1).targetComponent(1).count(2).build());
     kit.advance(22.0);

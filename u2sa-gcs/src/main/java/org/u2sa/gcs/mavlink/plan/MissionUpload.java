@@ -34,6 +34,10 @@ final class MissionUpload {
       this.from = from;
       this.count = count;
     }
+
+    boolean isLast(MissionItemInt item) {
+      return item.seq() == count - 1;
+    }
   }
 
   private final int type;
@@ -41,6 +45,7 @@ final class MissionUpload {
   private final MissionAnswers answers;
   private final Complete complete;
   private Optional<Incoming> incoming = Optional.empty();
+  private Optional<Incoming> finished = Optional.empty(); // the newest
   private long nowMicros;
 
   /**
@@ -67,6 +72,8 @@ final class MissionUpload {
           type,
           from);
     } else {
+      answers.forget(type);
+      finished = Optional.empty();
       incoming = Optional.of(new Incoming(from, count));
       ask(incoming.get());
     }
@@ -87,7 +94,10 @@ final class MissionUpload {
 
   void take(MissionItemInt item, Sender from) {
     if (incoming.isEmpty() || !incoming.get().from.equals(from)) {
-      return; // a repetition after the acknowledgement, or nobody asked
+      if (finished.filter(upload -> upload.from.equals(from) && upload.isLast(item)).isPresent()) {
+        answers.repeat(type, from); // MAVSDK repeats its last item if the acknowledgement is lost
+      }
+      return;
     }
     Incoming upload = incoming.get();
     if (item.seq() != upload.items.size()) {
@@ -99,6 +109,7 @@ final class MissionUpload {
       ask(upload);
     } else {
       incoming = Optional.empty();
+      finished = Optional.of(upload);
       complete.take(upload.items, from);
     }
   }
