@@ -2,7 +2,7 @@ package org.u2sa.android.sensor
 
 import org.u2sa.messages.frame.MagneticModel
 import org.u2sa.device.port.GpsFix
-import org.u2sa.device.PressureAltitude
+import org.u2sa.device.pressure.PressureAltitude
 import org.u2sa.interfaces.time.Clock
 import org.u2sa.interfaces.log.LogLevelEnum
 import org.u2sa.interfaces.configuration.Description

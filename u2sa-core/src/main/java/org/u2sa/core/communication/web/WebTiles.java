@@ -11,6 +11,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Arrays;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
@@ -49,7 +50,7 @@ public final class WebTiles {
     try {
       FileChannel file = FileChannel.open(path, StandardOpenOption.READ);
       ByteBuffer start = ByteBuffer.allocate(MAGIC.length);
-      if (file.read(start, 0) != MAGIC.length || !start.flip().equals(ByteBuffer.wrap(MAGIC))) {
+      if (file.read(start, 0) != MAGIC.length || !Arrays.equals(start.array(), MAGIC)) {
         file.close();
         throw new BadInputException(
             "WEB TILES: " + path + ": no PMTiles of version 3; ./u2sa does not convert others");
@@ -79,17 +80,18 @@ public final class WebTiles {
     } catch (IOException e) {
       return WebResponses.error(HttpResponseStatus.INTERNAL_SERVER_ERROR); // the card was removed
     }
-    content.flip();
     FullHttpResponse response =
-        WebResponses.response(HttpResponseStatus.PARTIAL_CONTENT, Unpooled.wrappedBuffer(content));
+        WebResponses.response(
+            HttpResponseStatus.PARTIAL_CONTENT,
+            Unpooled.wrappedBuffer(content.array(), 0, content.position()));
     response
         .headers()
         .set(HttpHeaderNames.CONTENT_TYPE, "application/octet-stream")
         .set(HttpHeaderNames.CACHE_CONTROL, "no-store")
         .set(
             HttpHeaderNames.CONTENT_RANGE,
-            "bytes " + from + "-" + (from + content.limit() - 1) + "/" + size)
-        .setInt(HttpHeaderNames.CONTENT_LENGTH, content.limit());
+            "bytes " + from + "-" + (from + content.position() - 1) + "/" + size)
+        .setInt(HttpHeaderNames.CONTENT_LENGTH, content.position());
     return response;
   }
 }
