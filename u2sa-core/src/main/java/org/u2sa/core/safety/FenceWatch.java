@@ -215,7 +215,11 @@ final class FenceWatch implements Watch {
     if (Math.hypot(place.x() - clear.x(), place.y() - clear.y()) + reachM < clearM) {
       return true;
     }
-    boolean allowed = fence.allows(manoeuvre.region(place, velocity));
+    boolean allowed =
+        settings.get().fenceManoeuvre().equals(Manoeuvre.TURN_TO_ONE_SIDE)
+            ? fence.allows(manoeuvre.regionToOneSide(place, velocity, 1.0))
+                || fence.allows(manoeuvre.regionToOneSide(place, velocity, -1.0))
+            : fence.allows(manoeuvre.region(place, velocity));
     clear = place;
     clearM = allowed ? fence.clearanceM(place) - ROUNDING_M : 0.0;
     return allowed;

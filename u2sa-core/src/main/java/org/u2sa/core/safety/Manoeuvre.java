@@ -31,6 +31,11 @@ record Manoeuvre(
     double leastRadiusM,
     double windMps,
     double verticalMps2) {
+  /** Values of FENCE MANOEUVRE. */
+  static final String BRAKE = "BRAKE";
+
+  static final String TURN_TO_ONE_SIDE = "TURN TO ONE SIDE";
+
   private static final double SLOWEST_MPS = 0.1;
   private static final int ARC_CORNERS = 12;
   private static final GeometryFactory GEOMETRY = new GeometryFactory();
@@ -41,7 +46,7 @@ record Manoeuvre(
    */
   static Manoeuvre of(SafetyVariables settings, FailsafeAction onFence) {
     return new Manoeuvre(
-        settings.fenceManoeuvre().equals("TURN"),
+        !settings.fenceManoeuvre().equals(BRAKE),
         settings.reactionTime(),
         settings.braking(),
         settings.turnBank(),
@@ -114,20 +119,49 @@ record Manoeuvre(
       return GEOMETRY.createLineString(
           new Coordinate[] {here, new Coordinate(here.x + ahead * east, here.y + ahead * north)});
     }
+    List<Coordinate> corners = new ArrayList<>(List.of(here));
+    addTurn(corners, 1.0, here, east, north, speed);
+    addTurn(corners, -1.0, here, east, north, speed);
+    return hull(corners);
+  }
+
+  /**
+   * Region that the vehicle may cover until it has turned around to one side.
+   *
+   * @param side 1: right, -1: left
+   */
+  Geometry regionToOneSide(Point place, Point velocity, double side) {
+    double speed = Math.hypot(velocity.x(), velocity.y());
+    if (speed < SLOWEST_MPS) {
+      return region(place, velocity);
+    }
+    Coordinate here = new Coordinate(place.x(), place.y());
+    List<Coordinate> corners = new ArrayList<>(List.of(here));
+    addTurn(corners, side, here, velocity.x() / speed, velocity.y() / speed, speed);
+    return hull(corners);
+  }
+
+  private void addTurn(
+      List<Coordinate> corners,
+      double side,
+      Coordinate here,
+      double east,
+      double north,
+      double speed) {
+    double straight = speed * reactionS;
     double radius = turnRadiusM(speed);
-    double drift = driftM(speed);
     double around = aroundM(speed);
-    List<Coordinate> corners = new ArrayList<>();
-    for (int i = 0; 2 * i <= ARC_CORNERS; i++) { // inner halves lie within the hull
+    for (int i = 0; i <= ARC_CORNERS; i++) {
       double angle = Math.PI * i / ARC_CORNERS;
       double ahead = straight + around * Math.sin(angle);
-      double aside = radius + around * Math.cos(angle);
-      corners.add(at(here, east, north, ahead, aside));
-      corners.add(at(here, east, north, ahead, -aside));
+      corners.add(at(here, east, north, ahead, side * (radius + around * Math.cos(angle))));
     }
-    corners.add(at(here, east, north, straight - drift, radius + around));
-    corners.add(at(here, east, north, straight - drift, -radius - around));
-    corners.add(here);
+    double behind = straight - driftM(speed);
+    corners.add(at(here, east, north, behind, side * (radius + around)));
+    corners.add(at(here, east, north, behind, side * (radius - around)));
+  }
+
+  private static Geometry hull(List<Coordinate> corners) {
     return new ConvexHull(corners.toArray(new Coordinate[0]), GEOMETRY).getConvexHull();
   }
 

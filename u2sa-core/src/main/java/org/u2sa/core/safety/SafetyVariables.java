@@ -89,10 +89,11 @@ record SafetyVariables(
         @Description("Geofence XML file, relative to this one; empty: none.")
         String fence,
     @Variable(
-            oneOf = {"BRAKE", "TURN"},
-            ifAbsentText = "BRAKE")
+            oneOf = {Manoeuvre.BRAKE, "TURN", Manoeuvre.TURN_TO_ONE_SIDE},
+            ifAbsentText = Manoeuvre.BRAKE)
         @Description(
-            "How the vehicle stays inside the fence: it BRAKEs or, like an aircraft, TURNs to either side.")
+            "How the vehicle stays inside the fence: it BRAKEs or, like an aircraft, TURNs to either side. "
+                + "TURN TO ONE SIDE: room on one side is enough, for a planner that knows the boundary.")
         String fenceManoeuvre,
     @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
         @Description("Time from the failsafe until the vehicle brakes or turns.")

@@ -68,8 +68,9 @@ class FenceProperties {
   }
 
   @Property(tries = 300)
-  void turner_onceItIsTooNear_turnsRoundInsideByEitherSide(
+  void turner_onceItIsTooNear_turnsRoundInsideByEitherSideOrTheOneWithRoom(
       @ForAll @LongRange(min = 0, max = 1_000_000) long seed,
+      @ForAll boolean oneSide,
       @ForAll @DoubleRange(min = 10.0, max = 60.0) double speed,
       @ForAll @DoubleRange(min = 0.2, max = 0.7) double bank,
       @ForAll @DoubleRange(min = 0.0, max = 8.0) double wind) {
@@ -92,9 +93,14 @@ class FenceProperties {
       double vEast = speed * Math.sin(course) + wind * Math.sin(windTo);
       double vNorth = speed * Math.cos(course) + wind * Math.cos(windTo);
       assertThat(fence.allows(here)).as("inside at %s s", t).isTrue();
-      if (Double.isNaN(triggered)
-          && !fence.allows(promised.region(here, Point.of(vEast, vNorth, 0.0)))) {
+      Point over = Point.of(vEast, vNorth, 0.0);
+      if (Double.isNaN(triggered) && !oneSide && !fence.allows(promised.region(here, over))) {
         triggered = t;
+      } else if (Double.isNaN(triggered) && oneSide) {
+        boolean right = fence.allows(promised.regionToOneSide(here, over, 1.0));
+        boolean left = fence.allows(promised.regionToOneSide(here, over, -1.0));
+        triggered = right || left ? Double.NaN : t;
+        side = right ? 1.0 : left ? -1.0 : side; // the last one with room
       }
       if (t - triggered >= reaction - 1e-6) { // false for NaN
         double rate = Gravity.STANDARD_MPS2 * Math.tan(bank) / speed;

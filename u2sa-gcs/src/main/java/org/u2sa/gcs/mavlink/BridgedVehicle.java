@@ -3,8 +3,8 @@ package org.u2sa.gcs.mavlink;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.u2sa.gcs.mavlink.file.ComponentMetadataFiles;
+import org.u2sa.gcs.mavlink.file.OfferedFiles;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
-import org.u2sa.gcs.mavlink.file.VehicleFiles;
 import org.u2sa.gcs.mavlink.plan.FenceBook;
 import org.u2sa.gcs.mavlink.plan.MissionProgressMessages;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
@@ -31,7 +31,7 @@ final class BridgedVehicle {
   final FenceBook fences;
   final MissionProgressMessages progress;
   final Telemetry telemetry;
-  final VehicleFiles files;
+  final OfferedFiles files;
 
   /**
    * @param systemId the vehicle's U2SA system ID
@@ -64,6 +64,6 @@ final class BridgedVehicle {
     ComponentMetadataFiles metadata =
         new ComponentMetadataFiles(model.configurations(), systemId, uptime);
     telemetry.add(Telemetry.COMPONENT_METADATA, 0.0, metadata::message);
-    files = new VehicleFiles(metadata, recordings);
+    files = new OfferedFiles(metadata, recordings);
   }
 }

@@ -27,7 +27,7 @@ public final class FileTransfer {
   /** A request that is repeated if its answer is lost, and must not open another session then. */
   private record Opening(byte[] request, Sender from, FilePacket answer) {}
 
-  private final VehicleFiles files;
+  private final OfferedFiles files;
   private final GroundStation station;
   private final ChecksumJob checksum = new ChecksumJob();
   private final Map<Integer, FileSession> sessions = new TreeMap<>();
@@ -35,7 +35,7 @@ public final class FileTransfer {
   private long nowMicros;
 
   /** Serves a station. */
-  public FileTransfer(VehicleFiles files, GroundStation station) {
+  public FileTransfer(OfferedFiles files, GroundStation station) {
     this.files = files;
     this.station = station;
   }

@@ -20,7 +20,7 @@ public final class LogDownload {
   private static final int PER_STEP = 64;
   private static final int DATA = 90;
 
-  private final VehicleFiles files;
+  private final OfferedFiles files;
   private final GroundStation station;
   private List<RecordingFolder.Entry> logs = List.of();
   private int nextEntry = 1;
@@ -31,7 +31,7 @@ public final class LogDownload {
   private long end;
 
   /** Serves a station. */
-  public LogDownload(VehicleFiles files, GroundStation station) {
+  public LogDownload(OfferedFiles files, GroundStation station) {
     this.files = files;
     this.station = station;
   }

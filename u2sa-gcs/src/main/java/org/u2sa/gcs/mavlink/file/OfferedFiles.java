@@ -9,7 +9,7 @@ import java.util.Optional;
  * The files of a vehicle, all of them virtual: component metadata, and recordings if there is a
  * folder for them. No path of the host can be named.
  */
-public final class VehicleFiles {
+public final class OfferedFiles {
   private static final String LOGS = "logs";
 
   private final ComponentMetadataFiles metadata;
@@ -18,7 +18,7 @@ public final class VehicleFiles {
   /**
    * @param recordings what stations may download; empty: none
    */
-  public VehicleFiles(ComponentMetadataFiles metadata, Optional<RecordingFolder> recordings) {
+  public OfferedFiles(ComponentMetadataFiles metadata, Optional<RecordingFolder> recordings) {
     this.metadata = metadata;
     this.recordings = recordings;
   }
