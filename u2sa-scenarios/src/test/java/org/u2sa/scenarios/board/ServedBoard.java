@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.Repository;
 
 /** {@code u2sa board} in a virtual machine of its own, at any free port. */
@@ -32,22 +33,13 @@ final class ServedBoard implements AutoCloseable {
     List<String> command =
         new ArrayList<>(
             List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
-                "-XX:TieredStopAtLevel=1",
-                "-Djava.awt.headless=true",
-                "-Du2sa.home=" + Repository.root(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "org.u2sa.cli.Main",
                 "board",
                 "--vehicle",
                 Repository.root().resolve(vehicle).toString(),
                 "--listen",
                 "127.0.0.1:0"));
     command.addAll(List.of(options));
-    process =
-        new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile()).start();
+    process = ForeignProgram.u2sa(log, command.toArray(new String[0]));
     await("the board").atMost(PATIENCE).until(() -> ADDRESS.matcher(said()).find());
   }
 

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.NeedsProgram;
 import org.u2sa.testkit.Repository;

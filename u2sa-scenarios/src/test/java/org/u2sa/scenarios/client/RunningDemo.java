@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.Repository;
 
@@ -33,24 +34,10 @@ final class RunningDemo implements AutoCloseable {
   RunningDemo(Path folder, String waitFor, String... arguments) throws IOException {
     this.folder = folder;
     output = folder.resolve("demo.txt");
-    List<String> command =
-        new ArrayList<>(
-            List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
-                "-Djava.awt.headless=true",
-                "-Du2sa.home=" + Repository.root(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "org.u2sa.cli.Main",
-                "demo"));
+    List<String> command = new ArrayList<>(List.of("demo"));
     command.addAll(List.of(arguments));
     command.addAll(List.of("--realtime", "--port=" + port, "--out=" + out()));
-    process =
-        new ProcessBuilder(command)
-            .redirectErrorStream(true)
-            .redirectOutput(output.toFile())
-            .start();
+    process = ForeignProgram.u2sa(output, command.toArray(new String[0]));
     await().atMost(LONG).until(() -> said().contains(waitFor) || !process.isAlive());
     assertThat(said()).contains(waitFor);
   }

@@ -16,9 +16,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
-import org.u2sa.testkit.Repository;
 import org.u2sa.testkit.TcpRelay;
 
 /** An operator at the page of a ground vehicle that drives, in Chromium. */
@@ -43,26 +43,15 @@ class StationPageTest {
   @BeforeEach
   void start() throws IOException, InterruptedException {
     Path output = folder.resolve("demo.txt");
-    List<String> command =
-        List.of(
-            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:+UseSerialGC",
-            "-Djava.awt.headless=true",
-            "-Du2sa.home=" + Repository.root(),
-            "-cp",
-            System.getProperty("java.class.path"),
-            "org.u2sa.cli.Main",
+    vehicle =
+        ForeignProgram.u2sa(
+            output,
             "demo",
             "ugv",
             "--realtime",
             "--port=" + brokerPort,
             "--web=" + webPort,
             "--out=" + folder.resolve("out"));
-    vehicle =
-        new ProcessBuilder(command)
-            .redirectErrorStream(true)
-            .redirectOutput(output.toFile())
-            .start();
     await()
         .atMost(LONG)
         .until(() -> Files.readString(output, UTF_8).contains("Operator's page: " + page));

@@ -4,21 +4,18 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
-import org.u2sa.testkit.Repository;
 
 /** A recorded drive in the operator's page, in Chromium. */
 @Tag("browser")
@@ -29,29 +26,11 @@ class StationPlaybackTest {
 
   @TempDir private Path folder;
 
-  private Process u2sa(Path output, String... arguments) throws IOException {
-    List<String> command =
-        new ArrayList<>(
-            List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-XX:+UseSerialGC",
-                "-Djava.awt.headless=true",
-                "-Du2sa.home=" + Repository.root(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                "org.u2sa.cli.Main"));
-    command.addAll(List.of(arguments));
-    return new ProcessBuilder(command)
-        .redirectErrorStream(true)
-        .redirectOutput(output.toFile())
-        .start();
-  }
-
   @Test
   void replay_onThePage_playsPausesSeeksAndOrdersNothing() throws Exception {
     Path drive = folder.resolve("drive");
     Process demo =
-        u2sa(
+        ForeignProgram.u2sa(
             folder.resolve("demo.txt"),
             "demo",
             "ugv",
@@ -66,7 +45,8 @@ class StationPlaybackTest {
     int port = FreePort.find();
     Path output = folder.resolve("replay.txt");
     String file = drive.resolve("recording.mcap").toString();
-    Process replay = u2sa(output, "replay", file, "--from", "20", "--web", String.valueOf(port));
+    Process replay =
+        ForeignProgram.u2sa(output, "replay", file, "--from", "20", "--web", String.valueOf(port));
     try {
       String page = "http://127.0.0.1:" + port + "/";
       await().atMost(LONG).until(() -> Files.readString(output, UTF_8).contains(page));

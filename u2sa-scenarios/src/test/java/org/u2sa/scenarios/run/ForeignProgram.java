@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.cessna;
+package org.u2sa.scenarios.run;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
@@ -10,7 +10,7 @@ import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.Repository;
 
 /** Programs beside the tests' own virtual machine: Python, and u2sa as a user runs it. */
-final class ForeignProgram {
+public final class ForeignProgram {
   private ForeignProgram() {}
 
   /**
@@ -19,16 +19,17 @@ final class ForeignProgram {
    * @param exit its exit code
    * @param output standard output and standard error
    */
-  record Ended(int exit, String output) {}
+  public record Ended(int exit, String output) {}
 
-  static Ended run(String... command) throws IOException, InterruptedException {
+  /** Runs a program to its end. */
+  public static Ended run(String... command) throws IOException, InterruptedException {
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     String output = new String(process.getInputStream().readAllBytes(), UTF_8);
     return new Ended(process.waitFor(), output);
   }
 
   /** Starts a program; what it prints goes to the file. */
-  static Process start(Path output, List<String> command) throws IOException {
+  public static Process start(Path output, List<String> command) throws IOException {
     return new ProcessBuilder(command)
         .redirectErrorStream(true)
         .redirectOutput(output.toFile())
@@ -36,7 +37,7 @@ final class ForeignProgram {
   }
 
   /** Starts u2sa in a virtual machine of its own. */
-  static Process u2sa(Path output, String... arguments) throws IOException {
+  public static Process u2sa(Path output, String... arguments) throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(
@@ -52,7 +53,7 @@ final class ForeignProgram {
   }
 
   /** A Python with cbor2 and paho-mqtt. Skips the test where there is none, except under CI. */
-  static String python() {
+  public static String python() {
     return ForeignPrograms.ofThisMachine().required("python3", "cbor2", "paho.mqtt.client");
   }
 }
