@@ -63,8 +63,10 @@ public final class WebResponses {
 
   /** The answer to a GET or HEAD. */
   FullHttpResponse answer(HttpRequest request, String path) {
-    if (tiles != null && path.equals(WebTiles.PATH) && request.method().equals(HttpMethod.GET)) {
-      return tiles.answer(request);
+    if (path.equals(WebTiles.PATH) && request.method().equals(HttpMethod.GET)) {
+      return tiles == null
+          ? response(HttpResponseStatus.NO_CONTENT, Unpooled.EMPTY_BUFFER) // browsers log errors
+          : tiles.answer(request);
     }
     Stored file = files.get(path);
     if (file == null) {
