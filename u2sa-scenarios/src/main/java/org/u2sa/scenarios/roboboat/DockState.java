@@ -31,6 +31,10 @@ final class DockState extends StationTaskState {
   private static final double BACK_MPS = 0.7;
   private static final double LEAVE_MPS = 1.6; // before a current carries it to the fingers
 
+  private static final double PATIENCE_S = 3.0;
+  private static final double WIGGLE_RAD = Math.toRadians(15.0);
+  private static final double WIGGLE_S = 20.0;
+
   private enum Phase {
     ALIGN,
     ENTER,
@@ -39,7 +43,7 @@ final class DockState extends StationTaskState {
   }
 
   private Phase phase = Phase.ALIGN;
-  private long stillMicros; // since when; Long.MIN_VALUE: not
+  private long stillMicros; // since when, in the dock; Long.MIN_VALUE: not
 
   DockState(PlannerView surroundings) {
     super(surroundings);
@@ -72,10 +76,8 @@ final class DockState extends StationTaskState {
     double aside = off.y() * Math.cos(psi) - off.x() * Math.sin(psi);
     double toGo = goal.way() - along;
     boolean isHeld = toGo < IN_M && speed(state) < STILL_MPS;
-    if (phase == Phase.LEAVE && isHeld) { // the dock lets it push back, but not turn
-      Point astern = Point.of(-LEFT_M, 0.0, 0.0);
-      return Plan.underWay(
-          List.of(NavigationPoint.at(astern).backwards(true).speed(LEAVE_MPS).turn(0.0)));
+    if (phase == Phase.LEAVE && isHeld) {
+      return Plan.underWay(List.of(astern(state)));
     }
     if (phase == Phase.LEAVE) {
       return toGo > LEFT_M
@@ -102,6 +104,19 @@ final class DockState extends StationTaskState {
       case BACK_OFF -> back(goal, state, BACK_MPS);
       default -> Plan.underWay(List.of(facing(goal, state, psi)));
     };
+  }
+
+  /**
+   * Out of the dock's hold, which lets the boat push back but not turn. If that takes long, control
+   * may have wound up a turn while it entered, which leaves no thrust for reversing: a turn to
+   * either side in turns works it off.
+   */
+  private NavigationPoint astern(StateInformation state) {
+    stillMicros = stillMicros == Long.MIN_VALUE ? micros(state) : stillMicros;
+    double heldS = Clock.seconds(micros(state) - stillMicros);
+    double turn = heldS < PATIENCE_S ? 0.0 : WIGGLE_RAD * Math.sin(2.0 * Math.PI * heldS / WIGGLE_S);
+    Point astern = Point.of(-LEFT_M, 0.0, 0.0);
+    return NavigationPoint.at(astern).backwards(true).speed(LEAVE_MPS).turn(turn);
   }
 
   /** Towards a place on the line, without slowing down for it. */
