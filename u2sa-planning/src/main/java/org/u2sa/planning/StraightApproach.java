@@ -24,7 +24,9 @@ import org.u2sa.planning.guidance.Vehicle;
  * the descent is flown again.
  */
 final class StraightApproach implements LandingState.Descent {
-  private static final double LEAD_RADII = 3.0; // of turns downwind, to settle on the line
+  /** Level part of the line, in radii of turns downwind; the others if no route leads to it. */
+  private static final double[] LEAD_RADII = {3.0, 2.0, 4.5, 1.5};
+
   private static final double ROLL_OUT_M = 500.0; // line behind the position
   private static final double PASSED_M = 50.0; // beyond the position …
   private static final double HIGH_M = 10.0; // … so high, control refuses to land
@@ -50,7 +52,8 @@ final class StraightApproach implements LandingState.Descent {
   private Phase phase = Phase.JOIN;
   private int attempts;
   private double courseRad;
-  private double leadM;
+  private double radiusM;
+  private int lead; // index in LEAD_RADII
   private Optional<LoiterCircle> circle = Optional.empty();
 
   StraightApproach(
@@ -84,7 +87,8 @@ final class StraightApproach implements LandingState.Descent {
                         .orElse(Math.atan2(to.y(), to.x())));
     double fastestMps = // over ground
         state.fluidxDot().orElse(vehicle.speedMps()) + wind.map(Point::distance).orElse(0.0);
-    leadM = LEAD_RADII * lines.get().turns().radiusM(fastestMps);
+    radiusM = lines.get().turns().radiusM(fastestMps);
+    lead = 0;
     join();
   }
 
@@ -101,7 +105,7 @@ final class StraightApproach implements LandingState.Descent {
     double lengthM = goal.approach().orElse(settings.get().approachLength());
     double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
     double highM = place.upM().orElseThrow() + lengthM * slope;
-    Place entry = onLine(place, -lengthM - leadM).at(highM);
+    Place entry = onLine(place, -lengthM - LEAD_RADII[lead] * radiusM).at(highM);
     Place end = onLine(place, ROLL_OUT_M);
     Point to = vehicle.nedOf(place);
     double remainingM = to.x() * Math.cos(courseRad) + to.y() * Math.sin(courseRad);
@@ -139,15 +143,25 @@ final class StraightApproach implements LandingState.Descent {
 
   /** To the entry, in the direction of the line. */
   private Plan around(Landing goal, StateInformation state, Vehicle vehicle, Place entry) {
-    return detour.step(
-        vehicle,
-        state,
-        new Avoidance.Wanted(
-            goal.uid(),
-            entry,
-            settings.get().approachAccuracy(),
-            OptionalDouble.of(courseRad),
-            OptionalDouble.empty()));
+    Plan plan =
+        detour.step(
+            vehicle,
+            state,
+            new Avoidance.Wanted(
+                goal.uid(),
+                entry,
+                settings.get().approachAccuracy(),
+                OptionalDouble.of(courseRad),
+                OptionalDouble.empty()));
+    if (plan.progress() != Plan.Progress.ABANDONED || lead == LEAD_RADII.length - 1) {
+      return plan;
+    }
+    lead++;
+    detour.begin();
+    return new Plan(
+        List.copyOf(plan.points()),
+        Plan.Progress.UNDER_WAY,
+        plan.remark() + ": to another place on the centreline");
   }
 
   /** A place on the centreline, a distance behind the position. */

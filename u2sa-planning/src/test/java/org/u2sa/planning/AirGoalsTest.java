@@ -161,11 +161,14 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(given).isBetween(250.0, 599.0); // 4 times 3 to 6 km at 46 m/s, and 20 s
   }
 
-  /** The tower stands where the aircraft would turn onto the line of its approach. */
-  @Test
-  void landing_towerBesideTheEntry_isNotTouchedOnTheWayToTheLine() {
+  /**
+   * The tower stands where the aircraft would turn onto the line of its approach, or where that
+   * begins: then it joins the line at another place.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {-370.0, 0.0})
+  void landing_towerBesideOrAtTheEntry_isNotTouchedOnTheWayToTheLine(double towerEast) {
     double towerNorth = -2790.0;
-    double towerEast = -370.0;
     Sphere tower = new Sphere().radius(150.0);
     tower.uid("tower").objectType("tower").referenceFrame(ReferenceFrame.LOCAL_NED);
     tower.x(towerNorth).y(towerEast).z(-500.0);
@@ -178,7 +181,7 @@ class AirGoalsTest extends PlannedVehicle {
     aircraft.heading = Math.PI;
     double nearestM = Double.POSITIVE_INFINITY;
     boolean descends = false;
-    while (kit.nowS() < 300.0 && !descends) {
+    while (kit.nowS() < 600.0 && !descends) {
       kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(tower)));
       kit.publish(Channels.STATE, aircraft.state());
       aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
