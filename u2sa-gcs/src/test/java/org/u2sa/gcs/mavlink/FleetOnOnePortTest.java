@@ -30,7 +30,7 @@ class FleetOnOnePortTest {
   private static final int VEHICLES = 25;
   private static final double SECONDS = 4.0;
   private static final long TURN_MICROS = 20_000;
-  private static final double LEAST_HZ = 4.0;
+  private static final double MIN_HZ = 4.0;
 
   private final AtomicLong clock = new AtomicLong(1_800_000_000_000_000L);
   private final MavlinkStream station = new MavlinkStream(255, 190, Optional.empty());
@@ -81,8 +81,8 @@ class FleetOnOnePortTest {
         (id, counts) -> {
           assertThat(counts.get(GlobalPositionInt.class) / SECONDS)
               .as("positions of %s", id)
-              .isGreaterThanOrEqualTo(LEAST_HZ);
-          assertThat(counts.get(Attitude.class) / SECONDS).isGreaterThanOrEqualTo(LEAST_HZ);
+              .isGreaterThanOrEqualTo(MIN_HZ);
+          assertThat(counts.get(Attitude.class) / SECONDS).isGreaterThanOrEqualTo(MIN_HZ);
           assertThat(counts.get(Heartbeat.class) / SECONDS).isGreaterThanOrEqualTo(0.9);
         });
   }

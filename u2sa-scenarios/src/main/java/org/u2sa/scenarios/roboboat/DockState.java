@@ -114,7 +114,8 @@ final class DockState extends StationTaskState {
   private NavigationPoint astern(StateInformation state) {
     stillMicros = stillMicros == Long.MIN_VALUE ? micros(state) : stillMicros;
     double heldS = Clock.seconds(micros(state) - stillMicros);
-    double turn = heldS < PATIENCE_S ? 0.0 : WIGGLE_RAD * Math.sin(2.0 * Math.PI * heldS / WIGGLE_S);
+    double turn =
+        heldS < PATIENCE_S ? 0.0 : WIGGLE_RAD * Math.sin(2.0 * Math.PI * heldS / WIGGLE_S);
     Point astern = Point.of(-LEFT_M, 0.0, 0.0);
     return NavigationPoint.at(astern).backwards(true).speed(LEAVE_MPS).turn(turn);
   }
