@@ -8,7 +8,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The sea-level pressure by which a barometer's altitudes are reckoned (thesis 4.4.1.2): what a
+ * The sea-level pressure from which a barometer's altitudes are computed (thesis 4.4.1.2): what a
  * ground station tells, else what is configured. It is compared with the altitude of the state, as
  * far as that is certain; one that contradicts it is replaced by the one that fits.
  */
