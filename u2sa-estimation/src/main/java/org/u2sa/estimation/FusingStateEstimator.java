@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import org.u2sa.estimation.fusion.ErrorStateFilter;
 import org.u2sa.estimation.fusion.Estimate;
 import org.u2sa.estimation.fusion.FilterMemory;
+import org.u2sa.estimation.fusion.MotionDomain;
 import org.u2sa.estimation.fusion.SourceReports.Report;
 import org.u2sa.estimation.fusion.SourceReports.Standing;
 import org.u2sa.estimation.measurement.Measurement;
@@ -43,6 +44,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private final MeasurementReader reader;
   private final LeverArms leverArms;
   private final Optional<SailDrift> sailDrift;
+  private final Optional<AirspeedWatch> airspeeds; // of an aircraft
   private final Measurement measurement = new Measurement();
   private final LocalOdometry odometry = new LocalOdometry();
   private final Completeness completeness;
@@ -63,6 +65,10 @@ public final class FusingStateEstimator extends StateEstimator {
     reader = new MeasurementReader(variables.sigmas(), variables.fluid());
     leverArms = new LeverArms(variables.leverArms());
     sailDrift = variables.sailDrift();
+    airspeeds =
+        variables.tuning().domain() == MotionDomain.AIR
+            ? Optional.of(new AirspeedWatch(this::trouble))
+            : Optional.empty();
     completeness = NeededNumbers.watch(this);
     registerPublisher(Channels.LOCAL_STATE);
   }
@@ -75,7 +81,7 @@ public final class FusingStateEstimator extends StateEstimator {
       return Optional.empty();
     }
     try {
-      reader.read(sailDrift.map(drift -> drift.throughWater(sensed)).orElse(sensed), measurement);
+      reader.read(checked(sensed), measurement);
     } catch (IllegalArgumentException e) {
       ignore(sensed, e.getMessage());
       return Optional.empty();
@@ -92,6 +98,13 @@ public final class FusingStateEstimator extends StateEstimator {
     long at = Math.max(now, filter.micros());
     boolean isDue = at - publishedMicros >= Clock.micros(1.0 / variables.outputRate());
     return publishedMicros == Long.MIN_VALUE || isDue ? Optional.of(state(at)) : Optional.empty();
+  }
+
+  private StateInformation checked(StateInformation sensed) {
+    return sailDrift
+        .map(drift -> drift.throughWater(sensed))
+        .or(() -> airspeeds.map(watch -> watch.checked(sensed)))
+        .orElse(sensed);
   }
 
   /**
@@ -119,6 +132,7 @@ public final class FusingStateEstimator extends StateEstimator {
     publishedMicros = micros;
     Estimate estimate = filter.at(micros);
     odometry.moveTo(estimate);
+    airspeeds.ifPresent(watch -> watch.see(estimate));
     if (estimate.hasHeading()) {
       StateInformation local = odometry.write(estimate);
       publish(Channels.LOCAL_STATE, local.sensorName(getServiceName()));
@@ -182,6 +196,7 @@ public final class FusingStateEstimator extends StateEstimator {
   protected void handOver(HandOver state) {
     state.messages("MEASUREMENTS", newest.values());
     FilterMemory.write(filter, state::text);
+    airspeeds.ifPresent(watch -> watch.handOver(state));
     if (publishedMicros != Long.MIN_VALUE) {
       Estimate estimate = filter.at(publishedMicros);
       state.message(STATE, EstimateWriter.write(estimate).sensorName(getServiceName()));
@@ -196,6 +211,7 @@ public final class FusingStateEstimator extends StateEstimator {
     state.message(LOCAL, StateInformation.class).ifPresent(odometry::resume);
     isStartTold = true; // the vehicle has left the start
     isHeadingTold = true;
+    airspeeds.ifPresent(watch -> watch.takeOver(state));
     if (!FilterMemory.read(filter, state::text)) {
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
         filter.add(

@@ -85,6 +85,25 @@ class AircraftFaultTest {
     assertThat(log("PathPlanner")).contains("goal \"b\" reached");
   }
 
+  /** Blocked, it would read nothing after a descent of 17 m, and the aircraft would dive. */
+  @Test
+  void plane_pitotTubeBlockedBeforeADescent_landsByGroundSpeedAndWind() throws IOException {
+    List<Row> rows =
+        fly(
+            "plane",
+            "<takeOff><z>103</z></takeOff>"
+                + "<waypoint><x>-76.5650</x><y>38.3163</y><z>143</z></waypoint>"
+                + "<landing><x>-76.55578</x><y>38.31633</y><z>43.28</z><psi unit=\"deg\">100</psi></landing>",
+            300,
+            "pitotTube/blockedAt=60");
+
+    assertThat(log("StateEstimator")).contains("AirspeedSensor contradicts ground speed and wind");
+    assertThat(log("PathPlanner")).contains("stands");
+    Row end = rows.get(rows.size() - 1);
+    assertThat(end.altitudeM()).isLessThan(45.0);
+    assertThat(end.speedMps()).isLessThan(0.3);
+  }
+
   @Test
   void hexacopter_rotorOneDead_finishesItsMissionAndLands() throws IOException {
     List<Row> rows =
