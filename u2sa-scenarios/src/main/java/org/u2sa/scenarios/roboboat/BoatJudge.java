@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.function.BooleanSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
@@ -33,7 +32,6 @@ final class BoatJudge implements TruthObserver.Scorer {
   private final RunningVehicle run;
   private final Clock clock;
   private final TaskJudge tasks;
-  private final BooleanSupplier isDocked;
   private final QuadrotorOnDeck quadrotor;
   private final Leg speed;
   private final Leg out;
@@ -84,18 +82,13 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
   }
 
-  /**
-   * @param isDocked whether a dock holds the boat now
-   */
   BoatJudge(
       BoatCourse course,
       RunningVehicle run,
-      BooleanSupplier isDocked,
       QuadrotorOnDeck quadrotor,
       Clock clock,
       Path directory) {
     this.run = run;
-    this.isDocked = isDocked;
     this.quadrotor = quadrotor;
     this.clock = clock;
     tasks = new TaskJudge(course.sites(), quadrotor.gripper(), course.weather().seed(), this::say);
@@ -122,8 +115,7 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
     before = now;
     tasks.judgeShots();
-    tasks.dock(
-        truth, isDocked.getAsBoolean(), quadrotor.flown().map(flown -> flown.at(clock.micros())));
+    tasks.dock(truth, quadrotor.flown().map(flown -> flown.at(clock.micros())));
     over |= truth.timeS() >= RUN_S;
   }
 
@@ -164,7 +156,7 @@ final class BoatJudge implements TruthObserver.Scorer {
 
   @Override
   public RunOutcome outcome() {
-    run.contacts().forEach(each -> say(each.timeS(), "touches " + each.object().uid()));
+    run.contacts().forEach(each -> say(each.timeS(), tasks.words(each)));
     List<String> violations = new ArrayList<>();
     Map<String, Integer> counts = new LinkedHashMap<>();
     for (Leg leg : List.of(speed, out, back)) {
@@ -188,7 +180,7 @@ final class BoatJudge implements TruthObserver.Scorer {
     Collections.sort(log);
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
-    long contacts = run.contacts().stream().filter(each -> !tasks.isPress(each)).count();
+    long contacts = run.contacts().stream().filter(each -> !tasks.isWanted(each)).count();
     return new RunOutcome((int) contacts, false, violations, counts, figures);
   }
 }

@@ -20,7 +20,7 @@ import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.file.VehicleFile;
-import org.u2sa.sim.world.World;
+import org.u2sa.sim.vehicle.SimulatedVehicle;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -116,21 +116,18 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             : given;
     VehicleFile file =
         changes.load(system().resolveSibling(holonomic ? "vehicle-holonomic.xml" : "vehicle.xml"));
-    World world = sailed.world();
-    MooredVehicle.Maker maker = (at, headingRad) -> file.make(world, at, headingRad, seed);
-    TaskSite dock = sailed.site(TaskSite.Task.DOCK);
-    MooredVehicle boat =
-        new MooredVehicle(
-            maker,
-            maker.make(Point.of(sailed.start().y(), sailed.start().x(), 0.0), sailed.headingRad()),
-            TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M, 0.0),
-            dock.headingRad());
+    SimulatedVehicle boat =
+        file.make(
+            sailed.world(),
+            Point.of(sailed.start().y(), sailed.start().x(), 0.0),
+            sailed.headingRad(),
+            seed);
     VehicleTrial placed = VehicleTrial.of(file, boat, seed);
     QuadrotorOnDeck quadrotor =
         new QuadrotorOnDeck(
             system().resolveSibling("quadrotor"),
             placed.run(),
-            dock.object().center(),
+            sailed.site(TaskSite.Task.DOCK).object().center(),
             directory.resolve("logs/quadrotor"),
             seed);
     AtomicReference<BoatJudge> judge = new AtomicReference<>();
@@ -150,8 +147,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             mission,
             placed.name(),
             clock -> {
-              judge.set(
-                  new BoatJudge(sailed, placed.run(), boat::isHeld, quadrotor, clock, directory));
+              judge.set(new BoatJudge(sailed, placed.run(), quadrotor, clock, directory));
               return judge.get();
             },
             launch -> launch.devices(devices));

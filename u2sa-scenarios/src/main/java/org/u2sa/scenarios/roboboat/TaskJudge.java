@@ -4,16 +4,19 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Queue;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.marine.Button;
+import org.u2sa.messages.marine.Dock;
 import org.u2sa.messages.marine.Hoop;
 import org.u2sa.scenarios.roboboat.gun.Dart;
 import org.u2sa.scenarios.roboboat.subvehicle.FetchJudge;
@@ -40,6 +43,10 @@ final class TaskJudge {
   private int fired;
   private int hits;
   private OptionalDouble targetErrorM = OptionalDouble.empty();
+  private final Berth berth;
+  private final NavigableMap<Double, Boolean> entries =
+      new TreeMap<>(); // whether into the bay, by time [s]
+  private boolean isEntered;
   private boolean isDocked;
   private final FetchJudge fetch;
 
@@ -47,6 +54,7 @@ final class TaskJudge {
     this.sites = sites.stream().collect(Collectors.toMap(TaskSite::task, site -> site));
     random = new Random(seed);
     fetch = new FetchJudge(gripper);
+    berth = new Berth(this.sites.get(TaskSite.Task.DOCK));
     this.log = log;
   }
 
@@ -69,17 +77,21 @@ final class TaskJudge {
   /**
    * Judges the boat in the dock, and its sub-vehicle.
    *
-   * @param isHeld whether the dock holds the boat now
    * @param quadrotor empty before it is switched on
    */
-  void dock(VehicleTruth boat, boolean isHeld, Optional<VehicleTruth> quadrotor) {
-    if (isHeld && !isDocked) {
+  void dock(VehicleTruth boat, Optional<VehicleTruth> quadrotor) {
+    boolean isHere = berth.isDocked(boat);
+    if (isHere && !isDocked) {
       log.accept(boat.timeS(), "docked");
     }
-    isDocked |= isHeld;
+    isDocked |= isHere;
+    if (berth.isEntered(boat) != isEntered) {
+      isEntered = !isEntered;
+      entries.put(boat.timeS(), isEntered);
+    }
     boolean wasGripped = fetch.isGripped();
     boolean wasBack = fetch.isBack();
-    quadrotor.ifPresent(truth -> fetch.see(truth, boat, isHeld));
+    quadrotor.ifPresent(truth -> fetch.see(truth, boat, isHere));
     if (fetch.isGripped() && !wasGripped) {
       log.accept(boat.timeS(), "the quadrotor has the puck");
     }
@@ -102,8 +114,23 @@ final class TaskJudge {
   }
 
   /** Whether a contact is the press of the right button. */
-  boolean isPress(ContactWatch.Contact contact) {
+  private boolean isPress(ContactWatch.Contact contact) {
     return contact.object().equals(sites.get(TaskSite.Task.BUTTON).object());
+  }
+
+  /** Whether a contact costs nothing: the right button, or the dock with the bow in its bay. */
+  boolean isWanted(ContactWatch.Contact contact) {
+    return isPress(contact) || isInBay(contact);
+  }
+
+  private boolean isInBay(ContactWatch.Contact contact) {
+    Map.Entry<Double, Boolean> newest = entries.floorEntry(contact.timeS());
+    return contact.object() instanceof Dock && newest != null && newest.getValue();
+  }
+
+  /** A contact as the judge's log names it. */
+  String words(ContactWatch.Contact contact) {
+    return isInBay(contact) ? "against a wall of the bay" : "touches " + contact.object().uid();
   }
 
   /** Adds the tasks to the score sheet. */

@@ -40,12 +40,9 @@ final class TaskSites {
   private static final double TARGET_APART_M = 2.0;
   private static final double TARGET_M = 0.6; // width, height
   private static final double HOTTER_K = 5.0;
-  private static final double DOCK_LENGTH_M = 1.3; // of its fingers
-  private static final double DOCK_WIDTH_M = 3.4;
   private static final double DOCK_WALL_M = 0.3;
   private static final double PUCK_RADIUS_M = 0.0381;
   private static final double PUCK_HEIGHT_M = 0.0254;
-  private static final double BERTH_M = 0.75; // from the boat's centre to the back wall
   private static final double THICKNESS_M = 0.1; // of buttons and targets
 
   private final Random random;
@@ -138,10 +135,12 @@ final class TaskSites {
   }
 
   private TaskSite dock(Point station, double headingRad) {
-    double wall = TaskSite.DOCK_WAY_M + BERTH_M;
-    Dock dock = new Dock().length(DOCK_LENGTH_M).width(DOCK_WIDTH_M).thickness(DOCK_WALL_M);
+    double wall = TaskSite.DOCK_WAY_M + Berth.WALL_M;
+    double length = Berth.FINGERS_M + DOCK_WALL_M;
+    double width = Berth.WIDTH_M + 2.0 * DOCK_WALL_M;
+    Dock dock = new Dock().length(length).width(width).thickness(DOCK_WALL_M);
     dock.height(QuadrotorOnDeck.DECK_M).psi(facing(headingRad)).objectType("dock");
-    Point middle = TaskSite.at(station, headingRad, wall + DOCK_WALL_M - DOCK_LENGTH_M / 2.0, 0.0);
+    Point middle = TaskSite.at(station, headingRad, wall + DOCK_WALL_M - length / 2.0, 0.0);
     Puck puck = new Puck().radius(PUCK_RADIUS_M).height(PUCK_HEIGHT_M);
     puck.objectType("puck");
     Point on = TaskSite.at(station, headingRad, wall + DOCK_WALL_M / 2.0, 0.0);

@@ -30,7 +30,7 @@ final class FossenModel implements RungeKutta.Motion {
   private double currentNorth;
   private double currentEast;
   private Optional<Sea> sea = Optional.empty();
-  private Point wind = Point.ORIGIN; // X, Y [N], N [N m]
+  private Point push = Point.ORIGIN; // X, Y [N], N [N m]
   private final double surfaceDown; // down coordinate of the water surface [m]
   private final double[] force = new double[6];
 
@@ -97,9 +97,9 @@ final class FossenModel implements RungeKutta.Motion {
     sea = Optional.of(around);
   }
 
-  /** Sets the force of the wind: X, Y [N], N [N m]. */
-  void wind(Point forceAndMoment) {
-    wind = forceAndMoment;
+  /** Sets the force of wind and fenders: X, Y [N], N [N m]. */
+  void push(Point forceAndMoment) {
+    push = forceAndMoment;
   }
 
   int size() {
@@ -152,9 +152,9 @@ final class FossenModel implements RungeKutta.Motion {
     rigidBody(u, v, w, p, q, r);
     addedMass(u, v, w, p, q, r);
     restore(s);
-    force[0] += wind.x();
-    force[1] += wind.y();
-    force[5] += wind.z();
+    force[0] += push.x();
+    force[1] += push.y();
+    force[5] += push.z();
     for (int i = 0; i < 6; i++) {
       double sum = 0.0;
       for (int j = 0; j < 6; j++) {

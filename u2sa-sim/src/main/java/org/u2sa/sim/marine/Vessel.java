@@ -19,8 +19,8 @@ import org.u2sa.sim.world.World;
 
 /**
  * A simulated vessel with thrusters, on or under water, drifting with the world's current, moved by
- * its waves and, if it has {@link Windage}, by its wind. Integrates internally at 200 Hz. Not
- * thread-safe.
+ * its waves and, if it has {@link Windage}, by its wind. The walls of docks hold it off. Integrates
+ * internally at 200 Hz. Not thread-safe.
  */
 public final class Vessel implements SimulatedVehicle {
   /** Internal integration rate [1/s]. */
@@ -40,6 +40,7 @@ public final class Vessel implements SimulatedVehicle {
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private Optional<Windage> windage = Optional.empty();
   private final WindField air;
+  private final Fenders fenders;
 
   /**
    * Creates a vessel that drifts with the water.
@@ -72,6 +73,7 @@ public final class Vessel implements SimulatedVehicle {
     surround();
     powerIsKnown = model.powerW(state).isPresent();
     air = world.windAround(footprint.lengthM());
+    fenders = new Fenders(world, footprint);
   }
 
   /** Lets the wind of the world push the hull; call before any step. */
@@ -80,17 +82,30 @@ public final class Vessel implements SimulatedVehicle {
     return this;
   }
 
-  /** Moves the air by one step and takes its force from the motion at the beginning. */
-  private void blow(Windage area) {
+  /** Wind and fenders, by the motion at the beginning of a step. */
+  private void push() {
     double heading = BodyState.attitude(state).psi();
     double cos = StrictMath.cos(heading);
     double sin = StrictMath.sin(heading);
     Point through = BodyState.at(state, BodyState.VELOCITY);
     double north = through.x() * cos - through.y() * sin + model.drift().y();
     double east = through.x() * sin + through.y() * cos + model.drift().x();
-    double airspeed = StrictMath.hypot(air.northMps() - north, air.eastMps() - east);
-    air.step(1.0 / TICKS_PER_SECOND, area.heightM(), airspeed, cos, sin);
-    model.wind(area.on(heading, air.northMps() - north, air.eastMps() - east));
+    Point force = Point.ORIGIN;
+    if (windage.isPresent()) {
+      Windage area = windage.get();
+      double airspeed = StrictMath.hypot(air.northMps() - north, air.eastMps() - east);
+      air.step(1.0 / TICKS_PER_SECOND, area.heightM(), airspeed, cos, sin);
+      force = area.on(heading, air.northMps() - north, air.eastMps() - east);
+    }
+    if (!fenders.isEmpty()) {
+      Point ned = BodyState.at(state, BodyState.NED);
+      Point place = Point.of(ned.y(), ned.x(), -ned.z());
+      double turn = state[BodyState.RATES + 2];
+      force =
+          force.plus(
+              fenders.on(new Fenders.Motion(place, heading, Point.of(east, north, 0.0), turn)));
+    }
+    model.push(force);
   }
 
   /** Starts at rest over ground instead of drifting with the current; call before any step. */
@@ -169,7 +184,7 @@ public final class Vessel implements SimulatedVehicle {
 
   private void tick() {
     surround();
-    windage.ifPresent(this::blow);
+    push();
     integrator.step(model, state, 1.0 / TICKS_PER_SECOND);
     BodyState.normalize(state);
     if (powerIsKnown) {

@@ -1,5 +1,6 @@
 package org.u2sa.sim.world;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.u2sa.messages.frame.Point;
@@ -71,6 +72,25 @@ public final class Footprint {
             Point.of(-behindM, -half, 0.0)),
         bottomM,
         topM);
+  }
+
+  /** Corners of the outline in order, x ahead and y right of the reference point [m]. */
+  public List<Point> corners() {
+    List<Point> corners = new ArrayList<>();
+    for (int i = 0; i < ahead.length; i++) {
+      corners.add(Point.of(ahead[i], right[i], 0.0));
+    }
+    return corners;
+  }
+
+  /** Height of the bottom above the reference point [m], negative below. */
+  public double bottomM() {
+    return bottomM;
+  }
+
+  /** Height of the top above the reference point [m]. */
+  public double topM() {
+    return topM;
   }
 
   /** Extent along the vehicle's forward axis [m]. */
