@@ -30,6 +30,7 @@ final class DockState extends StationTaskState {
   private static final double STILL_MPS = 0.1;
   private static final double STILL_S = 5.0; // in one place, where the quadrotor will look for it
   private static final double SLIDES_M = 0.15;
+  private static final double TURNS_RAD = Math.toRadians(4.0);
   private static final double LEFT_M = 3.5; // from the berth
   private static final double BACK_MPS = 0.7;
   private static final double LEAVE_MPS = 1.6; // before a current carries it to the fingers
@@ -44,6 +45,7 @@ final class DockState extends StationTaskState {
   private Phase phase = Phase.ALIGN;
   private long stillMicros; // since when, in the dock; Long.MIN_VALUE: not
   private Point lay = Point.ORIGIN; // place from the station then: north, east
+  private double layPsi;
 
   DockState(PlannerView surroundings) {
     super(surroundings);
@@ -111,12 +113,16 @@ final class DockState extends StationTaskState {
   }
 
   private boolean isStill(double toGoM, Point off, StateInformation state) {
+    double psi = state.psi().orElseThrow();
     boolean isStill = phase == Phase.ENTER && Math.abs(toGoM) < IN_M && speed(state) < STILL_MPS;
     if (!isStill) {
       stillMicros = Long.MIN_VALUE;
-    } else if (stillMicros == Long.MIN_VALUE || distance(off, lay) > SLIDES_M) {
+    } else if (stillMicros == Long.MIN_VALUE
+        || distance(off, lay) > SLIDES_M
+        || Math.abs(Math.IEEEremainder(psi - layPsi, 2.0 * Math.PI)) > TURNS_RAD) {
       stillMicros = micros(state);
       lay = off;
+      layPsi = psi;
     }
     return isStill;
   }
