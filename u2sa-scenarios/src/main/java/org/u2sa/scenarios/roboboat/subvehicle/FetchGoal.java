@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.Schema;
 
 /**
  * An object to be fetched by a hovering aircraft: fly there, grip it, and land where the aircraft
- * stood (thesis 4.2.1.3). The position is the one of the aircraft when it grips, z included; both
+ * stood, or where its deck is since (thesis 4.2.1.3). The position is the one of the aircraft when it grips, z included; both
  * thresholds apply to it. {@link #arrivedAt} is when the gripper was first at the object.
  */
 public final class FetchGoal extends Waypoint {
@@ -17,6 +17,9 @@ public final class FetchGoal extends Waypoint {
   private static final NumberField<FetchGoal> GRIP_TIME =
       SCHEMA.optionalNumber("gripTime", "s", 0.0);
   private static final NumberField<FetchGoal> LIMIT = SCHEMA.optionalNumber("limit", "s", 0.0);
+
+  private static final NumberField<FetchGoal> DECK_NORTH = SCHEMA.optionalNumber("deckNorth", "m");
+  private static final NumberField<FetchGoal> DECK_EAST = SCHEMA.optionalNumber("deckEast", "m");
 
   private static final double USUAL_HEIGHT_M = 2.0;
   private static final double USUAL_GRIP_S = 2.0;
@@ -56,6 +59,24 @@ public final class FetchGoal extends Waypoint {
 
   public FetchGoal limit(double seconds) {
     return put(LIMIT, seconds);
+  }
+
+  /** How far north the deck has moved since the take-off [m]; defaults to 0. */
+  public double deckNorth() {
+    return get(DECK_NORTH).orElse(0.0);
+  }
+
+  public FetchGoal deckNorth(double metres) {
+    return put(DECK_NORTH, metres);
+  }
+
+  /** How far east the deck has moved since the take-off [m]; defaults to 0. */
+  public double deckEast() {
+    return get(DECK_EAST).orElse(0.0);
+  }
+
+  public FetchGoal deckEast(double metres) {
+    return put(DECK_EAST, metres);
   }
 
   @Override

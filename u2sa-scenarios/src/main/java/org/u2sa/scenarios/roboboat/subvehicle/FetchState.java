@@ -210,15 +210,17 @@ final class FetchState implements PlannerState {
         Math.max(deck.upM().orElseThrow(), object.upM().orElseThrow()) + wanted.height();
     switch (phase) {
       case CLIMB:
-      case RETURN:
         return at(deck, flight);
+      case RETURN:
+        return at(deck.moved(wanted.deckNorth(), wanted.deckEast()), flight);
       case CROSS:
       case CLIMB_BACK:
         return at(object, flight);
       case DESCEND:
         return object;
       default:
-        return at(deck, deck.upM().orElseThrow() - BELOW_DECK_M);
+        Place below = at(deck, deck.upM().orElseThrow() - BELOW_DECK_M);
+        return below.moved(wanted.deckNorth(), wanted.deckEast());
     }
   }
 

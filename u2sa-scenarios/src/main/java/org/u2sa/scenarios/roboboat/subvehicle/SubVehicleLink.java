@@ -15,6 +15,8 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.mqtt.MqttTransport;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
@@ -27,11 +29,12 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Carries the Mission Manager's goal for the sub-vehicle to its system, at the place where the
- * world model has the object, and its report back (thesis 4.2.1.3). In: goals, objects. Out:
- * goal-reports.
+ * world model has the object, and its report back (thesis 4.2.1.3). While the sub-vehicle is away, it
+ * hears how far the carrier has moved. In: goals, objects, state. Out: goal-reports.
  */
 public final class SubVehicleLink extends PeriodicService {
   private static final double STEPS_PER_S = 5.0;
+  private static final double MOVED_M = 0.05; // worth telling
 
   private record Variables(
       @Variable(ifAbsentText = "localhost") @Description("Host of the sub-vehicle's broker.")
@@ -50,7 +53,9 @@ public final class SubVehicleLink extends PeriodicService {
   private final Queue<GoalInformation> reports = new ConcurrentLinkedQueue<>();
   private Optional<FetchGoal> task = Optional.empty(); // current
   private Optional<ObjectDescription> object = Optional.empty(); // as last seen
-  private String sent = ""; // UID of the goal
+  private Optional<Geodetic> place = Optional.empty(); // of the carrier
+  private Optional<Geodetic> left = Optional.empty(); // its place when the goal was sent
+  private Optional<FetchGoal> sent = Optional.empty();
   private Connection connection; // null until it is switched on
 
   public SubVehicleLink(ServiceContext context) {
@@ -69,6 +74,7 @@ public final class SubVehicleLink extends PeriodicService {
     registerPublisher(Channels.GOAL_REPORTS);
     subscribe(Channels.GOALS, this::onGoals);
     subscribe(Channels.OBJECTS, this::onObjects);
+    subscribe(Channels.STATE, this::onState);
   }
 
   private void onGoals(GoalList list) {
@@ -88,11 +94,20 @@ public final class SubVehicleLink extends PeriodicService {
             .or(() -> object);
   }
 
+  private void onState(StateInformation state) {
+    if (state.referenceFrame() == ReferenceFrame.GLOBAL
+        && state.x().isPresent()
+        && state.y().isPresent()) {
+      place = Optional.of(new Geodetic(state.x().getAsDouble(), state.y().getAsDouble(), 0.0));
+    }
+  }
+
   @Override
   protected void step(double nowS) {
-    if (task.isPresent() && !task.get().uid().equals(sent)) {
-      sent = task.get().uid();
+    if (task.isPresent() && !isSent(task.get())) {
       order(task.get().copy());
+    } else if (task.isPresent()) {
+      tellDeck();
     }
     for (GoalInformation each = reports.poll(); each != null; each = reports.poll()) {
       GoalInformation report = each.copy();
@@ -100,6 +115,7 @@ public final class SubVehicleLink extends PeriodicService {
       log("goal \"" + report.uid() + "\": " + (report.completed() ? "done" : report.reason()));
       publish(Channels.GOAL_REPORTS, report);
       tell(List.of()); // its mission is over
+      left = Optional.empty();
     }
   }
 
@@ -114,7 +130,26 @@ public final class SubVehicleLink extends PeriodicService {
       goal.x(at.x()).y(at.y());
     }
     tell(List.of(goal));
+    sent = Optional.of(goal);
+    left = place;
     log("goal \"" + goal.uid() + "\" sent to " + variables.subVehicleSystem());
+  }
+
+  private boolean isSent(FetchGoal goal) {
+    return sent.filter(before -> before.uid().equals(goal.uid())).isPresent();
+  }
+
+  private void tellDeck() {
+    if (left.isEmpty()) {
+      return;
+    }
+    FetchGoal before = sent.orElseThrow();
+    Point moved = left.get().enuOf(place.orElseThrow());
+    if (Math.hypot(moved.x() - before.deckEast(), moved.y() - before.deckNorth()) > MOVED_M) {
+      FetchGoal goal = before.copy().deckNorth(moved.y()).deckEast(moved.x());
+      tell(List.of(goal));
+      sent = Optional.of(goal);
+    }
   }
 
   private void tell(List<GoalInformation> current) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.planning.Plan;
@@ -19,12 +20,15 @@ class AwaitStateTest {
   }
 
   @Test
-  void plan_whileTheSubVehicleMayBeOut_waitsWithoutMoving() {
+  void plan_whileTheSubVehicleMayBeOut_pressesSlowlyAhead() {
     await.enter(at(10.0));
     Plan plan = await.plan(at(100.0));
 
     assertThat(plan.progress()).isEqualTo(Plan.Progress.UNDER_WAY);
-    assertThat(plan.points()).allMatch(point -> point.point().distance() == 0.0);
+    NavigationPoint point = plan.points().get(0);
+    assertThat(point.point().x()).isPositive();
+    assertThat(point.speed().orElseThrow()).isBetween(0.1, 0.5);
+    assertThat(point.turn()).hasValue(0.0);
   }
 
   @Test

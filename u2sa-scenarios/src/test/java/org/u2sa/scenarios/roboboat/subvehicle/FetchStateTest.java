@@ -78,6 +78,20 @@ class FetchStateTest {
   }
 
   @Test
+  void plan_deckMovedMeanwhile_landsWhereItIs() {
+    descend();
+    plan(8.0, 3.0, 0.5);
+    plan(10.0, 3.0, 0.5);
+    goal.deckNorth(-0.8).deckEast(0.3);
+    Point back = target(plan(13.0, 3.0, 2.5));
+    Plan notYet = plan(16.0, 0.0, 2.5);
+
+    assertThat(back.x()).isCloseTo(-3.8, within(1e-6));
+    assertThat(Math.abs(back.y())).isCloseTo(0.3, within(1e-6));
+    assertThat(target(notYet).x()).isCloseTo(-0.8, within(1e-6));
+  }
+
+  @Test
   void plan_blownOffWhileGripping_startsTheGripTimeAnew() {
     descend();
     plan(8.0, 3.0, 0.5);
