@@ -43,7 +43,7 @@ class FetchStateTest {
 
   private static Point target(Plan plan) {
     NavigationPoint point = plan.points().get(0);
-    return point.point(); // BODY, heading north: forward is north
+    return point.point(); // BODY, heading east: forward is east
   }
 
   private void descend() {
@@ -86,9 +86,9 @@ class FetchStateTest {
     Point back = target(plan(13.0, 3.0, 2.5));
     Plan notYet = plan(16.0, 0.0, 2.5);
 
-    assertThat(back.x()).isCloseTo(-3.8, within(1e-6));
-    assertThat(Math.abs(back.y())).isCloseTo(0.3, within(1e-6));
-    assertThat(target(notYet).x()).isCloseTo(-0.8, within(1e-6));
+    assertThat(back.x()).isCloseTo(0.3, within(1e-6));
+    assertThat(Math.abs(back.y())).isCloseTo(3.8, within(1e-6));
+    assertThat(Math.abs(target(notYet).y())).isCloseTo(0.8, within(1e-6));
   }
 
   @Test
