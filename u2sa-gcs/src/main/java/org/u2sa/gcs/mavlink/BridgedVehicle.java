@@ -55,7 +55,7 @@ final class BridgedVehicle {
     placement = new Placement(model);
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);
-    fences = new FenceBook(model);
+    fences = new FenceBook(model, placement);
     surroundings = new VehicleSurroundings(clock);
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);

@@ -35,7 +35,7 @@ final class ModeOrders {
     switch (mode) {
       case HOLD -> hold(answer);
       case MISSION -> mission(answer);
-      case RETURN -> give(MissionAction.GOTO, Optional.of(VehicleStatus.HOME), answer);
+      case RETURN -> give(MissionAction.RETURN, Optional.empty(), answer);
       case LAND -> give(MissionAction.LAND, Optional.empty(), answer);
       case GO_TO, MANUAL -> answer.done(false, "expected a place to go to, or a driver");
     }

@@ -41,6 +41,9 @@ public final class VehicleStatus {
   /** Beginning of the names of goals that a landing adds to the mission. */
   public static final String LAND_PREFIX = "LAND ";
 
+  /** Beginning of the UIDs of goals that lead to a place to return to. */
+  public static final String RETURN_PREFIX = "RETURN ";
+
   /** Channels to subscribe to. */
   public static final List<Channel<?>> CHANNELS =
       List.of(
@@ -277,7 +280,7 @@ public final class VehicleStatus {
     if (uid.equals(GO_TO)) {
       return VehicleMode.GO_TO;
     }
-    if (uid.equals(HOME)) {
+    if (uid.equals(HOME) || uid.startsWith(RETURN_PREFIX)) {
       return VehicleMode.RETURN;
     }
     return uid.startsWith(LAND_PREFIX) ? VehicleMode.LAND : VehicleMode.MISSION;
