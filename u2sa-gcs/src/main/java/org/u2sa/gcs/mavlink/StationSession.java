@@ -29,7 +29,7 @@ import org.u2sa.mavlink.MavlinkStream;
  */
 final class StationSession implements GroundStation {
   private static final int QUEUE_BYTES = 256 * 1024;
-  private static final int BULK_BYTES = 8 * 1024;
+  private static final int USUAL_ROOM_BYTES = 8 * 1024;
   private static final long NANOS = 1000;
 
   private final MavlinkStream stream;
@@ -46,6 +46,8 @@ final class StationSession implements GroundStation {
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
   private int queuedBytes;
+  private int roomBytes = USUAL_ROOM_BYTES;
+  private long steps;
 
   StationSession(BridgedVehicle vehicle, Optional<MavlinkSigning> signing) {
     this.vehicle = vehicle;
@@ -131,12 +133,23 @@ final class StationSession implements GroundStation {
     }
   }
 
-  /** Sends what is due. */
+  /** Sets the number of bytes that may wait before telemetry and bulk messages wait, too. */
+  void room(int bytes) {
+    roomBytes = bytes;
+  }
+
+  /** Sends what is due: telemetry and bulk messages share a slow link by taking turns. */
   void step(long micros) {
-    rates.step(micros, this);
+    boolean isTelemetryFirst = steps++ % 2 == 0;
+    if (isTelemetryFirst) {
+      rates.step(micros, this);
+    }
     parameters.step();
     transfer.step(micros);
     logs.step();
+    if (!isTelemetryFirst) {
+      rates.step(micros, this);
+    }
     mission.step(micros);
   }
 
@@ -156,7 +169,7 @@ final class StationSession implements GroundStation {
 
   @Override
   public boolean hasRoom() {
-    return queuedBytes < BULK_BYTES;
+    return queuedBytes < roomBytes;
   }
 
   /** Next packet to send; null if none waits. */
