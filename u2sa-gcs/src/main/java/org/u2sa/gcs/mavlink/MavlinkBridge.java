@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.ServiceLoader;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import org.u2sa.gcs.mavlink.event.VehicleEvents;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
@@ -74,6 +75,8 @@ public final class MavlinkBridge implements AutoCloseable {
         channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
     VehicleSurroundings.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.surroundings.take((U2SAData) message)));
+    VehicleEvents.CHANNELS.forEach(
+        channel -> link.listen(channel, message -> vehicle.events.take((U2SAData) message)));
     beganMicros = link.clock().micros();
     thread = new Thread(this::run, "u2sa-mavlink");
     thread.setDaemon(true);
@@ -130,6 +133,7 @@ public final class MavlinkBridge implements AutoCloseable {
     }
     vehicle.orders.step(nowMicros);
     List<Object> reached = vehicle.progress.reached();
+    vehicle.events.step(reached);
     Optional<String> failsafe = failsafeText();
     for (StationSession session : stations.sessions()) {
       reached.forEach(session::send);

@@ -12,6 +12,7 @@ import org.u2sa.gcs.mavlink.command.CommandService;
 import org.u2sa.gcs.mavlink.command.MessageCommands;
 import org.u2sa.gcs.mavlink.command.StickInput;
 import org.u2sa.gcs.mavlink.command.VehicleCommands;
+import org.u2sa.gcs.mavlink.event.EventTransfer;
 import org.u2sa.gcs.mavlink.file.FileTransfer;
 import org.u2sa.gcs.mavlink.file.LogDownload;
 import org.u2sa.gcs.mavlink.parameter.ParameterService;
@@ -42,6 +43,7 @@ final class StationSession implements GroundStation {
   private final FileTransfer transfer;
   private final LogDownload logs;
   private final StickInput sticks;
+  private final EventTransfer events;
   private final StatusTexts texts = new StatusTexts();
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
@@ -59,6 +61,7 @@ final class StationSession implements GroundStation {
     mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
     transfer = new FileTransfer(vehicle.files, this);
     logs = new LogDownload(vehicle.files, this);
+    events = new EventTransfer(vehicle.events, this);
     sticks =
         new StickInput(
             vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
@@ -97,7 +100,8 @@ final class StationSession implements GroundStation {
           parameters.handle(message)
               || mission.handle(message, from)
               || commands.handle(message, from)
-              || sticks.handle(message, from);
+              || sticks.handle(message, from)
+              || events.handle(message, from);
       if (!isHandled) {
         takeOther(message, from);
       }
@@ -140,6 +144,7 @@ final class StationSession implements GroundStation {
 
   /** Sends what is due: telemetry and bulk messages share a slow link by taking turns. */
   void step(long micros) {
+    events.step();
     boolean isTelemetryFirst = steps++ % 2 == 0;
     if (isTelemetryFirst) {
       rates.step(micros, this);

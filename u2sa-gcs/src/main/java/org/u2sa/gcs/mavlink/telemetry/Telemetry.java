@@ -29,6 +29,9 @@ public final class Telemetry {
   /** COMPONENT_METADATA. */
   public static final int COMPONENT_METADATA = 397;
 
+  /** CURRENT_EVENT_SEQUENCE. */
+  public static final int CURRENT_EVENT_SEQUENCE = 411;
+
   /** AVAILABLE_MODES. */
   public static final int AVAILABLE_MODES = 435;
 
