@@ -49,6 +49,28 @@ final class ModeOrders {
     }
   }
 
+  /**
+   * Goes on with the mission by another class of the Path Planner.
+   *
+   * @param planner index of the class; empty: that of the mode Mission
+   */
+  void mission(Optional<Integer> planner, Answer answer) {
+    if (planner.equals(vehicle.planners().running())) {
+      mission(answer);
+      return;
+    }
+    orders.plan(
+        vehicle.planners(),
+        planner,
+        (swapped, why) -> {
+          if (swapped) {
+            mission(answer);
+          } else {
+            answer.done(false, why);
+          }
+        });
+  }
+
   /** Goes on with the mission; one that is over begins again. */
   void mission(Answer answer) {
     if (vehicle.current().isEmpty()) {

@@ -65,6 +65,7 @@ public final class Telemetry {
     add(HOME_POSITION, 0.5, status::home);
     add(245, 1.0, status::extendedState);
     add(436, 0.5, status::currentMode);
+    add(437, 0.3, status::modesMonitor);
   }
 
   /** Adds the messages about the vehicle's surroundings. */

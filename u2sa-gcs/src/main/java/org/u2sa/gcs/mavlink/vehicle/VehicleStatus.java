@@ -54,6 +54,7 @@ public final class VehicleStatus {
           Channels.FAILSAFE,
           Channels.FENCE,
           Channels.FENCE_ORDERS,
+          Channels.SERVICE_ORDERS,
           Channels.MANUAL_STATE,
           Channels.EMERGENCY_STOP,
           Channels.HEALTH,
@@ -68,6 +69,7 @@ public final class VehicleStatus {
   private final LongSupplier micros;
   private final Optional<VehicleKind> statedKind;
   private final VehicleOrders orders;
+  private final PlannerModes planners = new PlannerModes();
   private final ServiceConfigurations configurations = new ServiceConfigurations();
   private final Set<String> stops = ConcurrentHashMap.newKeySet();
   private volatile boolean isReportWanted;
@@ -121,6 +123,7 @@ public final class VehicleStatus {
     } else if (message instanceof EmergencyStop stop) {
       take(stop);
     } else if (message instanceof DiscoveryResponse response) {
+      planners.take(response);
       VehicleKind kind = VehicleKind.ofControl(response.className().orElse(""));
       heardKind = kind == VehicleKind.GENERIC ? heardKind : kind;
     } else {
@@ -160,6 +163,11 @@ public final class VehicleStatus {
     orders.tell(Channels.DISCOVERY, new DiscoveryRequest());
     orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(""));
     isReportWanted = true;
+  }
+
+  /** Classes of the Path Planner as modes. */
+  public PlannerModes planners() {
+    return planners;
   }
 
   /** The vehicle's kind, as far as known. */
