@@ -9,5 +9,4 @@ import io.dronefleet.mavlink.annotations.MavlinkMessageInfo;
  * @param sequence another one: the modes have changed, stations ask for them again
  */
 @MavlinkMessageInfo(id = 437, crc = 30, description = "Version of the list of modes.")
-public record AvailableModesMonitor(
-    @MavlinkFieldInfo(position = 1, unitSize = 1) int sequence) {}
+public record AvailableModesMonitor(@MavlinkFieldInfo(position = 1, unitSize = 1) int sequence) {}

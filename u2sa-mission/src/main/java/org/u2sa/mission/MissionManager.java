@@ -34,8 +34,8 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
  * goal-updates, goal-commands, mission, failsafe, arming-state, manual-state, and fence and state
- * for the place to return to. Out: goals, at the start, on every change, and in answer to a report on a goal that is not current; mission, in
- * answer to requests and orders.
+ * for the place to return to. Out: goals, at the start, on every change, and in answer to a report
+ * on a goal that is not current; mission, in answer to requests and orders.
  *
  * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
  * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes at the
@@ -283,7 +283,8 @@ public final class MissionManager extends PeriodicService {
       return;
     }
     passTime();
-    if (run.progress().turnTo(action, failsafes.sequence(action, returnPlaces.nearest(thresholdM())))) {
+    if (run.progress()
+        .turnTo(action, failsafes.sequence(action, returnPlaces.nearest(thresholdM())))) {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,

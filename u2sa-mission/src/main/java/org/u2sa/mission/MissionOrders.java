@@ -228,7 +228,8 @@ final class MissionOrders {
         returning
             .get()
             .orElseThrow(
-                () -> new BadInputException("the mission has no home, and there is no rally point"));
+                () ->
+                    new BadInputException("the mission has no home, and there is no rally point"));
     GoalSequence mission = run.progress().mission();
     boolean isGoal = mission.knows(place.uid()) && place.uid().equals(Home.NAME);
     return isGoal && !run.progress().isLeft()

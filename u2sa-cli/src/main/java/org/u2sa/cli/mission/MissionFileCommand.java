@@ -18,12 +18,12 @@ import org.u2sa.gcs.plan.QgcPlan;
 import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.gcs.plan.WaypointList;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
-import org.u2sa.interfaces.xml.XmlElement;
-import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.report.ReportFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -186,7 +186,10 @@ abstract class MissionFileCommand extends BaseCommand {
       String mission = PlanXml.mission(plan.home(), goals);
       write(target(".xml"), mission, goals.size() + " goals");
       if (!fenceText.isEmpty()) {
-        write(fence().get(), fenceText, plan.areas().size() + " areas, " + plan.rally().size() + " rally points");
+        write(
+            fence().get(),
+            fenceText,
+            plan.areas().size() + " areas, " + plan.rally().size() + " rally points");
       }
       return ExitCode.DONE;
     }

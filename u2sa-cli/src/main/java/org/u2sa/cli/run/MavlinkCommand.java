@@ -28,7 +28,10 @@ import picocli.CommandLine.Parameters;
 public final class MavlinkCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
-  @Parameters(arity = "1..*", paramLabel = "LINK", description = "tcp:PORT, udp:HOST:PORT or serial:PATH.")
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "LINK",
+      description = "tcp:PORT, udp:HOST:PORT or serial:PATH.")
   private List<String> links;
 
   @Override

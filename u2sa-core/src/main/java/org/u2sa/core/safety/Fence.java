@@ -17,8 +17,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Geofence: a keep-in polygon, keep-out polygons, two altitude limits and rally points, each
- * optional. Uses a local plane in metres east and north of the polygon's first corner, accurate enough for fences of
- * some tens of kilometres. Immutable.
+ * optional. Uses a local plane in metres east and north of the polygon's first corner, accurate
+ * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
   private final Optional<Geodetic> origin; // empty on a local plane

@@ -84,7 +84,8 @@ final class FenceOrders {
   private String unused() {
     String points =
         watch.fence().stream()
-            .flatMap(fence -> fence.rally().stream().filter(each -> fence.objection(each).isPresent()))
+            .flatMap(
+                fence -> fence.rally().stream().filter(each -> fence.objection(each).isPresent()))
             .map(RallyPoint::name)
             .collect(Collectors.joining(", "));
     return points.isEmpty() ? "" : "; outside of it, so not used: " + points;
@@ -115,6 +116,7 @@ final class FenceOrders {
   }
 
   private String remark(long nowMicros) {
-    return unused() + watch.objection(nowMicros).map(words -> "; not to be armed: " + words).orElse("");
+    return unused()
+        + watch.objection(nowMicros).map(words -> "; not to be armed: " + words).orElse("");
   }
 }

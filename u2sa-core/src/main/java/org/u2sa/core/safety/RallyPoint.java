@@ -25,7 +25,6 @@ record RallyPoint(String name, Waypoint waypoint, Point place) {
   @Override
   public String toString() {
     return String.format(
-        "%s at x %s, y %s",
-        name, waypoint.x().orElseThrow(), waypoint.y().orElseThrow());
+        "%s at x %s, y %s", name, waypoint.x().orElseThrow(), waypoint.y().orElseThrow());
   }
 }

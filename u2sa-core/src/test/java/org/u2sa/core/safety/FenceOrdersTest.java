@@ -267,7 +267,8 @@ class FenceOrdersTest extends WatchedVehicle {
   void replace_newRallyPointThatCannotBeUsed_isRefusedByName(String point, String why) {
     kit.with("FENCE MARGIN", 2.0);
     start();
-    String limits = square(-50, 50).replace("<keepIn>", "<floor>10</floor><ceiling>120</ceiling><keepIn>");
+    String limits =
+        square(-50, 50).replace("<keepIn>", "<floor>10</floor><ceiling>120</ceiling><keepIn>");
 
     FenceOrderResult result = replace(withRally(limits, "1 1", point));
 

@@ -223,8 +223,8 @@ public final class QgcPlan {
   }
 
   private static List<Object> rally(StationPlan plan) {
-    double homeM = plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty())
-        .orElse(0.0);
+    double homeM =
+        plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty()).orElse(0.0);
     List<Object> points = new ArrayList<>();
     for (StationPlan.Place place : plan.rally()) {
       List<Object> point = new ArrayList<>(corner(place));

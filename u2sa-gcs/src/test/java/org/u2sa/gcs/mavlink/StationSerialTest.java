@@ -6,10 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.dronefleet.mavlink.common.Attitude;
 import io.dronefleet.mavlink.common.CommandAck;
 import io.dronefleet.mavlink.common.CommandLong;
-import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.common.MavCmd;
 import io.dronefleet.mavlink.common.ParamRequestList;
 import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.minimal.Heartbeat;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
@@ -153,7 +153,8 @@ class StationSerialTest {
     long newest = kit.vehicle.uptime.micros() / 1000;
     assertThat(received.stream().filter(Attitude.class::isInstance))
         .isNotEmpty()
-        .allSatisfy(each -> assertThat(((Attitude) each).timeBootMs()).isGreaterThan(newest - 3_500));
+        .allSatisfy(
+            each -> assertThat(((Attitude) each).timeBootMs()).isGreaterThan(newest - 3_500));
   }
 
   @ParameterizedTest

@@ -218,7 +218,8 @@ class PlanFormatsTest {
         .contains(
             "<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
     StationPlan.Area circle = new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0));
-    assertThat(PlanXml.fence("", List.of(circle, circle), List.of(), lost)).containsOnlyOnce("<keepIn>");
+    assertThat(PlanXml.fence("", List.of(circle, circle), List.of(), lost))
+        .containsOnlyOnce("<keepIn>");
     assertThat(lost).containsExactly("fence: a second circle to stay within");
   }
 

@@ -72,8 +72,6 @@ public final class EventMetadata {
   }
 
   private static JsonText entry(String name, String description) {
-    return new JsonText()
-        .put("name", name.toLowerCase(Locale.ROOT))
-        .put(DESCRIPTION, description);
+    return new JsonText().put("name", name.toLowerCase(Locale.ROOT)).put(DESCRIPTION, description);
   }
 }

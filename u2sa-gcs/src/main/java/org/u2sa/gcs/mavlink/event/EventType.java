@@ -20,9 +20,7 @@ enum EventType {
   DISARMED("Disarmed", "The vehicle must not move.", 6),
   ITEM_REACHED(
       "Mission item {1} reached",
-      "Numbered as in the mission's download.",
-      6,
-      new Argument("item", "uint16_t")),
+      "Numbered as in the mission's download.", 6, new Argument("item", "uint16_t")),
   MISSION_OVER("Mission over", "The vehicle has nothing more to do and holds.", 5);
 
   /**

@@ -90,8 +90,7 @@ public final class VehicleEvents {
     int bits = EventCause.bits(vehicle.failsafeCauses()) | stopped;
     boolean isNew = now != action || bits != causes;
     if (isNew && now != FailsafeAction.CONTINUE) {
-      log.add(
-          EventType.FAILSAFE, EventLog.arguments().put((byte) now.ordinal()).putInt(bits));
+      log.add(EventType.FAILSAFE, EventLog.arguments().put((byte) now.ordinal()).putInt(bits));
     } else if (isNew && action != FailsafeAction.CONTINUE) {
       log.add(EventType.FAILSAFE_OVER, EventLog.arguments());
     }

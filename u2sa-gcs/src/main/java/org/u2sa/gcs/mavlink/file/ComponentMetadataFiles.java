@@ -13,7 +13,8 @@ import org.u2sa.mavlink.MavlinkCrc32;
 
 /**
  * Component metadata (mavlink.io/en/services/component_information): which parameters there are,
- * with text, unit and range, and what events mean. Made again when a service has announced its variables.
+ * with text, unit and range, and what events mean. Made again when a service has announced its
+ * variables.
  */
 public final class ComponentMetadataFiles {
   static final String GENERAL = "general.json";
@@ -66,7 +67,9 @@ public final class ComponentMetadataFiles {
             .put("version", 1)
             .put("vendorName", "U2SA")
             .put("modelName", systemId)
-            .put("metadataTypes", List.of(
+            .put(
+                "metadataTypes",
+                List.of(
                     entry(TYPE_PARAMETER, PARAMETERS, parameters),
                     entry(TYPE_EVENTS, EVENTS, events)))
             .line()
@@ -74,10 +77,7 @@ public final class ComponentMetadataFiles {
   }
 
   private static JsonText entry(int type, String name, byte[] content) {
-    return new JsonText()
-        .put("type", type)
-        .put("uri", SCHEME + name)
-        .put("fileCrc", crc(content));
+    return new JsonText().put("type", type).put("uri", SCHEME + name).put("fileCrc", crc(content));
   }
 
   private static long crc(byte[] content) {

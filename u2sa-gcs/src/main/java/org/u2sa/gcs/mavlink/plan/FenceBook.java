@@ -63,9 +63,10 @@ public final class FenceBook {
     List<StationPlan.Place> rally =
         isRally ? RallyShapes.places(items, vehicle.kind(), placement.home()) : presentRally();
     List<String> lost = new ArrayList<>();
-    String xml = areas.isEmpty() && rally.isEmpty()
-        ? ""
-        : PlanXml.fence(areas.isEmpty() ? "" : limits(), areas, rally, lost);
+    String xml =
+        areas.isEmpty() && rally.isEmpty()
+            ? ""
+            : PlanXml.fence(areas.isEmpty() ? "" : limits(), areas, rally, lost);
     if (!lost.isEmpty()) {
       throw new PlanRefusal(MavMissionResult.MAV_MISSION_UNSUPPORTED, PlanRefusal.some(lost));
     }

@@ -46,10 +46,7 @@ final class FenceItems implements ItemStore {
     FenceOrder order =
         upload.xml().isEmpty()
             ? new FenceOrder().action(FenceAction.REMOVE)
-            : new FenceOrder()
-                .action(FenceAction.REPLACE)
-                .file(upload.name())
-                .fence(upload.xml());
+            : new FenceOrder().action(FenceAction.REPLACE).file(upload.name()).fence(upload.xml());
     orders.fence(
         order,
         (accepted, text) -> {

@@ -6,8 +6,8 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
  * The classes that the vehicle's Path Planner can be swapped for, those of jars among them. Each is
- * a mode beside Mission, which stands for the class that was heard first. Messages may arrive on any
- * thread.
+ * a mode beside Mission, which stands for the class that was heard first. Messages may arrive on
+ * any thread.
  */
 public final class PlannerModes {
   private static final String ROLE = "PATH_PLANNER";
