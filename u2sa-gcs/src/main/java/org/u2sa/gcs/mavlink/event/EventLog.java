@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 
 /** The newest events of a vehicle, numbered from 1, modulo 65 536. Confined to one thread. */
+@SuppressWarnings("deprecation") // the library is older than the message's final form
 final class EventLog {
   private static final int KEPT = 64;
   private static final int ARGUMENT_BYTES = 40;
@@ -27,7 +28,6 @@ final class EventLog {
    *
    * @param arguments little-endian, without gaps
    */
-  @SuppressWarnings("deprecation") // the library is older than the message's final form
   void add(EventType type, ByteBuffer arguments) {
     byte[] bytes = new byte[ARGUMENT_BYTES];
     System.arraycopy(arguments.array(), 0, bytes, 0, arguments.position());
@@ -66,7 +66,6 @@ final class EventLog {
   }
 
   /** Event of a sequence number; empty if it is not kept. */
-  @SuppressWarnings("deprecation")
   Optional<Event> get(int sequence) {
     return kept.stream().filter(each -> each.sequence() == sequence).findFirst();
   }
