@@ -20,6 +20,7 @@ import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.communication.SerialLine;
+import org.u2sa.interfaces.communication.SerialLineProvider;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
@@ -93,7 +94,7 @@ public final class MavlinkBridge implements AutoCloseable {
     }
     StationPlace.Serial serial = (StationPlace.Serial) place;
     SerialLine line =
-        ServiceLoader.load(SerialLine.Provider.class)
+        ServiceLoader.load(SerialLineProvider.class)
             .findFirst()
             .orElseThrow(() -> new IOException("no serial ports without u2sa-drivers"))
             .open(serial.path(), serial.baud(), link.clock());

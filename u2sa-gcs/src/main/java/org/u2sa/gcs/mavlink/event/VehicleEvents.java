@@ -98,7 +98,7 @@ public final class VehicleEvents {
     causes = bits;
   }
 
-  /** CURRENT_EVENT_SEQUENCE. At first it says that the numbers have begun anew. */
+  /** CURRENT_EVENT_SEQUENCE. At first it says that the numbers begin again. */
   @SuppressWarnings("deprecation") // the library is older than the message's final form
   public Optional<Object> sequence() {
     CurrentEventSequence.Builder message = CurrentEventSequence.builder().sequence(log.newest());

@@ -1,10 +1,11 @@
 package org.u2sa.drivers.link;
 
 import org.u2sa.interfaces.communication.SerialLine;
+import org.u2sa.interfaces.communication.SerialLineProvider;
 import org.u2sa.interfaces.time.Clock;
 
 /** Serial ports as links to devices have them. */
-public final class SerialLineProvider implements SerialLine.Provider {
+public final class SerialLines implements SerialLineProvider {
   @Override
   public SerialLine open(String path, int baud, Clock clock) {
     ByteLink link = ByteLinks.open("serial:" + path + "?baud=" + baud, clock);
