@@ -1821,4 +1821,5 @@ LABELS = (
     'turnRate',
     'speedShare',
     'turnShare',
+    'rally',
 )

@@ -13,6 +13,7 @@ from mavsdk import ComponentType, Configuration, Mavsdk
 from mavsdk.plugins.action import Action
 from mavsdk.plugins.component_metadata import ComponentMetadata
 from mavsdk.plugins.component_metadata.component_metadata import MetadataType
+from mavsdk.plugins.events import Events
 from mavsdk.plugins.ftp import Ftp
 from mavsdk.plugins.log_files import LogFiles
 from mavsdk.plugins.mission_raw import MissionRaw
@@ -143,6 +144,8 @@ def mission(system, telemetry, count):
 
 def operate(system, telemetry, raw):
     action = Action(system)
+    events = []
+    Events(system).subscribe_events(lambda event, _: events.append("%s: %s" % (event.event_name, event.message)))
     action.disarm()
     until("disarmed", lambda: not telemetry.armed())
     action.arm()
@@ -159,6 +162,10 @@ def operate(system, telemetry, raw):
     raw.clear_mission()
     require(raw.download_mission() == [], "the mission is cleared")
     refused("take-off", action.takeoff)
+    action.terminate()
+    refused("arming", action.arm)
+    for each in ("disarmed: Disarmed", "armed: Armed", "item_reached: Mission item 0 reached", "arming_refused: Not armed: emergency stop"):
+        until("event \"%s\"" % each, lambda: each in events)
 
 
 def main():

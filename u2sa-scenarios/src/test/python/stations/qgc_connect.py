@@ -178,7 +178,7 @@ def main():
     parameters(station, described)
     plans(station)
     buttons(station)
-    require(sorted(each.name for each in files.cmd_list(["/"]).directory_listing)[:2] == ["general.json", "logs"], "listing")
+    require(sorted(each.name for each in files.cmd_list(["/"]).directory_listing)[:3] == ["events.json", "general.json", "logs"], "listing")
     intrusions(files)
     recording = required(files, "/logs/recording.mcap")
     require(recording[:8] == b"\x89MCAP0\r\n", "the recording is none")

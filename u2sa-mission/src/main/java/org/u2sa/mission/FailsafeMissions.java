@@ -91,6 +91,11 @@ final class FailsafeMissions {
     return copy;
   }
 
+  /** The goal that leads to a place to return to. */
+  static GoalInformation returning(Waypoint place) {
+    return renamed(place, FailsafeAction.RETURN + " ");
+  }
+
   private static List<String> renamed(List<String> names, String prefix) {
     return names.stream().map(name -> prefix + name).collect(Collectors.toList());
   }
@@ -98,9 +103,9 @@ final class FailsafeMissions {
   /**
    * Goals for the action; empty if the mission continues or is merely held.
    *
-   * @param home home of the mission
+   * @param place nearest place to return to
    */
-  Optional<GoalSequence> sequence(FailsafeAction action, Optional<Waypoint> home) {
+  Optional<GoalSequence> sequence(FailsafeAction action, Optional<Waypoint> place) {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
@@ -109,8 +114,8 @@ final class FailsafeMissions {
       logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
       own = loaded.get(FailsafeAction.RETURN).goals();
     }
-    if (own.isEmpty() && home.isPresent()) {
-      own = Collections.singletonList(renamed(home.get(), FailsafeAction.RETURN + " "));
+    if (own.isEmpty() && place.isPresent()) {
+      own = Collections.singletonList(returning(place.get()));
     }
     if (own.isEmpty()) {
       String problem = "failsafe " + action + " without a RETURN MISSION or a home: holding";

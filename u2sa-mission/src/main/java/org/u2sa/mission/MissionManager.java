@@ -33,9 +33,9 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Manages the mission's goals and publishes the current ones (thesis 3.2.3.2). In: goal-reports,
- * goal-updates, goal-commands, mission, failsafe, arming-state, manual-state. Out: goals, at the
- * start, on every change, and in answer to a report on a goal that is not current; mission, in
- * answer to requests and orders.
+ * goal-updates, goal-commands, mission, failsafe, arming-state, manual-state, and fence and state
+ * for the place to return to. Out: goals, at the start, on every change, and in answer to a report
+ * on a goal that is not current; mission, in answer to requests and orders.
  *
  * <p>A mission's home is a goal too, named "home". An empty list means that the mission is over.
  * The failsafes RETURN and LAND have their own goals; afterwards the mission resumes at the
@@ -72,6 +72,7 @@ public final class MissionManager extends PeriodicService {
   private final Map<String, Long> reportedMicros = new HashMap<>(); // latest report by goal
   private final Resumable resumable;
   private final MessageTypes messageTypes;
+  private final ReturnPlaces returnPlaces = new ReturnPlaces(() -> this.home);
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
@@ -93,7 +94,14 @@ public final class MissionManager extends PeriodicService {
     firstFailsafe = new FirstFailsafe(this, context);
     messageTypes = context.messageTypes();
     orders =
-        new MissionOrders(run, resumable, messageTypes, this, failsafes::landGoals, this::replace);
+        new MissionOrders(
+            run,
+            resumable,
+            messageTypes,
+            this,
+            failsafes::landGoals,
+            () -> returnPlaces.nearest(thresholdM()),
+            this::replace);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOAL_REPORTS, this::onReport);
@@ -103,6 +111,8 @@ public final class MissionManager extends PeriodicService {
     subscribe(Channels.FAILSAFE, this::onFailsafe);
     subscribe(Channels.ARMING_STATE, this::onArming);
     subscribe(Channels.MANUAL_STATE, this::onManual);
+    subscribe(Channels.FENCE, returnPlaces::see);
+    subscribe(Channels.STATE, returnPlaces::see);
   }
 
   /** Rejects an unreadable mission before it replaces a readable one. */
@@ -273,7 +283,8 @@ public final class MissionManager extends PeriodicService {
       return;
     }
     passTime();
-    if (run.progress().turnTo(action, failsafes.sequence(action, home))) {
+    if (run.progress()
+        .turnTo(action, failsafes.sequence(action, returnPlaces.nearest(thresholdM())))) {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,

@@ -19,6 +19,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
@@ -35,6 +36,7 @@ final class MissionOrders {
   private final MessageTypes types;
   private final Logger logger;
   private final Supplier<List<GoalInformation>> landing;
+  private final Supplier<Optional<Waypoint>> returning;
   private final Consumer<Mission> replacement;
   private final Map<String, MissionOrderResult> answered =
       new LinkedHashMap<>() {
@@ -48,6 +50,7 @@ final class MissionOrders {
 
   /**
    * @param landing goals of the LAND MISSION
+   * @param returning nearest place to return to
    * @param replacement begins another mission
    */
   MissionOrders(
@@ -56,6 +59,7 @@ final class MissionOrders {
       MessageTypes types,
       Logger logger,
       Supplier<List<GoalInformation>> landing,
+      Supplier<Optional<Waypoint>> returning,
       Consumer<Mission> replacement) {
     this.run = run;
     this.resumable = resumable;
@@ -63,6 +67,7 @@ final class MissionOrders {
     this.logger = logger;
     this.replacement = replacement;
     this.landing = landing;
+    this.returning = returning;
   }
 
   /**
@@ -102,6 +107,7 @@ final class MissionOrders {
       case PAUSE -> pause();
       case REPLACE -> replace(order);
       case LAND -> land();
+      case RETURN -> goHome();
     };
   }
 
@@ -210,14 +216,33 @@ final class MissionOrders {
   }
 
   private String land() {
-    GoalSequence mission = run.progress().mission();
     List<GoalInformation> goals = landing.get();
     if (goals.isEmpty()) {
       throw new BadInputException("the Mission Manager has no LAND MISSION");
     }
+    return leaveFor(goals);
+  }
+
+  private String goHome() {
+    Waypoint place =
+        returning
+            .get()
+            .orElseThrow(
+                () ->
+                    new BadInputException("the mission has no home, and there is no rally point"));
+    GoalSequence mission = run.progress().mission();
+    boolean isGoal = mission.knows(place.uid()) && place.uid().equals(Home.NAME);
+    return isGoal && !run.progress().isLeft()
+        ? goTo(place.uid())
+        : leaveFor(List.of(FailsafeMissions.returning(place)));
+  }
+
+  /** Pursues other goals, the last of which ends the mission. */
+  private String leaveFor(List<GoalInformation> goals) {
     if (run.progress().isLeft()) {
       throw new BadInputException("the failsafe " + run.progress().pursuedFor() + " is pursued");
     }
+    GoalSequence mission = run.progress().mission();
     checkRoom(mission, goals);
     return goTo(new GoalInsertion(mission, goals).toTheEnd());
   }

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
@@ -15,6 +16,7 @@ import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.mission.MissionReport;
 import org.u2sa.messages.mission.MissionRequest;
+import org.u2sa.messages.safety.FenceState;
 
 /** What operators order of a running mission, and what they are answered. */
 class MissionOrdersTest extends ThreeWaypoints {
@@ -441,5 +443,19 @@ class MissionOrdersTest extends ThreeWaypoints {
   void land_withoutALandMission_isRefused() {
     kit.start(MissionManager::new);
     refused(order(MissionAction.LAND), "the Mission Manager has no LAND MISSION");
+  }
+
+  @Test
+  void return_rallyPointNearerThanHome_goesThereAndResumesTheMission() {
+    kit.start(MissionManager::new);
+    Waypoint far = new Waypoint().uid("rally 1").x(9.0).y(9.0).horizontalThreshold(1.0);
+    Waypoint near = new Waypoint().uid("rally 2").x(1.0).y(1.1).z(60.0).horizontalThreshold(1.0);
+    kit.publish(Channels.FENCE, new FenceState().rally(List.of(far, near)));
+    kit.publish(Channels.STATE, new StateInformation().x(1.0).y(1.0));
+
+    accepted(order(MissionAction.RETURN), "pursuing goal \"RETURN rally 2\"");
+
+    assertThat(current()).containsExactly("RETURN rally 2");
+    accepted(order(MissionAction.RESUME), "resumed at [1]");
   }
 }

@@ -25,6 +25,7 @@ import picocli.CommandLine.Command;
       OrderCommand.Update.class,
       OrderCommand.Pause.class,
       OrderCommand.Resume.class,
+      OrderCommand.Return.class,
       MissionFileCommand.Import.class,
       MissionFileCommand.Export.class
     })

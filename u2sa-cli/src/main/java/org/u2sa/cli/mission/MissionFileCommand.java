@@ -18,6 +18,8 @@ import org.u2sa.gcs.plan.QgcPlan;
 import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.gcs.plan.WaypointList;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.mission.Home;
@@ -116,15 +118,17 @@ abstract class MissionFileCommand extends BaseCommand {
       Mission mission = Mission.load(file());
       Path target = target(PLAN);
       boolean isPlan = target.toString().endsWith(PLAN);
+      Optional<XmlElement> fence = fence().map(path -> XmlReader.read(path, "fence"));
       StationPlan plan =
           new StationPlan(
               mission.home().flatMap(this::place),
               GoalItems.of(mission.goals(), lost(), lost()).items(),
-              fence().isPresent() ? FenceAreas.read(fence().get(), lost()) : List.of());
+              fence.map(root -> FenceAreas.read(root, lost())).orElse(List.of()),
+              fence.map(FenceAreas::rally).orElse(List.of()));
       if (mission.timeLimit().isPresent()) {
         lost().add("mission: timeLimit " + mission.timeLimit().getAsDouble() + " s");
       }
-      if (!isPlan && !plan.areas().isEmpty()) {
+      if (!isPlan && fence.isPresent()) {
         lost().add("fence: a list of waypoints has none");
       }
       settle();
@@ -156,7 +160,7 @@ abstract class MissionFileCommand extends BaseCommand {
         "  ./u2sa mission import survey.plan",
         "  ./u2sa mission import route.waypoints --out mission.xml",
         "",
-        "Altitudes relative to home need the home's altitude. Of a plan with a fence, --fence takes that."
+        "Altitudes relative to home need the home's altitude. Of a plan with a fence or rally points, --fence takes them."
       })
   static final class Import extends MissionFileCommand {
     @Override
@@ -172,16 +176,20 @@ abstract class MissionFileCommand extends BaseCommand {
         throw new BadInputException(file() + ": holds no position to go to");
       }
       String fenceText = "";
-      if (!plan.areas().isEmpty() && fence().isPresent()) {
-        fenceText = PlanXml.fence(plan.areas(), lost());
-      } else if (!plan.areas().isEmpty()) {
-        lost().add("fence: --fence names the file for it");
+      boolean hasFence = !plan.areas().isEmpty() || !plan.rally().isEmpty();
+      if (hasFence && fence().isPresent()) {
+        fenceText = PlanXml.fence("", plan.areas(), plan.rally(), lost());
+      } else if (hasFence) {
+        lost().add("fence and rally points: --fence names the file for them");
       }
       settle();
       String mission = PlanXml.mission(plan.home(), goals);
       write(target(".xml"), mission, goals.size() + " goals");
       if (!fenceText.isEmpty()) {
-        write(fence().get(), fenceText, plan.areas().size() + " areas");
+        write(
+            fence().get(),
+            fenceText,
+            plan.areas().size() + " areas, " + plan.rally().size() + " rally points");
       }
       return ExitCode.DONE;
     }

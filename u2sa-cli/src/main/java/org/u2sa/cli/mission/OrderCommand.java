@@ -181,4 +181,18 @@ abstract class OrderCommand extends BaseCommand {
       return new MissionOrder().action(MissionAction.RESUME);
     }
   }
+
+  @Command(
+      name = "return",
+      description = {
+        "Return to the home or a rally point of the fence, whichever is nearest.",
+        "",
+        "resume returns to the interrupted goal."
+      })
+  static final class Return extends OrderCommand {
+    @Override
+    MissionOrder order() {
+      return new MissionOrder().action(MissionAction.RETURN);
+    }
+  }
 }

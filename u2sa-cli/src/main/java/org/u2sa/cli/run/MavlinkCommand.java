@@ -19,15 +19,19 @@ import picocli.CommandLine.Parameters;
       "",
       "  ./u2sa mavlink tcp:5760                          stations connect here",
       "  ./u2sa mavlink udp:127.0.0.1:14550,as=ardupilot  a station listens there",
+      "  ./u2sa mavlink serial:/dev/ttyUSB0,baud=57600    a station is behind a telemetry radio",
       "",
       "Stations have the rights of the user that this command joins the broker with: with an "
-          + "observer's they see and cannot command. Options after the link: as, type, id and key "
+          + "observer's they see and cannot command. Options after the link: as, type, id, key, logs and baud "
           + "(docs/mavlink.md)."
     })
 public final class MavlinkCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
-  @Parameters(arity = "1..*", paramLabel = "LINK", description = "tcp:PORT or udp:HOST:PORT.")
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "LINK",
+      description = "tcp:PORT, udp:HOST:PORT or serial:PATH.")
   private List<String> links;
 
   @Override

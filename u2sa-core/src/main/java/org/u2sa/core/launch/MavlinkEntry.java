@@ -12,11 +12,11 @@ import org.u2sa.interfaces.xml.XmlElement;
  */
 public record MavlinkEntry(String link, XmlElement element) {
   private static final String USUAL_LINK = "udp:127.0.0.1:14550";
-  private static final List<String> OPTIONS = List.of("as", "type", "id");
+  private static final List<String> OPTIONS = List.of("as", "type", "id", "baud");
   private static final List<String> FILES = List.of("key", "logs"); // beside the system file
 
   static MavlinkEntry read(Path file, XmlElement element) {
-    element.refuseUnknownAttributes("link", "as", "type", "id", "key", "logs");
+    element.refuseUnknownAttributes("link", "as", "type", "id", "baud", "key", "logs");
     StringBuilder link = new StringBuilder(element.optionalAttribute("link").orElse(USUAL_LINK));
     for (String option : OPTIONS) {
       element

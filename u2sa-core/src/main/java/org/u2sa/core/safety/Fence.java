@@ -16,9 +16,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Geofence: a keep-in polygon, keep-out polygons and two altitude limits, each optional. Uses a
- * local plane in metres east and north of the polygon's first corner, accurate enough for fences of
- * some tens of kilometres. Immutable.
+ * Geofence: a keep-in polygon, keep-out polygons, two altitude limits and rally points, each
+ * optional. Uses a local plane in metres east and north of the polygon's first corner, accurate
+ * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
   private final Optional<Geodetic> origin; // empty on a local plane
@@ -26,6 +26,7 @@ final class Fence {
   private final List<Polygon> keepOuts;
   final OptionalDouble floorM;
   final OptionalDouble ceilingM;
+  private final List<RallyPoint> rally;
   private final Optional<Geometry> border; // of the keep-in area
   private final Optional<PreparedGeometry> inside;
   private final List<PreparedGeometry> outside;
@@ -35,12 +36,14 @@ final class Fence {
       Optional<Polygon> keepIn,
       List<Polygon> keepOuts,
       OptionalDouble floorM,
-      OptionalDouble ceilingM) {
+      OptionalDouble ceilingM,
+      List<RallyPoint> rally) {
     this.origin = origin;
     this.keepIn = keepIn;
     this.keepOuts = List.copyOf(keepOuts);
     this.floorM = floorM;
     this.ceilingM = ceilingM;
+    this.rally = List.copyOf(rally);
     border = keepIn.map(Polygon::getBoundary);
     inside = keepIn.map(PreparedGeometryFactory::prepare);
     outside =
@@ -60,7 +63,7 @@ final class Fence {
         List.of(
             keepOuts.stream().map(each -> (Polygon) each.buffer(marginM)).toArray(Polygon[]::new));
     return new Fence(
-        origin, smaller, larger, shifted(floorM, marginM), shifted(ceilingM, -marginM));
+        origin, smaller, larger, shifted(floorM, marginM), shifted(ceilingM, -marginM), rally);
   }
 
   private static Polygon shrunk(Polygon area, double marginM) {
@@ -95,6 +98,25 @@ final class Fence {
       }
     }
     return corners;
+  }
+
+  /** Rally points, usable or not. */
+  List<RallyPoint> rally() {
+    return rally;
+  }
+
+  /** Why a rally point cannot be used; empty if it can. */
+  Optional<String> objection(RallyPoint point) {
+    if (!allows(point.place())) {
+      return Optional.of("outside the keep-in area, or inside a keep-out one");
+    }
+    double altitudeM = point.altitudeM().orElse(Double.NaN);
+    if (floorM.isPresent() && altitudeM < floorM.getAsDouble()) {
+      return Optional.of("below the floor of " + CauseText.metres(floorM.getAsDouble()));
+    }
+    return ceilingM.isPresent() && altitudeM > ceilingM.getAsDouble()
+        ? Optional.of("above the ceiling of " + CauseText.metres(ceilingM.getAsDouble()))
+        : Optional.empty();
   }
 
   /**

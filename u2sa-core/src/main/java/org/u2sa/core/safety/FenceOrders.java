@@ -1,8 +1,10 @@
 package org.u2sa.core.safety;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
@@ -55,6 +57,7 @@ final class FenceOrders {
       case REPLACE:
         GivenFence given = watch.given(source(order), text(order));
         check(given, armed, nowMicros);
+        checkNewRallyPoints(given);
         watch.order(Optional.of(given));
         return "fence of " + given.file() + " in force" + remark(nowMicros);
       case RELOAD:
@@ -78,6 +81,16 @@ final class FenceOrders {
     return order.fence().orElseThrow(() -> new BadInputException("no fence; expected one in XML"));
   }
 
+  private String unused() {
+    String points =
+        watch.fence().stream()
+            .flatMap(
+                fence -> fence.rally().stream().filter(each -> fence.objection(each).isPresent()))
+            .map(RallyPoint::name)
+            .collect(Collectors.joining(", "));
+    return points.isEmpty() ? "" : "; outside of it, so not used: " + points;
+  }
+
   private void check(GivenFence given, boolean armed, long nowMicros) {
     if (armed) {
       watch
@@ -90,7 +103,20 @@ final class FenceOrders {
     }
   }
 
+  /** Those of the fence before may be outside: the vehicle just does not use them. */
+  private void checkNewRallyPoints(GivenFence given) {
+    List<RallyPoint> before = watch.fence().map(Fence::rally).orElse(List.of());
+    for (RallyPoint point : given.fence().rally()) {
+      Optional<String> objection =
+          given.fence().objection(point).filter(words -> before.stream().noneMatch(point::isAt));
+      if (objection.isPresent()) {
+        throw new BadInputException(given.file() + ": " + point + ": " + objection.get());
+      }
+    }
+  }
+
   private String remark(long nowMicros) {
-    return watch.objection(nowMicros).map(words -> "; not to be armed: " + words).orElse("");
+    return unused()
+        + watch.objection(nowMicros).map(words -> "; not to be armed: " + words).orElse("");
   }
 }

@@ -15,9 +15,13 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
 
 /** Reads {@code <fence>} (docs/health-and-failsafes.md) and rejects areas that enclose nothing. */
 final class FenceReader {
+  private static final String RALLY = "rally";
+  private static final int MAX_RALLY_POINTS = 100;
   private static final int MIN_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
   private static final double INSIDE = 1.0; // corners on the circle
@@ -39,7 +43,7 @@ final class FenceReader {
   /** {@link #read(Path)} of an element {@code <fence>}. */
   static Fence read(XmlElement root) {
     root.refuseUnknownAttributes();
-    root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
+    root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut", RALLY);
     return new FenceReader(isOnEarth(root)).fence(root);
   }
 
@@ -55,12 +59,18 @@ final class FenceReader {
   private Fence fence(XmlElement root) {
     Optional<XmlElement> keepIn = root.child("keepIn");
     List<XmlElement> keepOuts = root.children("keepOut");
-    if (keepIn.isEmpty() && keepOuts.isEmpty()) {
-      throw root.error("lacks <keepIn>; expected one, or a <keepOut>");
+    List<XmlElement> rally = root.children(RALLY);
+    if (keepIn.isEmpty() && keepOuts.isEmpty() && rally.isEmpty()) {
+      throw root.error("lacks <keepIn>; expected one, or a <keepOut> or <rally>");
+    }
+    if (rally.size() > MAX_RALLY_POINTS) {
+      throw root.error("has " + rally.size() + " <rally>; expected at most " + MAX_RALLY_POINTS);
     }
     Optional<Polygon> inside = keepIn.map(area -> area(area, INSIDE));
     List<Polygon> outside = new ArrayList<>();
     keepOuts.forEach(area -> outside.add(area(area, AROUND)));
+    List<RallyPoint> points = new ArrayList<>();
+    rally.forEach(each -> points.add(rallyPoint(each, points.size() + 1)));
     OptionalDouble floor = altitude(root, "floor");
     OptionalDouble ceiling = altitude(root, "ceiling");
     if (floor.isPresent() && ceiling.isPresent() && floor.getAsDouble() >= ceiling.getAsDouble()) {
@@ -69,7 +79,24 @@ final class FenceReader {
           .error(
               ceiling.getAsDouble() + " m is not above the floor of " + floor.getAsDouble() + " m");
     }
-    return new Fence(Optional.ofNullable(origin), inside, outside, floor, ceiling);
+    return new Fence(Optional.ofNullable(origin), inside, outside, floor, ceiling, points);
+  }
+
+  private RallyPoint rallyPoint(XmlElement element, int number) {
+    element.refuseUnknownAttributes();
+    element.refuseUnknownChildren("x", "y", "z");
+    Coordinate place = coordinate(element);
+    String name = RALLY + " " + number;
+    Waypoint waypoint =
+        new Waypoint()
+            .uid(name)
+            .referenceFrame(onEarth ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_ENU)
+            .x(number(element, "x"))
+            .y(number(element, "y"))
+            .horizontalThreshold(1.0);
+    altitude(element, "z").ifPresent(waypoint::z);
+    waypoint.freeze();
+    return new RallyPoint(name, waypoint, Point.of(place.x, place.y, 0.0));
   }
 
   private static OptionalDouble altitude(XmlElement root, String name) {
@@ -126,6 +153,10 @@ final class FenceReader {
   private Coordinate place(XmlElement element) {
     element.refuseUnknownAttributes();
     element.refuseUnknownChildren("x", "y");
+    return coordinate(element);
+  }
+
+  private Coordinate coordinate(XmlElement element) {
     double x = number(element, "x");
     double y = number(element, "y");
     if (!onEarth) {

@@ -3,6 +3,7 @@ package org.u2sa.core.safety;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.ByteArrayInputStream;
+import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.cbor.Limits;
@@ -47,6 +48,11 @@ record GivenFence(String file, String xml, Fence fence) {
   /** As it is published. */
   FenceState state(double marginM) {
     FenceState state = new FenceState().file(file).margin(marginM);
+    state.rally(
+        fence.rally().stream()
+            .filter(point -> fence.objection(point).isEmpty())
+            .map(RallyPoint::waypoint)
+            .collect(Collectors.toList()));
     return xml.getBytes(UTF_8).length <= Limits.TEXT_BYTES ? state.fence(xml) : state;
   }
 }

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -12,6 +15,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FenceAction;
 import org.u2sa.messages.safety.FenceOrder;
@@ -211,5 +216,84 @@ class FenceOrdersTest extends WatchedVehicle {
     live(1.0);
 
     assertThat(fence().fence()).contains(square(-40, 40));
+  }
+
+  private static String withRally(String xml, String... points) {
+    StringBuilder rally = new StringBuilder();
+    for (String point : points) {
+      String[] xyz = point.split(" ");
+      rally.append("<rally><x>" + xyz[0] + "</x><y>" + xyz[1] + "</y>");
+      rally.append(xyz.length > 2 ? "<z>" + xyz[2] + "</z></rally>" : "</rally>");
+    }
+    return xml.replace("</fence>", rally + "</fence>");
+  }
+
+  private List<String> rally() {
+    return fence().rally().stream().map(GoalInformation::uid).collect(Collectors.toList());
+  }
+
+  @Test
+  void replace_rallyPointsInside_arePublished() {
+    startArmed();
+
+    assertThat(replace(withRally(square(-50, 50), "10 20 30", "-5 0")).accepted()).isTrue();
+
+    assertThat(rally()).containsExactly("rally 1", "rally 2");
+    Waypoint first = (Waypoint) fence().rally().get(0);
+    assertThat(first.referenceFrame()).isEqualTo(ReferenceFrame.LOCAL_ENU);
+    assertThat(first.x()).hasValue(10.0);
+    assertThat(first.z()).hasValue(30.0);
+  }
+
+  @Test
+  void replace_rallyPointsOnly_isAFenceThatLimitsNothing() {
+    startArmed();
+
+    assertThat(replace(withRally("<fence><reference>Local ENU</reference></fence>", "10 20")))
+        .matches(FenceOrderResult::accepted);
+
+    live(0.5);
+    assertThat(rally()).containsExactly("rally 1");
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "60 0, outside the keep-in area",
+    "49 0, outside the keep-in area", // by the margin
+    "0 0 130, above the ceiling of 118",
+    "0 0 -5, below the floor of 12"
+  })
+  void replace_newRallyPointThatCannotBeUsed_isRefusedByName(String point, String why) {
+    kit.with("FENCE MARGIN", 2.0);
+    start();
+    String limits =
+        square(-50, 50).replace("<keepIn>", "<floor>10</floor><ceiling>120</ceiling><keepIn>");
+
+    FenceOrderResult result = replace(withRally(limits, "1 1", point));
+
+    assertThat(result.accepted()).isFalse();
+    assertThat(result.outcome()).startsWith("new.xml: rally 2 at x ").contains(why);
+  }
+
+  @Test
+  void replace_aroundOldRallyPointsPartly_isInForceAndDoesNotUseThoseOutside() {
+    start();
+    replace(withRally(square(-50, 50), "40 0", "5 0"));
+
+    FenceOrderResult result = replace(withRally(square(-20, 20), "40 0", "5 0"));
+
+    assertThat(result.outcome()).endsWith("in force; outside of it, so not used: rally 1");
+    assertThat(rally()).containsExactly("rally 2");
+  }
+
+  @Test
+  void replace_moreRallyPointsThanAllowed_isRefused() {
+    start();
+    String[] points = new String[101];
+    Arrays.fill(points, "0 0");
+
+    assertThat(replace(withRally(square(-50, 50), points)).outcome())
+        .contains("has 101 <rally>; expected at most 100");
   }
 }

@@ -39,7 +39,8 @@ class FenceProperties {
         Optional.of(GEOMETRY.createPolygon(corners)),
         List.of(out),
         OptionalDouble.empty(),
-        OptionalDouble.empty());
+        OptionalDouble.empty(),
+        List.of());
   }
 
   private static Point velocity(double speed, double course) {

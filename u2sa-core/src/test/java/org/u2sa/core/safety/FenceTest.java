@@ -33,7 +33,8 @@ class FenceTest {
         Optional.of(square(100.0)),
         List.of(square(10.0)),
         OptionalDouble.of(10.0),
-        OptionalDouble.of(90.0));
+        OptionalDouble.of(90.0),
+        List.of());
   }
 
   private static boolean allows(Fence fence, double x, double y) {
@@ -84,7 +85,8 @@ class FenceTest {
             Optional.of(waisted),
             List.of(),
             OptionalDouble.empty(),
-            OptionalDouble.empty());
+            OptionalDouble.empty(),
+            List.of());
 
     assertThat(fence.drawnInBy(4.0).floorM).isEmpty();
     assertThatThrownBy(() -> fence.drawnInBy(6.0))
@@ -111,7 +113,8 @@ class FenceTest {
             Optional.of(around),
             List.of(hole),
             OptionalDouble.empty(),
-            OptionalDouble.empty());
+            OptionalDouble.empty(),
+            List.of());
 
     assertThat(fence.drawnInBy(0.0).keepOutCorners())
         .singleElement(as(InstanceOfAssertFactories.list(Geodetic.class)))

@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Supplier;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
@@ -12,16 +13,14 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 /**
  * Where a bridge meets its stations and as what.
  *
- * @param tcp whether stations connect by TCP; otherwise packets go to a station by UDP
- * @param address TCP: address to listen on; UDP: address of the station
+ * @param place where they are
  * @param systemId MAVLink system ID of the vehicle, 1…250
  * @param kind kind of the vehicle; empty: by its control service
  * @param key file with the passphrase of message signing; empty: unsigned
  * @param logs folder whose recordings stations may download; empty: none
  */
 public record BridgeOptions(
-    boolean tcp,
-    InetSocketAddress address,
+    StationPlace place,
     Identity identity,
     Optional<VehicleKind> kind,
     int systemId,
@@ -29,8 +28,10 @@ public record BridgeOptions(
     Optional<Path> logs) {
   private static final int MAX_SYSTEM_ID = 250;
   private static final int HIGHEST_PORT = 65_535;
+  private static final int USUAL_BAUD = 57_600; // of telemetry radios
+  private static final int FASTEST_BAUD = 4_000_000;
   private static final String FORM =
-      "expected tcp:PORT, tcp:HOST:PORT or udp:HOST:PORT, then as=px4|ardupilot|generic, type=rover|boat|plane|copter|submarine|generic, id=1…250, key=FILE or logs=FOLDER, separated by commas";
+      "expected tcp:PORT, tcp:HOST:PORT, udp:HOST:PORT or serial:PATH, then baud=1…4000000 (serial), as=px4|ardupilot|generic, type=rover|boat|plane|copter|submarine|generic, id=1…250, key=FILE or logs=FOLDER, separated by commas";
 
   /**
    * Parses {@code tcp:5760} or {@code udp:127.0.0.1:14550,as=ardupilot,id=2}.
@@ -44,6 +45,7 @@ public record BridgeOptions(
     int systemId = 1;
     Optional<Path> key = Optional.empty();
     Optional<Path> logs = Optional.empty();
+    OptionalInt baud = OptionalInt.empty();
     for (int i = 1; i < parts.length; i++) {
       String[] pair = parts[i].split("=", 2);
       String value = pair.length == 2 ? pair[1] : "";
@@ -52,20 +54,33 @@ public record BridgeOptions(
         case "type" -> kind = Optional.of(named(text, () -> VehicleKind.parse(value)));
         case "id" -> systemId = number(text, value, MAX_SYSTEM_ID);
         case "key" -> key = Optional.of(Path.of(value));
+        case "baud" -> baud = OptionalInt.of(number(text, value, FASTEST_BAUD));
         case "logs" -> logs = Optional.of(folder(text, value));
         default -> throw wrong(text, FORM);
       }
     }
-    boolean tcp = parts[0].startsWith("tcp:");
-    if (!tcp && !parts[0].startsWith("udp:")) {
+    StationPlace place = place(text, parts[0], baud, key.isPresent());
+    return new BridgeOptions(place, identity, kind, systemId, key, logs);
+  }
+
+  private static StationPlace place(String text, String place, OptionalInt baud, boolean isSigned) {
+    String target = place.substring(place.indexOf(':') + 1);
+    boolean isSerial = place.startsWith("serial:");
+    boolean tcp = place.startsWith("tcp:");
+    if (!isSerial && !tcp && !place.startsWith("udp:")
+        || isSerial && target.isEmpty()
+        || !isSerial && baud.isPresent()) {
       throw wrong(text, FORM);
     }
-    InetSocketAddress address = address(text, parts[0].substring("tcp:".length()), tcp);
-    if (!address.getAddress().isLoopbackAddress() && key.isEmpty()) {
+    if (isSerial) {
+      return new StationPlace.Serial(target, baud.orElse(USUAL_BAUD));
+    }
+    InetSocketAddress address = address(text, target, tcp);
+    if (!address.getAddress().isLoopbackAddress() && !isSigned) {
       throw wrong(
           text, "an address beyond this host needs message signing; expected key=FILE as well");
     }
-    return new BridgeOptions(tcp, address, identity, kind, systemId, key, logs);
+    return tcp ? new StationPlace.Tcp(address) : new StationPlace.Udp(address);
   }
 
   private static Path folder(String text, String value) {
@@ -90,7 +105,7 @@ public record BridgeOptions(
   }
 
   private static int number(String text, String value, int highest) {
-    if (!value.matches("[1-9][0-9]{0,4}") || Integer.parseInt(value) > highest) {
+    if (!value.matches("[1-9][0-9]{0,6}") || Integer.parseInt(value) > highest) {
       throw wrong(text, "\"" + value + "\": expected 1…" + highest);
     }
     return Integer.parseInt(value);
@@ -110,9 +125,6 @@ public record BridgeOptions(
 
   @Override
   public String toString() {
-    return (tcp ? "tcp:" : "udp:")
-        + address.getAddress().getHostAddress()
-        + ":"
-        + address.getPort();
+    return place.toString();
   }
 }

@@ -2,6 +2,7 @@ package org.u2sa.gcs.mavlink;
 
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import org.u2sa.gcs.mavlink.event.VehicleEvents;
 import org.u2sa.gcs.mavlink.file.ComponentMetadataFiles;
 import org.u2sa.gcs.mavlink.file.OfferedFiles;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
@@ -32,6 +33,7 @@ final class BridgedVehicle {
   final MissionProgressMessages progress;
   final Telemetry telemetry;
   final OfferedFiles files;
+  final VehicleEvents events;
 
   /**
    * @param systemId the vehicle's U2SA system ID
@@ -55,11 +57,13 @@ final class BridgedVehicle {
     placement = new Placement(model);
     uptime = new Uptime(clock);
     book = new PlanBook(model, placement, identity);
-    fences = new FenceBook(model);
+    fences = new FenceBook(model, placement);
     surroundings = new VehicleSurroundings(clock);
     progress = new MissionProgressMessages(model, book);
     telemetry = new Telemetry(model, identity, placement, uptime);
     telemetry.add(surroundings, placement, uptime);
+    events = new VehicleEvents(model, uptime);
+    telemetry.add(Telemetry.CURRENT_EVENT_SEQUENCE, 1.0, events::sequence);
     telemetry.add(Telemetry.MISSION_CURRENT, 1.0, progress::current);
     ComponentMetadataFiles metadata =
         new ComponentMetadataFiles(model.configurations(), systemId, uptime);

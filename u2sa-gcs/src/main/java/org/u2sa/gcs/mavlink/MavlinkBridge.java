@@ -7,7 +7,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceLoader;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.u2sa.gcs.mavlink.event.VehicleEvents;
 import org.u2sa.gcs.mavlink.file.RecordingFolder;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
@@ -16,6 +19,8 @@ import org.u2sa.gcs.remote.Operator;
 import org.u2sa.gcs.remote.RemoteLink;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
+import org.u2sa.interfaces.communication.SerialLine;
+import org.u2sa.interfaces.communication.SerialLineProvider;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
@@ -63,10 +68,7 @@ public final class MavlinkBridge implements AutoCloseable {
         options.key().map(file -> new MavlinkSigning(passphrase(file), link.clock()::micros));
     try {
       selector = Selector.open();
-      stations =
-          options.tcp()
-              ? new TcpLink(options.address(), () -> new StationSession(vehicle, signing), selector)
-              : new UdpLink(options.address(), new StationSession(vehicle, signing), selector);
+      stations = stations(options.place(), () -> new StationSession(vehicle, signing));
     } catch (IOException e) {
       throw new BadInputException("MAVLink link " + options + ": " + e.getMessage(), e);
     }
@@ -74,10 +76,29 @@ public final class MavlinkBridge implements AutoCloseable {
         channel -> link.listen(channel, message -> vehicle.model.take((U2SAData) message)));
     VehicleSurroundings.CHANNELS.forEach(
         channel -> link.listen(channel, message -> vehicle.surroundings.take((U2SAData) message)));
+    VehicleEvents.CHANNELS.forEach(
+        channel -> link.listen(channel, message -> vehicle.events.take((U2SAData) message)));
     beganMicros = link.clock().micros();
     thread = new Thread(this::run, "u2sa-mavlink");
     thread.setDaemon(true);
     thread.start();
+  }
+
+  private StationLink stations(StationPlace place, Supplier<StationSession> sessions)
+      throws IOException {
+    if (place instanceof StationPlace.Tcp tcp) {
+      return new TcpLink(tcp.address(), sessions, selector);
+    }
+    if (place instanceof StationPlace.Udp udp) {
+      return new UdpLink(udp.address(), sessions.get(), selector);
+    }
+    StationPlace.Serial serial = (StationPlace.Serial) place;
+    SerialLine line =
+        ServiceLoader.load(SerialLineProvider.class)
+            .findFirst()
+            .orElseThrow(() -> new IOException("no serial ports without u2sa-drivers"))
+            .open(serial.path(), serial.baud(), link.clock());
+    return new SerialLink(line, serial.baud(), sessions.get());
   }
 
   private static String passphrase(Path file) {
@@ -113,6 +134,7 @@ public final class MavlinkBridge implements AutoCloseable {
     }
     vehicle.orders.step(nowMicros);
     List<Object> reached = vehicle.progress.reached();
+    vehicle.events.step(reached);
     Optional<String> failsafe = failsafeText();
     for (StationSession session : stations.sessions()) {
       reached.forEach(session::send);
@@ -148,7 +170,7 @@ public final class MavlinkBridge implements AutoCloseable {
                 : ": " + String.join("; ", vehicle.model.failsafeCauses())));
   }
 
-  /** TCP port that stations connect to; empty with UDP. */
+  /** TCP port that stations connect to; empty with other links. */
   public Optional<Integer> port() {
     try {
       return stations instanceof TcpLink tcp ? Optional.of(tcp.port()) : Optional.empty();

@@ -12,6 +12,7 @@ import org.u2sa.gcs.mavlink.command.CommandService;
 import org.u2sa.gcs.mavlink.command.MessageCommands;
 import org.u2sa.gcs.mavlink.command.StickInput;
 import org.u2sa.gcs.mavlink.command.VehicleCommands;
+import org.u2sa.gcs.mavlink.event.EventTransfer;
 import org.u2sa.gcs.mavlink.file.FileTransfer;
 import org.u2sa.gcs.mavlink.file.LogDownload;
 import org.u2sa.gcs.mavlink.parameter.ParameterService;
@@ -29,7 +30,7 @@ import org.u2sa.mavlink.MavlinkStream;
  */
 final class StationSession implements GroundStation {
   private static final int QUEUE_BYTES = 256 * 1024;
-  private static final int BULK_BYTES = 8 * 1024;
+  private static final int USUAL_ROOM_BYTES = 8 * 1024;
   private static final long NANOS = 1000;
 
   private final MavlinkStream stream;
@@ -42,10 +43,13 @@ final class StationSession implements GroundStation {
   private final FileTransfer transfer;
   private final LogDownload logs;
   private final StickInput sticks;
+  private final EventTransfer events;
   private final StatusTexts texts = new StatusTexts();
   private final ByteAllowance allowance = new ByteAllowance();
   private final Deque<byte[]> queue = new ArrayDeque<>();
   private int queuedBytes;
+  private int roomBytes = USUAL_ROOM_BYTES;
+  private long steps;
 
   StationSession(BridgedVehicle vehicle, Optional<MavlinkSigning> signing) {
     this.vehicle = vehicle;
@@ -57,6 +61,7 @@ final class StationSession implements GroundStation {
     mission = new MissionService(vehicle.model, vehicle.orders, vehicle.book, vehicle.fences, this);
     transfer = new FileTransfer(vehicle.files, this);
     logs = new LogDownload(vehicle.files, this);
+    events = new EventTransfer(vehicle.events, this);
     sticks =
         new StickInput(
             vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
@@ -95,7 +100,8 @@ final class StationSession implements GroundStation {
           parameters.handle(message)
               || mission.handle(message, from)
               || commands.handle(message, from)
-              || sticks.handle(message, from);
+              || sticks.handle(message, from)
+              || events.handle(message, from);
       if (!isHandled) {
         takeOther(message, from);
       }
@@ -131,12 +137,24 @@ final class StationSession implements GroundStation {
     }
   }
 
-  /** Sends what is due. */
+  /** Sets the number of bytes that may wait before telemetry and bulk messages wait, too. */
+  void room(int bytes) {
+    roomBytes = bytes;
+  }
+
+  /** Sends what is due: telemetry and bulk messages share a slow link by taking turns. */
   void step(long micros) {
-    rates.step(micros, this);
+    events.step();
+    boolean isTelemetryFirst = steps++ % 2 == 0;
+    if (isTelemetryFirst) {
+      rates.step(micros, this);
+    }
     parameters.step();
     transfer.step(micros);
     logs.step();
+    if (!isTelemetryFirst) {
+      rates.step(micros, this);
+    }
     mission.step(micros);
   }
 
@@ -156,7 +174,7 @@ final class StationSession implements GroundStation {
 
   @Override
   public boolean hasRoom() {
-    return queuedBytes < BULK_BYTES;
+    return queuedBytes < roomBytes;
   }
 
   /** Next packet to send; null if none waits. */

@@ -26,7 +26,7 @@ public final class FenceAreas {
 
   /** {@link #read(Path, List)} of an element {@code <fence>}. */
   public static List<StationPlan.Area> read(XmlElement root, List<String> lost) {
-    root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut");
+    root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut", "rally");
     root.child("reference")
         .filter(reference -> !reference.text().equalsIgnoreCase("Global"))
         .ifPresent(
@@ -43,6 +43,20 @@ public final class FenceAreas {
       }
     }
     return areas;
+  }
+
+  /** Places of an element {@code <fence>} to return to. */
+  public static List<StationPlan.Place> rally(XmlElement root) {
+    return root.children("rally").stream()
+        .map(
+            each ->
+                new StationPlan.Place(
+                    number(each, "x"),
+                    number(each, "y"),
+                    each.child("z").stream()
+                        .mapToDouble(z -> XmlNumbers.converted(z, "m", "m"))
+                        .findFirst()))
+        .toList();
   }
 
   private static StationPlan.Area area(XmlElement element) {

@@ -66,18 +66,15 @@ public final class PlanXml {
   /**
    * A fence file (docs/health-and-failsafes.md).
    *
+   * @param limits elements {@code <floor>} and {@code <ceiling>}
+   * @param rally places to return to
    * @param lost receives areas that such a file cannot have
    */
-  public static String fence(List<StationPlan.Area> areas, List<String> lost) {
-    return fence("", areas, lost);
-  }
-
-  /**
-   * {@link #fence(List, List)} with altitude limits.
-   *
-   * @param limits elements {@code <floor>} and {@code <ceiling>}
-   */
-  public static String fence(String limits, List<StationPlan.Area> areas, List<String> lost) {
+  public static String fence(
+      String limits,
+      List<StationPlan.Area> areas,
+      List<StationPlan.Place> rally,
+      List<String> lost) {
     StringBuilder text = new StringBuilder("<fence>\n").append(limits);
     int kept = 0;
     for (StationPlan.Area area : areas) {
@@ -101,6 +98,13 @@ public final class PlanXml {
       }
       area.radiusM().ifPresent(radius -> element(text, "radius", radius));
       text.append("  </").append(tag).append(">\n");
+    }
+    for (StationPlan.Place place : rally) {
+      text.append("  <rally>\n");
+      element(text, "x", place.longitudeDeg());
+      element(text, "y", place.latitudeDeg());
+      place.altitudeM().ifPresent(altitude -> element(text, "z", altitude));
+      text.append("  </rally>\n");
     }
     return text.append("</fence>\n").toString();
   }

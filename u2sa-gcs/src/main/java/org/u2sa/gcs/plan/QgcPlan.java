@@ -53,18 +53,36 @@ public final class QgcPlan {
     if (json.get("geoFence") instanceof Map<?, ?> fence) {
       areas(fence, areas);
     }
-    if (json.get("rallyPoints") instanceof Map<?, ?> rally
-        && rally.get("points") instanceof List<?> points
-        && !points.isEmpty()) {
-      lost.add(points.size() + " rally points");
+    Optional<StationPlan.Place> home = Optional.empty();
+    if (mission.get("plannedHomePosition") instanceof List<?> place) {
+      home = Optional.of(place(place, "plannedHomePosition"));
     }
-    Object home = mission.get("plannedHomePosition");
-    return new StationPlan(
-        home instanceof List<?>
-            ? Optional.of(place(home, "plannedHomePosition"))
-            : Optional.empty(),
-        items,
-        areas);
+    List<StationPlan.Place> rally = new ArrayList<>();
+    if (json.get("rallyPoints") instanceof Map<?, ?> points
+        && points.get("points") instanceof List<?> places) {
+      for (Object each : places) {
+        rally.add(aboveSeaLevel(place(each, "rallyPoints.points"), home));
+      }
+    }
+    return new StationPlan(home, items, areas, rally);
+  }
+
+  /** A rally point, whose altitude is relative to home in plans. */
+  private StationPlan.Place aboveSeaLevel(
+      StationPlan.Place point, Optional<StationPlan.Place> home) {
+    OptionalDouble homeM = home.map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
+    if (point.altitudeM().isEmpty()) {
+      return point;
+    }
+    if (homeM.isEmpty()) {
+      lost.add("rally point: its altitude, because the home's is not known");
+    }
+    return new StationPlan.Place(
+        point.longitudeDeg(),
+        point.latitudeDeg(),
+        homeM.isEmpty()
+            ? homeM
+            : OptionalDouble.of(point.altitudeM().getAsDouble() + homeM.getAsDouble()));
   }
 
   private Optional<PlanItem> item(Map<?, ?> json, int before) {
@@ -200,8 +218,20 @@ public final class QgcPlan {
         .put(
             "geoFence",
             new JsonText().put(CIRCLES, circles).put(POLYGONS, polygons).put(VERSION, 2))
-        .put("rallyPoints", new JsonText().put("points", List.of()).put(VERSION, 2))
+        .put("rallyPoints", new JsonText().put("points", rally(plan)).put(VERSION, 2))
         .toString();
+  }
+
+  private static List<Object> rally(StationPlan plan) {
+    double homeM =
+        plan.home().map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty()).orElse(0.0);
+    List<Object> points = new ArrayList<>();
+    for (StationPlan.Place place : plan.rally()) {
+      List<Object> point = new ArrayList<>(corner(place));
+      point.add(place.altitudeM().orElse(homeM) - homeM);
+      points.add(point);
+    }
+    return points;
   }
 
   private static List<Object> corner(StationPlan.Place place) {

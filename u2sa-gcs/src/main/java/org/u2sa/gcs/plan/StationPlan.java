@@ -10,8 +10,15 @@ import java.util.OptionalDouble;
  * @param home planned home; empty if not given
  * @param items in order
  * @param areas the fence; empty if none
+ * @param rally places to return to besides the home
  */
-public record StationPlan(Optional<Place> home, List<PlanItem> items, List<Area> areas) {
+public record StationPlan(
+    Optional<Place> home, List<PlanItem> items, List<Area> areas, List<Place> rally) {
+  /** A plan without rally points. */
+  public StationPlan(Optional<Place> home, List<PlanItem> items, List<Area> areas) {
+    this(home, items, areas, List.of());
+  }
+
   /**
    * A place on the earth.
    *
@@ -34,5 +41,6 @@ public record StationPlan(Optional<Place> home, List<PlanItem> items, List<Area>
   public StationPlan {
     items = List.copyOf(items);
     areas = List.copyOf(areas);
+    rally = List.copyOf(rally);
   }
 }

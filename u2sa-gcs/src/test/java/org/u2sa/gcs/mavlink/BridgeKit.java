@@ -103,6 +103,7 @@ final class BridgeKit {
   void says(U2SAData message) {
     message.freeze();
     vehicle.model.take(message);
+    vehicle.events.take(message);
   }
 
   /** The station sends; what the bridge answers is in {@link #received}. */
@@ -145,6 +146,7 @@ final class BridgeKit {
   void step() {
     vehicle.model.refresh();
     vehicle.orders.step(clock.get());
+    vehicle.events.step(vehicle.progress.reached());
     session.step(clock.get());
     for (byte[] packet = session.poll(); packet != null; packet = session.poll()) {
       station.accept(packet, packet.length, message -> received.add(message.payload()));

@@ -38,7 +38,7 @@ class StationConnectTest {
   }
 
   @Test
-  void requestMessage_autopilotVersion_claimsAFenceAndNoRally() {
+  void requestMessage_autopilotVersion_claimsAFenceAndRallyPoints() {
     kit.command(REQUEST_MESSAGE, 148);
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_ACCEPTED);
     AutopilotVersion version = kit.received(AutopilotVersion.class).get(0);
@@ -51,7 +51,7 @@ class StationConnectTest {
     assertThat(claimed.flagsEnabled(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_FENCE))
         .isTrue();
     assertThat(claimed.flagsEnabled(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_RALLY))
-        .isFalse();
+        .isTrue();
   }
 
   @Test

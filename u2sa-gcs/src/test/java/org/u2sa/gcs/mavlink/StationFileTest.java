@@ -154,10 +154,10 @@ class StationFileTest {
   void list_rootAndLogs_namesWhatMayBeHad() {
     byte[] listed = station.one(3, 0, "/").data();
     assertThat(new String(listed, StandardCharsets.US_ASCII))
-        .matches("Fgeneral.json\t[0-9]+\0Fparameter.json\t[0-9]+\0Dlogs\0");
+        .matches("Fgeneral.json\t[0-9]+\0Fparameter.json\t[0-9]+\0Fevents.json\t[0-9]+\0Dlogs\0");
     assertThat(new String(station.one(3, 0, "/logs/").data(), StandardCharsets.US_ASCII))
         .isEqualTo("Frecording.mcap\t300001\0");
-    assertThat(station.ask(3, 0, 3, 1, new byte[] {'/'}).get(0).code()).isEqualTo(6);
+    assertThat(station.ask(3, 0, 4, 1, new byte[] {'/'}).get(0).code()).isEqualTo(6);
     assertThat(station.one(3, 0, "/etc").code()).isEqualTo(10);
   }
 

@@ -197,17 +197,6 @@ class StationMissionTest {
   }
 
   @Test
-  void rally_isRefusedByName() {
-    MavMissionType type = MavMissionType.MAV_MISSION_TYPE_RALLY;
-    kit.send(
-        MissionRequestList.builder().targetSystem(1).targetComponent(1).missionType(type).build());
-    MissionAck answer = kit.received(MissionAck.class).get(0);
-    assertThat(answer.type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
-    assertThat(answer.missionType().entry()).isEqualTo(type);
-    assertThat(kit.texts()).contains("rally points");
-  }
-
-  @Test
   void clear_holdsHere() {
     kit.send(MissionClearAll.builder().targetSystem(1).targetComponent(1).build());
     MissionOrder order = kit.order();

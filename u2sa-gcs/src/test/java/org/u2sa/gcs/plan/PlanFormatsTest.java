@@ -210,7 +210,7 @@ class PlanFormatsTest {
     StationPlan plan = new StationPlan(Optional.of(HOME), List.of(), areas);
 
     StationPlan read = QgcPlan.read("a", QgcPlan.text(plan), lost);
-    String file = PlanXml.fence(read.areas(), lost);
+    String file = PlanXml.fence("", read.areas(), read.rally(), lost);
 
     assertThat(lost).isEmpty();
     assertThat(file)
@@ -218,7 +218,22 @@ class PlanFormatsTest {
         .contains(
             "<keepOut>\n    <centre><x>8.0</x><y>50.0</y></centre>\n    <radius>30.0</radius>");
     StationPlan.Area circle = new StationPlan.Area(true, List.of(HOME), OptionalDouble.of(9.0));
-    assertThat(PlanXml.fence(List.of(circle, circle), lost)).containsOnlyOnce("<keepIn>");
+    assertThat(PlanXml.fence("", List.of(circle, circle), List.of(), lost))
+        .containsOnlyOnce("<keepIn>");
     assertThat(lost).containsExactly("fence: a second circle to stay within");
+  }
+
+  @Test
+  void rallyPoints_thereAndBack_areEqualAndAboveHomeInPlans() {
+    StationPlan.Place home = new StationPlan.Place(8.0, 50.0, OptionalDouble.of(100.0));
+    StationPlan.Place point = new StationPlan.Place(8.1, 50.1, OptionalDouble.of(160.5));
+    StationPlan plan = new StationPlan(Optional.of(home), List.of(), List.of(), List.of(point));
+
+    String text = QgcPlan.text(plan);
+
+    assertThat(text).contains("\"points\" : [ [ 50.1, 8.1, 60.5 ] ]");
+    assertThat(QgcPlan.read("a", text, lost)).isEqualTo(plan);
+    assertThat(PlanXml.fence("", List.of(), plan.rally(), lost)).contains("<z>160.5</z>");
+    assertThat(lost).isEmpty();
   }
 }

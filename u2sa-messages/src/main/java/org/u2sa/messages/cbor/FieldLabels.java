@@ -55,7 +55,7 @@ public final class FieldLabels {
       fence margin
       classes required
       pressure
-      takeovers turnRate speedShare turnShare
+      takeovers turnRate speedShare turnShare rally
       """;
 
   private static final String[] NAMES = ALL.trim().split("\\s+");

@@ -17,5 +17,7 @@ public enum MissionAction {
   /** Replace all goals; without {@code now} the new mission begins paused. */
   REPLACE,
   /** Pursue the goals of the landing instead of the current ones; RESUME returns to those. */
-  LAND
+  LAND,
+  /** Go to the home or a rally point, whichever is nearest; RESUME returns to the mission. */
+  RETURN
 }

@@ -1,6 +1,8 @@
 package org.u2sa.messages.safety;
 
+import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
@@ -14,6 +16,9 @@ public final class FenceState extends U2SAData {
   private static final ValueField<FenceState, String> FENCE = SCHEMA.optionalText("fence");
   private static final ValueField<FenceState, String> FILE = SCHEMA.optionalText("file");
   private static final NumberField<FenceState> MARGIN = SCHEMA.number("margin", "m", 0.0, 0.0);
+
+  private static final ValueField<FenceState, List<GoalInformation>> RALLY =
+      SCHEMA.messages("rally", GoalInformation.TYPE);
 
   public static final MessageType<FenceState> TYPE = SCHEMA.build();
 
@@ -50,5 +55,17 @@ public final class FenceState extends U2SAData {
 
   public FenceState margin(double metres) {
     return put(MARGIN, metres);
+  }
+
+  /**
+   * Waypoints to which the vehicle returns instead of its home if one is nearer: those of the fence
+   * that are inside it. Their thresholds do not count.
+   */
+  public List<GoalInformation> rally() {
+    return require(RALLY);
+  }
+
+  public FenceState rally(List<? extends GoalInformation> value) {
+    return put(RALLY, List.copyOf(value));
   }
 }

@@ -198,7 +198,20 @@ final class GoldenFormat3 {
             .serviceName("SafetyManager")
             .accepted(true)
             .outcome("fence of field.xml in force"));
-    golden.add("FenceState", new FenceState().fence("<fence/>").file("field.xml").margin(2.5));
+    golden.add(
+        "FenceState",
+        new FenceState()
+            .fence("<fence/>")
+            .file("field.xml")
+            .margin(2.5)
+            .rally(
+                List.of(
+                    new Waypoint()
+                        .uid("rally 1")
+                        .x(10.5)
+                        .y(54.25)
+                        .z(60.0)
+                        .horizontalThreshold(1.0))));
     golden.add("ManualOrder", new ManualOrder().requestId("o4").active(true).operator("anna"));
     golden.add(
         "ManualState",

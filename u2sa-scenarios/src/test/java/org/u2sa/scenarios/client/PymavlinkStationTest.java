@@ -30,4 +30,29 @@ class PymavlinkStationTest {
           .contains("modes 5", "mission MISSION_COUNT 24", "intrusions refused", "done");
     }
   }
+
+  @Test
+  void connect_bySerialLine_everythingIsAnsweredAndConsistent() throws Exception {
+    ForeignPrograms programs = ForeignPrograms.ofThisMachine();
+    String python = programs.required("python3", "pymavlink.mavftp");
+    int port = FreePort.find();
+    Path line = folder.resolve("tty");
+    Process socat =
+        new ProcessBuilder(
+                programs.required("socat"),
+                "pty,raw,echo=0,link=" + line,
+                "tcp-listen:" + port + ",bind=127.0.0.1,reuseaddr")
+            .redirectErrorStream(true)
+            .redirectOutput(folder.resolve("socat.txt").toFile())
+            .start();
+    String link = "serial:" + line + ",baud=921600,logs=" + folder.resolve("out");
+    try (RunningDemo demo =
+        new RunningDemo(
+            folder, "MAVLink ground stations", "ugv", "--record", "--mavlink=" + link)) {
+      assertThat(demo.client(python, "qgc_connect.py", "tcp:127.0.0.1:" + port))
+          .contains("mission MISSION_COUNT 24", "rally MISSION_COUNT 0", "done");
+    } finally {
+      socat.destroyForcibly();
+    }
+  }
 }

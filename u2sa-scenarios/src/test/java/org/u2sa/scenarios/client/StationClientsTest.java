@@ -3,12 +3,15 @@ package org.u2sa.scenarios.client;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.interfaces.mqtt.LocalToken;
+import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
@@ -75,5 +78,37 @@ class StationClientsTest {
       String token = new String(LocalToken.read("127.0.0.1", demo.port()).orElseThrow());
       demo.client(python, "roslibpy_client.py", "" + port, token);
     }
+  }
+
+  @Test
+  void roslibpy_securedRover_obeysTheOperatorByTlsAndNotTheObserver() throws Exception {
+    Path security = folder.resolve("security");
+    run("security", "init", security.toString(), "--host=localhost");
+    for (String user : List.of("operator", "observer")) {
+      run(
+          "security",
+          "user",
+          "add",
+          user,
+          "--role=" + user,
+          "--system=ugv",
+          "--dir=" + security,
+          "--new-password-file=" + security.resolve(user));
+    }
+    String directory = "--set=CommunicationManager:SECURITY DIRECTORY=" + security;
+    try (RunningDemo demo =
+        new RunningDemo(folder, "rosbridge: wss:", "ugv", "--rosbridge=" + port, directory)) {
+      demo.client(
+          python,
+          "roslibpy_secured.py",
+          "" + port,
+          security.resolve("operator").toString(),
+          security.resolve("observer").toString());
+    }
+  }
+
+  private void run(String... command) throws Exception {
+    Process process = ForeignProgram.u2sa(folder.resolve("u2sa.txt"), command);
+    assertThat(process.waitFor()).as(Files.readString(folder.resolve("u2sa.txt"))).isZero();
   }
 }

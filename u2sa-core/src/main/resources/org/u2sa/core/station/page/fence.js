@@ -10,29 +10,32 @@ const LIMITS = ['floor', 'ceiling'];
 const KINDS = ['keepIn', 'keepOut'];
 const UNDO_STEPS = 50;
 const MAX_AREAS = 64;
+const MAX_RALLY_POINTS = 100; // as the vehicle's
 const MAX_CORNERS = 1000;
 
-/** A fence's XML as {frame, floor, ceiling, areas: [{kind, corners} or {kind, circle, source}]}. */
+/** A fence's XML as {frame, floor, ceiling, areas: [{kind, corners} or {kind, circle, source}], rally: [{at, source}]}. */
 export function readFence(text) {
-  const fence = {frame: 'GLOBAL', floor: '', ceiling: '', areas: []};
+  const fence = {frame: 'GLOBAL', floor: '', ceiling: '', areas: [], rally: []};
   for (const child of readXml(text).children) {
     if (child.name === 'reference') fence.frame = child.text.toUpperCase().replace(/[\s-]+/g, '_');
     else if (LIMITS.includes(child.name)) fence[child.name] = [child.text, child.attributes.unit].filter(Boolean).join(' ');
     else if (KINDS.includes(child.name) && fence.areas.length < MAX_AREAS) fence.areas.push(areaOf(child));
+    else if (child.name === 'rally' && fence.rally.length < MAX_RALLY_POINTS) fence.rally.push({at: pointOf(child), source: child.source});
   }
   return fence;
 }
 
+const numberOf = (parent, name) => Number((parent.children.find(each => each.name === name) || {text: 'NaN'}).text);
+const pointOf = parent => [numberOf(parent, 'x'), numberOf(parent, 'y')];
+
 function areaOf(element) {
-  const number = (parent, name) => Number((parent.children.find(each => each.name === name) || {text: 'NaN'}).text);
-  const point = parent => [number(parent, 'x'), number(parent, 'y')];
   const centre = element.children.find(each => each.name === 'centre');
-  if (centre) return {kind: element.name, corners: '', circle: {at: point(centre), radius: number(element, 'radius')}, source: element.source};
-  const corners = element.children.filter(each => each.name === 'corner').slice(0, MAX_CORNERS).map(point);
+  if (centre) return {kind: element.name, corners: '', circle: {at: pointOf(centre), radius: numberOf(element, 'radius')}, source: element.source};
+  const corners = element.children.filter(each => each.name === 'corner').slice(0, MAX_CORNERS).map(pointOf);
   return {kind: element.name, corners: corners.map(each => each.map(numberText).join(' ')).join('; ')};
 }
 
-function fenceXml({frame, areas, ...limits}) {
+function fenceXml({frame, areas, rally, ...limits}) {
   const lines = [`  <reference>${escapeXml(frame)}</reference>`];
   for (const name of LIMITS.filter(each => limits[each].trim())) {
     const [number, ...unit] = limits[name].trim().split(/\s+/);
@@ -42,7 +45,7 @@ function fenceXml({frame, areas, ...limits}) {
     if (source) lines.push('  ' + source);
     else lines.push(`  <${kind}>`, ...pointsOf(corners).map(([x, y]) => `    <corner><x>${numberText(x)}</x><y>${numberText(y)}</y></corner>`), `  </${kind}>`);
   }
-  return ['<fence>', ...lines, '</fence>', ''].join('\n');
+  return ['<fence>', ...lines, ...rally.map(each => '  ' + each.source), '</fence>', ''].join('\n');
 }
 
 /** `parts`: link, orders, selected(), order(promise), confirm(question), isNear(a, b). */
@@ -77,7 +80,7 @@ export class FenceEditor {
   }
 
   edit(vehicle, change) {
-    const fence = this.fence(vehicle) || {frame: vehicle.place.origin ? vehicle.place.origin.frame : 'GLOBAL', floor: '', ceiling: '', areas: []};
+    const fence = this.fence(vehicle) || {frame: vehicle.place.origin ? vehicle.place.origin.frame : 'GLOBAL', floor: '', ceiling: '', areas: [], rally: []};
     this.history.push(this.draft);
     if (this.history.length > UNDO_STEPS) this.history.splice(1, 1);
     this.draft = structuredClone(fence);
@@ -143,6 +146,8 @@ export class FenceEditor {
       else map.area(outline, colour);
       if (this.canDraw(vehicle)) drawHandles(map, outline, colour, null);
     });
+    const points = fence.rally.map(({at: [x, y]}) => vehicle.place.of(fence.frame, x, y)).filter(Boolean);
+    for (const point of points) map.ellipse(point, 0, 0, map.colours.good, {minPx: 8});
   }
 
   show(vehicle) {

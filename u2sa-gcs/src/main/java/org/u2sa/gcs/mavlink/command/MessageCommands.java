@@ -102,11 +102,11 @@ public final class MessageCommands {
     return MavResult.MAV_RESULT_ACCEPTED;
   }
 
-  /** Rally points are not claimed: stations ask for what is. */
   private AutopilotVersion version() {
     int capabilities =
         bit(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_INT)
             | bit(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_FENCE)
+            | bit(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MISSION_RALLY)
             | bit(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_COMMAND_INT)
             | bit(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION)
             | bit(MavProtocolCapability.MAV_PROTOCOL_CAPABILITY_MAVLINK2)

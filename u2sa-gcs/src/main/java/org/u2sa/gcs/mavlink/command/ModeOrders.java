@@ -35,7 +35,7 @@ final class ModeOrders {
     switch (mode) {
       case HOLD -> hold(answer);
       case MISSION -> mission(answer);
-      case RETURN -> give(MissionAction.GOTO, Optional.of(VehicleStatus.HOME), answer);
+      case RETURN -> give(MissionAction.RETURN, Optional.empty(), answer);
       case LAND -> give(MissionAction.LAND, Optional.empty(), answer);
       case GO_TO, MANUAL -> answer.done(false, "expected a place to go to, or a driver");
     }
@@ -47,6 +47,28 @@ final class ModeOrders {
     } else {
       give(MissionAction.PAUSE, Optional.empty(), answer);
     }
+  }
+
+  /**
+   * Goes on with the mission by another class of the Path Planner.
+   *
+   * @param planner index of the class; empty: that of the mode Mission
+   */
+  void mission(Optional<Integer> planner, Answer answer) {
+    if (planner.equals(vehicle.planners().running())) {
+      mission(answer);
+      return;
+    }
+    orders.plan(
+        vehicle.planners(),
+        planner,
+        (swapped, why) -> {
+          if (swapped) {
+            mission(answer);
+          } else {
+            answer.done(false, why);
+          }
+        });
   }
 
   /** Goes on with the mission; one that is over begins again. */

@@ -61,7 +61,10 @@ public final class VehicleCommands {
    */
   void mode(long custom, int station, Answer answer) {
     Optional<VehicleMode> mode = identity.mode(custom, vehicle.kind());
-    if (mode.isEmpty()) {
+    Optional<Integer> planner = identity.planner(custom, vehicle.planners());
+    if (planner.isPresent() || mode.filter(VehicleMode.MISSION::equals).isPresent()) {
+      byNavigation(() -> modes.mission(planner, answer), answer);
+    } else if (mode.isEmpty()) {
       answer.done(false, "the vehicle has no mode " + custom);
     } else if (mode.get() == VehicleMode.MANUAL) {
       orders.manual(true, orders.driver(station), answer);

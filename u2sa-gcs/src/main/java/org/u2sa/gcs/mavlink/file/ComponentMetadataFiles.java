@@ -4,6 +4,7 @@ import io.dronefleet.mavlink.common.ComponentMetadata;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.gcs.mavlink.event.EventMetadata;
 import org.u2sa.gcs.mavlink.parameter.ParameterMetadata;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 import org.u2sa.gcs.mavlink.vehicle.ServiceConfigurations;
@@ -12,19 +13,23 @@ import org.u2sa.mavlink.MavlinkCrc32;
 
 /**
  * Component metadata (mavlink.io/en/services/component_information): which parameters there are,
- * with text, unit and range. Made again when a service has announced its variables.
+ * with text, unit and range, and what events mean. Made again when a service has announced its
+ * variables.
  */
 public final class ComponentMetadataFiles {
   static final String GENERAL = "general.json";
   static final String PARAMETERS = "parameter.json";
-  static final List<String> NAMES = List.of(GENERAL, PARAMETERS);
+  static final String EVENTS = "events.json";
+  static final List<String> NAMES = List.of(GENERAL, PARAMETERS, EVENTS);
   private static final String SCHEME = "mftp:///";
-  private static final int TYPE_PARAMETER = 1; // COMP_METADATA_TYPE_PARAMETER
+  private static final int TYPE_PARAMETER = 1; // COMP_METADATA_TYPE, as the following
+  private static final int TYPE_EVENTS = 4;
 
   private final ServiceConfigurations configurations;
   private final String systemId;
   private final Uptime uptime;
   private long madeOf = Long.MIN_VALUE; // number of configurations heard
+  private final byte[] events = EventMetadata.json().getBytes(StandardCharsets.UTF_8);
   private byte[] parameters = new byte[0];
   private byte[] general = new byte[0];
 
@@ -44,6 +49,7 @@ public final class ComponentMetadataFiles {
     return switch (name) {
       case GENERAL -> Optional.of(general);
       case PARAMETERS -> Optional.of(parameters);
+      case EVENTS -> Optional.of(events);
       default -> Optional.empty();
     };
   }
@@ -56,19 +62,22 @@ public final class ComponentMetadataFiles {
     madeOf = changes;
     parameters =
         ParameterMetadata.json(configurations.byService()).getBytes(StandardCharsets.UTF_8);
-    JsonText ofParameters =
-        new JsonText()
-            .put("type", TYPE_PARAMETER)
-            .put("uri", SCHEME + PARAMETERS)
-            .put("fileCrc", crc(parameters));
     general =
         new JsonText()
             .put("version", 1)
             .put("vendorName", "U2SA")
             .put("modelName", systemId)
-            .put("metadataTypes", List.of(ofParameters))
+            .put(
+                "metadataTypes",
+                List.of(
+                    entry(TYPE_PARAMETER, PARAMETERS, parameters),
+                    entry(TYPE_EVENTS, EVENTS, events)))
             .line()
             .getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static JsonText entry(int type, String name, byte[] content) {
+    return new JsonText().put("type", type).put("uri", SCHEME + name).put("fileCrc", crc(content));
   }
 
   private static long crc(byte[] content) {

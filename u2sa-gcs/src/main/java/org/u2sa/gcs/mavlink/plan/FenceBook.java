@@ -6,7 +6,10 @@ import io.dronefleet.mavlink.common.MavMissionResult;
 import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.plan.FenceAreas;
 import org.u2sa.gcs.plan.PlanXml;
@@ -18,34 +21,52 @@ import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.safety.FenceState;
 
 /**
- * The fence as items: those that were uploaded if the Safety Manager keeps them, so that they are
- * read back as they were, otherwise its own. Shared by all stations.
+ * The fence as items, areas and rally points apart: those that were uploaded if the Safety Manager
+ * keeps them, so that they are read back as they were, otherwise its own. Shared by all stations.
  */
 public final class FenceBook {
   private static final int MAX_CHARACTERS = 65_536; // of FenceOrder.fence; it is ASCII
 
   private final VehicleStatus vehicle;
-  private Upload uploaded = new Upload("", "", List.of());
+  private final Placement placement;
+  private final Map<Integer, Upload> uploaded = new ConcurrentHashMap<>(); // by MAV_MISSION_TYPE
   private int uploads;
 
-  public FenceBook(VehicleStatus vehicle) {
+  public FenceBook(VehicleStatus vehicle, Placement placement) {
     this.vehicle = vehicle;
+    this.placement = placement;
   }
 
-  /** An upload: its name, its fence in XML, and its items. */
-  record Upload(String name, String xml, List<MissionItem> items) {}
+  /**
+   * An upload.
+   *
+   * @param xml the whole fence with it; empty: none is left
+   * @param parts its areas or rally points
+   */
+  record Upload(int type, String name, String xml, List<?> parts, List<MissionItem> items) {}
 
   /** Items, and what they cannot say. */
   record Listed(List<MissionItem> items, List<String> lost) {}
 
+  private record Content(
+      List<StationPlan.Area> areas, List<StationPlan.Place> rally, List<String> lost) {}
+
   /**
-   * Reads uploaded items. Items have no floor and no ceiling: those of the fence in force stay.
+   * Reads uploaded items of a MAV_MISSION_TYPE; the others of the fence in force stay, also its
+   * floor and ceiling, which items do not have.
    *
    * @throws PlanRefusal if a fence cannot have one of them
    */
-  Upload read(List<MissionItem> items) {
+  Upload read(int type, List<MissionItem> items) {
+    boolean isRally = type == MissionAnswers.RALLY;
+    List<StationPlan.Area> areas = isRally ? content().areas() : FenceShapes.areas(items);
+    List<StationPlan.Place> rally =
+        isRally ? RallyShapes.places(items, vehicle.kind(), placement.home()) : presentRally();
     List<String> lost = new ArrayList<>();
-    String xml = PlanXml.fence(limits(), FenceShapes.areas(items), lost);
+    String xml =
+        areas.isEmpty() && rally.isEmpty()
+            ? ""
+            : PlanXml.fence(areas.isEmpty() ? "" : limits(), areas, rally, lost);
     if (!lost.isEmpty()) {
       throw new PlanRefusal(MavMissionResult.MAV_MISSION_UNSUPPORTED, PlanRefusal.some(lost));
     }
@@ -54,7 +75,8 @@ public final class FenceBook {
           MavMissionResult.MAV_MISSION_NO_SPACE,
           "fence of " + items.size() + " items: too long for one order; expected about 1000");
     }
-    return new Upload("uploaded by a ground station, no. " + ++uploads, xml, items);
+    String name = "uploaded by a ground station, no. " + ++uploads;
+    return new Upload(type, name, xml, isRally ? rally : areas, items);
   }
 
   private String limits() {
@@ -80,29 +102,47 @@ public final class FenceBook {
 
   /** Remembers an upload that the Safety Manager has accepted. */
   void accepted(Upload accepted) {
-    uploaded = accepted;
+    uploaded.put(accepted.type(), accepted);
   }
 
   /**
-   * The fence in force.
+   * The items of a MAV_MISSION_TYPE in force.
    *
    * @throws PlanRefusal if items cannot express it
    */
-  Listed listed() {
+  Listed listed(int type) {
+    Content now = content();
+    boolean isRally = type == MissionAnswers.RALLY;
+    Upload newest = uploaded.get(type);
+    if (newest != null && newest.parts().equals(isRally ? now.rally() : now.areas())) {
+      return new Listed(newest.items(), List.of());
+    }
+    return isRally
+        ? new Listed(RallyShapes.items(now.rally()), List.of())
+        : new Listed(FenceShapes.items(now.areas()), now.lost());
+  }
+
+  private Content content() {
     FenceState state = vehicle.fence().orElseThrow(() -> refusal("no Safety Manager was heard"));
     if (state.file().isEmpty()) {
-      return new Listed(List.of(), List.of());
+      return new Content(List.of(), List.of(), List.of());
     }
-    String xml = state.fence().orElseThrow(() -> refusal("it is too long to be published"));
-    if (xml.equals(uploaded.xml())) {
-      return new Listed(uploaded.items(), List.of());
-    }
+    String xml = state.fence().orElseThrow(() -> refusal("the fence is too long to be published"));
     List<String> lost = new ArrayList<>();
     try {
-      List<StationPlan.Area> areas = FenceAreas.read(root(xml), lost);
-      return new Listed(FenceShapes.items(areas), lost);
+      XmlElement root = root(xml);
+      return new Content(FenceAreas.read(root, lost), FenceAreas.rally(root), lost);
     } catch (BadInputException e) {
       throw refusal(e.getMessage());
+    }
+  }
+
+  /** Rally points that stay when the areas change; none if plans cannot say where they are. */
+  private List<StationPlan.Place> presentRally() {
+    try {
+      return content().rally();
+    } catch (PlanRefusal e) {
+      return List.of();
     }
   }
 

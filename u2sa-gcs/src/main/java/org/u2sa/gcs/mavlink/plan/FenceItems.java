@@ -7,13 +7,21 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.messages.safety.FenceAction;
 import org.u2sa.messages.safety.FenceOrder;
 
-/** The fence as items, which the Safety Manager accepts or refuses. */
+/** Areas or rally points of the fence as items, which the Safety Manager accepts or refuses. */
 final class FenceItems implements ItemStore {
+  private final int type;
+  private final String what;
   private final VehicleOrders orders;
   private final FenceBook book;
   private final MissionAnswers answers;
 
-  FenceItems(VehicleOrders orders, FenceBook book, MissionAnswers answers) {
+  /**
+   * @param type MAV_MISSION_TYPE
+   * @param what they are, for texts
+   */
+  FenceItems(int type, String what, VehicleOrders orders, FenceBook book, MissionAnswers answers) {
+    this.type = type;
+    this.what = what;
     this.orders = orders;
     this.book = book;
     this.answers = answers;
@@ -21,7 +29,7 @@ final class FenceItems implements ItemStore {
 
   @Override
   public List<MissionItem> listed() {
-    FenceBook.Listed listed = book.listed();
+    FenceBook.Listed listed = book.listed(type);
     listed.lost().forEach(each -> answers.warn(each + " is not shown"));
     return listed.items();
   }
@@ -30,30 +38,34 @@ final class FenceItems implements ItemStore {
   public void replace(List<MissionItem> items, Sender from) {
     FenceBook.Upload upload;
     try {
-      upload = book.read(items);
+      upload = book.read(type, items);
     } catch (PlanRefusal e) {
-      answers.refuse(e.result(), e.getMessage(), MissionAnswers.FENCE, from);
+      answers.refuse(e.result(), e.getMessage(), type, from);
       return;
     }
+    FenceOrder order =
+        upload.xml().isEmpty()
+            ? new FenceOrder().action(FenceAction.REMOVE)
+            : new FenceOrder().action(FenceAction.REPLACE).file(upload.name()).fence(upload.xml());
     orders.fence(
-        new FenceOrder().action(FenceAction.REPLACE).file(upload.name()).fence(upload.xml()),
+        order,
         (accepted, text) -> {
           if (accepted) {
             book.accepted(upload);
-            acknowledge(MissionAnswers.FENCE, from);
+            answers.acknowledge(MavMissionResult.MAV_MISSION_ACCEPTED, type, from);
           } else {
-            refuse("fence refused: " + text, MissionAnswers.FENCE, from);
+            refuse(what + " refused: " + text, type, from);
           }
         });
   }
 
   @Override
   public void clear(int type, Sender from) {
-    clear(() -> acknowledge(type, from), type, from);
+    replace(List.of(), from);
   }
 
-  /** Removes the fence, and acknowledges only if that was refused. */
-  void clear(Runnable then, int type, Sender from) {
+  /** Removes the whole fence, and acknowledges only if that was refused. */
+  void removeAll(Runnable then, int type, Sender from) {
     orders.fence(
         new FenceOrder().action(FenceAction.REMOVE),
         (accepted, text) -> {
@@ -63,10 +75,6 @@ final class FenceItems implements ItemStore {
             refuse("fence not removed: " + text, type, from);
           }
         });
-  }
-
-  private void acknowledge(int type, Sender to) {
-    answers.acknowledge(MavMissionResult.MAV_MISSION_ACCEPTED, type, to);
   }
 
   private void refuse(String why, int type, Sender to) {

@@ -15,6 +15,8 @@ final class MissionAnswers {
   static final int MISSION = MavMissionType.MAV_MISSION_TYPE_MISSION.ordinal();
   static final int FENCE = MavMissionType.MAV_MISSION_TYPE_FENCE.ordinal();
 
+  static final int RALLY = MavMissionType.MAV_MISSION_TYPE_RALLY.ordinal();
+
   private final GroundStation station;
   private final Map<Integer, MissionAck> newest = new TreeMap<>(); // by MAV_MISSION_TYPE
 
@@ -65,9 +67,8 @@ final class MissionAnswers {
     station.text(MavSeverity.MAV_SEVERITY_WARNING, text);
   }
 
-  /** Refuses what is neither mission nor fence by name. */
+  /** Refuses what is neither mission, fence nor rally points. */
   void refuseType(int type, Sender to) {
-    warn("rally points: the vehicle has none; it returns to its home");
     acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, type, to);
   }
 }

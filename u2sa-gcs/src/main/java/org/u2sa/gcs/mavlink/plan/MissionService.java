@@ -23,12 +23,13 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 
 /**
- * The mission protocol towards one station (mavlink.io/en/services/mission): mission and fence.
- * Rally points are refused by name.
+ * The mission protocol towards one station (mavlink.io/en/services/mission): mission, fence and
+ * rally points.
  */
 public final class MissionService {
   private static final int MISSION = MissionAnswers.MISSION;
   private static final int FENCE = MissionAnswers.FENCE;
+  private static final int RALLY = MissionAnswers.RALLY;
   private static final int ALL = 255; // MAV_MISSION_TYPE
 
   private final VehicleOrders orders;
@@ -37,6 +38,7 @@ public final class MissionService {
   private final MissionAnswers answers;
   private final MissionItems mission;
   private final FenceItems fence;
+  private final FenceItems rally;
   private final Map<Integer, ItemTransfer> transfers;
 
   /**
@@ -53,11 +55,13 @@ public final class MissionService {
     this.station = station;
     answers = new MissionAnswers(station);
     mission = new MissionItems(vehicle, orders, book, answers);
-    fence = new FenceItems(orders, fences, answers);
+    fence = new FenceItems(FENCE, "fence", orders, fences, answers);
+    rally = new FenceItems(RALLY, "rally points", orders, fences, answers);
     transfers =
         Map.of(
             MISSION, new ItemTransfer(MISSION, "mission", mission, answers),
-            FENCE, new ItemTransfer(FENCE, "fence", fence, answers));
+            FENCE, new ItemTransfer(FENCE, "fence", fence, answers),
+            RALLY, new ItemTransfer(RALLY, "rally points", rally, answers));
   }
 
   /** Handles a message; false if it is not of this protocol. */
@@ -100,8 +104,10 @@ public final class MissionService {
       mission.clear(type, from);
     } else if (type == FENCE) {
       fence.clear(type, from);
+    } else if (type == RALLY) {
+      rally.clear(type, from);
     } else if (type == ALL || type == MavMissionType.MAV_MISSION_TYPE_ALL.ordinal()) {
-      fence.clear(() -> mission.clear(type, from), type, from);
+      fence.removeAll(() -> mission.clear(type, from), type, from);
     } else {
       answers.refuseType(type, from);
     }

@@ -30,7 +30,8 @@ final class PlanWriter {
       boolean isMission =
           !uid.equals(VehicleStatus.HOME)
               && !uid.equals(VehicleStatus.GO_TO)
-              && !uid.startsWith(VehicleStatus.LAND_PREFIX);
+              && !uid.startsWith(VehicleStatus.LAND_PREFIX)
+              && !uid.startsWith(VehicleStatus.RETURN_PREFIX);
       if (isMission && byName.containsKey(uid)) {
         goals.add(byName.get(uid));
       }

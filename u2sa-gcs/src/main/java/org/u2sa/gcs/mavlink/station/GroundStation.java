@@ -16,6 +16,6 @@ public interface GroundStation {
   /** Shows a text to the operator. */
   void text(MavSeverity severity, String text);
 
-  /** Whether the link has room for bulk messages. */
+  /** Whether the link has room for telemetry and bulk messages. */
   boolean hasRoom();
 }

@@ -1,5 +1,7 @@
 package org.u2sa.gcs.mavlink.telemetry;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -37,16 +39,28 @@ public final class MessageRates {
     return hz > 0.0 ? Math.round(MICROS_PER_S / Math.min(MAX_HZ, hz)) : OFF;
   }
 
-  /** Sends what is due. */
+  /** Sends what is due: the heartbeat, and what has waited longest as long as there is room. */
   public void step(long nowMicros, GroundStation to) {
+    List<Integer> waiting = new ArrayList<>();
     intervals.forEach(
         (id, interval) -> {
-          if (interval != OFF && nowMicros >= due.getOrDefault(id, Long.MIN_VALUE)) {
-            long late = nowMicros - due.getOrDefault(id, nowMicros);
-            due.put(id, nowMicros + interval - Math.min(late, interval / 2));
-            telemetry.sources().get(id).make().get().ifPresent(to::send);
+          if (interval != OFF && nowMicros >= dueMicros(id)) {
+            waiting.add(id);
           }
         });
+    waiting.sort(Comparator.comparing(this::dueMicros));
+    for (int id : waiting) {
+      if (id == Telemetry.HEARTBEAT || to.hasRoom()) {
+        long interval = intervals.get(id);
+        long late = nowMicros - due.getOrDefault(id, nowMicros);
+        due.put(id, nowMicros + interval - Math.min(late, interval / 2));
+        telemetry.sources().get(id).make().get().ifPresent(to::send);
+      }
+    }
+  }
+
+  private long dueMicros(int id) {
+    return due.getOrDefault(id, Long.MIN_VALUE);
   }
 
   /**

@@ -20,6 +20,7 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.mavlink.AvailableModes;
+import org.u2sa.mavlink.AvailableModesMonitor;
 import org.u2sa.mavlink.CurrentMode;
 import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.BatteryState;
@@ -77,7 +78,12 @@ final class StatusMessages {
     return EnumValue.of(flag).value();
   }
 
+  /** While the mission is pursued, a planner of another class is a mode of its own. */
   private long custom(VehicleMode mode) {
+    Optional<Integer> planner = vehicle.planners().running();
+    if (mode == VehicleMode.MISSION && planner.isPresent()) {
+      return identity.planner(planner.get());
+    }
     return identity.modes(vehicle.kind()).get(mode);
   }
 
@@ -103,18 +109,30 @@ final class StatusMessages {
         modes.keySet().stream()
             .filter(mode -> identity != Identity.PX4 || mode != VehicleMode.GO_TO)
             .toList();
-    if (index < 1 || index > listed.size()) {
+    int planner = index - listed.size() - 1;
+    if (index < 1 || planner >= vehicle.planners().size()) {
       return Optional.empty();
+    }
+    if (planner >= 0) {
+      String label = vehicle.planners().label(planner);
+      return Optional.of(
+          new AvailableModes(modes(), index, 0, identity.planner(planner), 0, label));
     }
     VehicleMode mode = listed.get(index - 1);
     long properties = mode == VehicleMode.GO_TO ? NOT_SELECTABLE : 0;
     return Optional.of(
         new AvailableModes(
-            listed.size(), index, mode.standard(), modes.get(mode), properties, mode.label()));
+            modes(), index, mode.standard(), modes.get(mode), properties, mode.label()));
   }
 
   int modes() {
-    return identity.modes(vehicle.kind()).size() - (identity == Identity.PX4 ? 1 : 0);
+    return identity.modes(vehicle.kind()).size()
+        - (identity == Identity.PX4 ? 1 : 0)
+        + vehicle.planners().size();
+  }
+
+  Optional<Object> modesMonitor() {
+    return Optional.of(new AvailableModesMonitor(vehicle.planners().version() & 0xFF));
   }
 
   Optional<Object> systemStatus() {

@@ -29,6 +29,9 @@ public final class Telemetry {
   /** COMPONENT_METADATA. */
   public static final int COMPONENT_METADATA = 397;
 
+  /** CURRENT_EVENT_SEQUENCE. */
+  public static final int CURRENT_EVENT_SEQUENCE = 411;
+
   /** AVAILABLE_MODES. */
   public static final int AVAILABLE_MODES = 435;
 
@@ -62,6 +65,7 @@ public final class Telemetry {
     add(HOME_POSITION, 0.5, status::home);
     add(245, 1.0, status::extendedState);
     add(436, 0.5, status::currentMode);
+    add(437, 0.3, status::modesMonitor);
   }
 
   /** Adds the messages about the vehicle's surroundings. */

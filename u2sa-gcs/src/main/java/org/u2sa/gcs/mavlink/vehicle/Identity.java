@@ -5,6 +5,7 @@ import java.util.EnumMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * The autopilot as which the vehicle presents itself. Stations choose their buttons and their
@@ -15,6 +16,8 @@ public enum Identity {
   ARDUPILOT(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA),
   GENERIC(MavAutopilot.MAV_AUTOPILOT_GENERIC);
 
+  private static final int PX4_EXTERNAL = 11; // sub mode of the first mode from outside PX4
+  private static final long FIRST_PLANNER = 100; // beyond all modes of ArduPilot
   private static final int PX4_AUTO = 4; // px4_custom_mode.h: main mode in byte 2, sub mode in 3
   private static final int PX4_MAIN_SHIFT = 16;
   private static final int PX4_SUB_SHIFT = 24;
@@ -80,6 +83,19 @@ public enum Identity {
       }
     }
     return modes;
+  }
+
+  /** Custom mode of another class of the Path Planner, by its index from 0. */
+  public long planner(int index) {
+    return this == PX4 ? px4(PX4_EXTERNAL + index) : FIRST_PLANNER + index;
+  }
+
+  /** Index of the class that a custom mode stands for; empty if it stands for none. */
+  public Optional<Integer> planner(long custom, PlannerModes planners) {
+    return IntStream.range(0, planners.size())
+        .filter(index -> planner(index) == custom)
+        .boxed()
+        .findFirst();
   }
 
   private static long px4(int sub) {

@@ -3,6 +3,7 @@ package org.u2sa.gcs.mavlink.vehicle;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Queue;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
@@ -12,7 +13,11 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 import org.u2sa.messages.contract.ConfigurationTransactionResult;
+import org.u2sa.messages.contract.DiscoveryRequest;
 import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceAction;
+import org.u2sa.messages.contract.ServiceOrder;
+import org.u2sa.messages.contract.ServiceOrderResult;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.safety.ArmCommand;
@@ -109,6 +114,31 @@ public final class VehicleOrders {
   }
 
   /**
+   * Lets the Path Planner go on as another class.
+   *
+   * @param index of a class; empty: that of the mode Mission
+   */
+  public void plan(PlannerModes planners, Optional<Integer> index, Answer answer) {
+    String id = UUID.randomUUID().toString();
+    ServiceOrder order =
+        new ServiceOrder()
+            .requestId(id)
+            .serviceName(planners.service())
+            .action(ServiceAction.SWAP)
+            .className(planners.className(index))
+            .operator(operator);
+    send(
+        id,
+        Kind.OTHER,
+        Channels.SERVICE_ORDERS,
+        order,
+        (swapped, why) -> {
+          tell(Channels.DISCOVERY, new DiscoveryRequest());
+          answer.done(swapped, why);
+        });
+  }
+
+  /**
    * Begins or ends driving by hand.
    *
    * @param driver who drives
@@ -165,6 +195,8 @@ public final class VehicleOrders {
     } else if (message instanceof FenceOrderResult result) {
       answered(result.requestId(), result.accepted(), result.outcome());
     } else if (message instanceof ConfigurationTransactionResult result) {
+      answered(result.requestId(), result.accepted(), result.reason());
+    } else if (message instanceof ServiceOrderResult result) {
       answered(result.requestId(), result.accepted(), result.reason());
     } else if (message instanceof ArmingState state && state.requestId().isPresent()) {
       String id = state.requestId().get();

@@ -41,6 +41,9 @@ public final class VehicleStatus {
   /** Beginning of the names of goals that a landing adds to the mission. */
   public static final String LAND_PREFIX = "LAND ";
 
+  /** Beginning of the UIDs of goals that lead to a place to return to. */
+  public static final String RETURN_PREFIX = "RETURN ";
+
   /** Channels to subscribe to. */
   public static final List<Channel<?>> CHANNELS =
       List.of(
@@ -51,6 +54,7 @@ public final class VehicleStatus {
           Channels.FAILSAFE,
           Channels.FENCE,
           Channels.FENCE_ORDERS,
+          Channels.SERVICE_ORDERS,
           Channels.MANUAL_STATE,
           Channels.EMERGENCY_STOP,
           Channels.HEALTH,
@@ -65,6 +69,7 @@ public final class VehicleStatus {
   private final LongSupplier micros;
   private final Optional<VehicleKind> statedKind;
   private final VehicleOrders orders;
+  private final PlannerModes planners = new PlannerModes();
   private final ServiceConfigurations configurations = new ServiceConfigurations();
   private final Set<String> stops = ConcurrentHashMap.newKeySet();
   private volatile boolean isReportWanted;
@@ -118,6 +123,7 @@ public final class VehicleStatus {
     } else if (message instanceof EmergencyStop stop) {
       take(stop);
     } else if (message instanceof DiscoveryResponse response) {
+      planners.take(response);
       VehicleKind kind = VehicleKind.ofControl(response.className().orElse(""));
       heardKind = kind == VehicleKind.GENERIC ? heardKind : kind;
     } else {
@@ -157,6 +163,11 @@ public final class VehicleStatus {
     orders.tell(Channels.DISCOVERY, new DiscoveryRequest());
     orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(""));
     isReportWanted = true;
+  }
+
+  /** Classes of the Path Planner as modes. */
+  public PlannerModes planners() {
+    return planners;
   }
 
   /** The vehicle's kind, as far as known. */
@@ -277,7 +288,7 @@ public final class VehicleStatus {
     if (uid.equals(GO_TO)) {
       return VehicleMode.GO_TO;
     }
-    if (uid.equals(HOME)) {
+    if (uid.equals(HOME) || uid.startsWith(RETURN_PREFIX)) {
       return VehicleMode.RETURN;
     }
     return uid.startsWith(LAND_PREFIX) ? VehicleMode.LAND : VehicleMode.MISSION;

@@ -1,0 +1,70 @@
+package org.u2sa.gcs.mavlink;
+
+import java.util.List;
+import org.u2sa.interfaces.communication.SerialLine;
+
+/**
+ * One station at a serial line. What is sent keeps to the line's rate, so that little waits in
+ * front of an answer.
+ */
+final class SerialLink implements StationLink {
+  private static final int BITS_PER_BYTE = 10; // with start and stop bit
+  private static final double MICROS_PER_S = 1.0e6;
+  private static final double BURST_S = 0.05;
+  private static final double ROOM_S = 0.1;
+  private static final int LARGEST_PACKET = 293; // MAVLink 2, signed
+  private static final int CHUNK = 1024;
+  private static final int CHUNKS_PER_TURN = 8;
+
+  private final SerialLine line;
+  private final StationSession session;
+  private final double bytesPerS;
+  private final byte[] buffer = new byte[CHUNK];
+  private double allowed; // bytes that may be sent; negative after a packet longer than that
+  private long filledMicros = Long.MIN_VALUE;
+
+  SerialLink(SerialLine line, int baud, StationSession session) {
+    this.line = line;
+    this.session = session;
+    bytesPerS = (double) baud / BITS_PER_BYTE;
+    session.room(Math.max(LARGEST_PACKET, (int) (bytesPerS * ROOM_S)));
+  }
+
+  @Override
+  public void exchange(long nowMicros) {
+    for (int i = 0; i < CHUNKS_PER_TURN && session.allowance(nowMicros) >= CHUNK; i++) {
+      int length = line.read(buffer);
+      if (length <= 0) {
+        break;
+      }
+      session.receive(buffer, length, nowMicros);
+    }
+    if (filledMicros != Long.MIN_VALUE) {
+      double passedS = (nowMicros - filledMicros) / MICROS_PER_S;
+      allowed = Math.min(bytesPerS * BURST_S, allowed + bytesPerS * passedS);
+    }
+    filledMicros = nowMicros;
+    send();
+  }
+
+  private void send() {
+    for (byte[] packet = next(); packet != null; packet = next()) {
+      line.write(packet); // lost if nobody is there, as by radio: what comes later is newer
+      allowed -= packet.length;
+    }
+  }
+
+  private byte[] next() {
+    return allowed > 0.0 ? session.poll() : null;
+  }
+
+  @Override
+  public Iterable<StationSession> sessions() {
+    return List.of(session);
+  }
+
+  @Override
+  public void close() {
+    line.close();
+  }
+}

@@ -1,0 +1,183 @@
+package org.u2sa.gcs.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.dronefleet.mavlink.common.Attitude;
+import io.dronefleet.mavlink.common.CommandAck;
+import io.dronefleet.mavlink.common.CommandLong;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.ParamRequestList;
+import io.dronefleet.mavlink.common.ParamValue;
+import io.dronefleet.mavlink.minimal.Heartbeat;
+import io.dronefleet.mavlink.util.EnumValue;
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.u2sa.interfaces.communication.SerialLine;
+import org.u2sa.mavlink.MavlinkStream;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.contract.ConfigurationResponse;
+import org.u2sa.messages.contract.ConfigurationVariable;
+
+/** A slow serial line, whose other end the test holds. */
+class StationSerialTest {
+  private static final int BAUD = 9_600;
+  private static final int TURN_MICROS = 10_000;
+
+  private final BridgeKit kit = BridgeKit.rover().ready();
+  private final Cable cable = new Cable();
+  private final SerialLink link = new SerialLink(cable, BAUD, kit.session);
+  private final MavlinkStream station = new MavlinkStream(BridgeKit.STATION, 190);
+  private final List<Object> received = new ArrayList<>();
+  private int bytes;
+
+  private static final class Cable implements SerialLine {
+    private final ByteArrayOutputStream toStation = new ByteArrayOutputStream();
+    private byte[] toBridge = new byte[0];
+    private boolean isPlugged = true;
+
+    @Override
+    public int read(byte[] buffer) {
+      int length = toBridge.length;
+      System.arraycopy(toBridge, 0, buffer, 0, length);
+      toBridge = new byte[0];
+      return length;
+    }
+
+    @Override
+    public boolean write(byte[] bytes) {
+      if (isPlugged) {
+        toStation.writeBytes(bytes);
+      }
+      return isPlugged;
+    }
+
+    @Override
+    public void close() {
+      isPlugged = false;
+    }
+  }
+
+  private void pass(double seconds) {
+    for (int turn = 0; turn < seconds * 1.0e6 / TURN_MICROS; turn++) {
+      long now = kit.clock.addAndGet(TURN_MICROS);
+      kit.says(
+          new StateInformation()
+              .x(BridgeKit.LONGITUDE)
+              .y(BridgeKit.LATITUDE)
+              .z(3.0)
+              .xDot(1.0)
+              .yDot(0.0)
+              .psi(1.0));
+      kit.vehicle.model.refresh();
+      kit.vehicle.orders.step(now);
+      kit.session.step(now);
+      link.exchange(now);
+      byte[] sent = cable.toStation.toByteArray();
+      cable.toStation.reset();
+      bytes += sent.length;
+      station.accept(sent, sent.length, message -> received.add(message.payload()));
+    }
+  }
+
+  private long count(Class<?> type) {
+    return received.stream().filter(type::isInstance).count();
+  }
+
+  @Test
+  void exchange_moreTelemetryThanTheLineCarries_keepsToItsRateAndStarvesNoMessage() {
+    pass(10.0);
+    received.clear();
+    bytes = 0;
+    pass(10.0);
+
+    assertThat(bytes).isBetween(8_500, 9_900); // 960 bytes/s
+    assertThat(count(Heartbeat.class)).isBetween(9L, 11L);
+    assertThat(count(Attitude.class)).isGreaterThan(30);
+    assertThat(received.stream().map(Object::getClass).distinct().count()).isGreaterThan(8);
+  }
+
+  @Test
+  void exchange_parametersBesideTelemetry_bothGoOn() {
+    kit.says(
+        new ConfigurationResponse()
+            .serviceName("Control")
+            .variables(
+                IntStream.range(0, 200)
+                    .mapToObj(
+                        i ->
+                            new ConfigurationVariable()
+                                .name("GAIN " + i)
+                                .variableType("double")
+                                .value("1.0"))
+                    .collect(Collectors.toList())));
+    pass(5.0);
+    received.clear();
+    cable.toBridge = station.encode(ParamRequestList.builder().targetSystem(1).build());
+    pass(5.0);
+
+    assertThat(count(ParamValue.class)).isGreaterThan(30);
+    assertThat(count(Attitude.class)).isGreaterThan(8);
+    assertThat(count(Heartbeat.class)).isGreaterThanOrEqualTo(4);
+  }
+
+  @Test
+  void exchange_command_isAnsweredWithinHalfASecondOnAFullLine() {
+    pass(10.0);
+    received.clear();
+    cable.toBridge =
+        station.encode(
+            CommandLong.builder()
+                .targetSystem(1)
+                .targetComponent(1)
+                .command(EnumValue.create(MavCmd.class, 42_424))
+                .build());
+    pass(0.5);
+    assertThat(count(CommandAck.class)).isEqualTo(1);
+  }
+
+  @Test
+  void exchange_unpluggedForAMinute_sendsNothingOldWhenItIsBack() {
+    cable.isPlugged = false;
+    pass(60.0);
+    cable.isPlugged = true;
+    received.clear();
+    pass(2.0);
+
+    long newest = kit.vehicle.uptime.micros() / 1000;
+    assertThat(received.stream().filter(Attitude.class::isInstance))
+        .isNotEmpty()
+        .allSatisfy(
+            each -> assertThat(((Attitude) each).timeBootMs()).isGreaterThan(newest - 3_500));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'serial:/dev/ttyUSB0,baud=115200', serial:/dev/ttyUSB0 at 115200 baud",
+    "serial:/dev/ttyS1, serial:/dev/ttyS1 at 57600 baud",
+    "'tcp:5760,id=7', tcp:127.0.0.1:5760",
+  })
+  void options_ofALink_nameItsPlace(String text, String place) {
+    assertThat(BridgeOptions.parse(text)).hasToString(place);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "serial:, expected tcp:PORT",
+    "'tcp:5760,baud=9600', expected tcp:PORT",
+    "'serial:/dev/ttyS1,baud=0', '\"0\": expected 1…4000000'",
+    "'serial:/dev/ttyS1,baud=9000000', '\"9000000\": expected 1…4000000'",
+  })
+  void options_wrong_areRefused(String text, String why) {
+    assertThatThrownBy(() -> BridgeOptions.parse(text))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining(text)
+        .hasMessageContaining(why);
+  }
+}

@@ -1,0 +1,77 @@
+package org.u2sa.mission;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.FenceState;
+
+/** Where the vehicle returns to: its home or a rally point, whichever is nearest. */
+final class ReturnPlaces {
+  private final Supplier<Optional<Waypoint>> home;
+  private List<GoalInformation> rally = List.of();
+  private StateInformation state; // null until a position was heard
+
+  /**
+   * @param home home of the mission
+   */
+  ReturnPlaces(Supplier<Optional<Waypoint>> home) {
+    this.home = home;
+  }
+
+  void see(FenceState fence) {
+    rally = fence.rally();
+  }
+
+  void see(StateInformation now) {
+    state = now.x().isPresent() && now.y().isPresent() ? now : state;
+  }
+
+  /**
+   * Nearest place; the home if the vehicle's position is unknown, empty if there is none at all.
+   *
+   * @param thresholdM horizontal threshold [m]
+   */
+  Optional<Waypoint> nearest(double thresholdM) {
+    List<Waypoint> places = new ArrayList<>();
+    home.get().ifPresent(places::add);
+    for (GoalInformation goal : rally) {
+      if (goal instanceof Waypoint point) {
+        Waypoint place = point.copy();
+        places.add(place.horizontalThreshold(thresholdM));
+      }
+    }
+    Optional<Waypoint> nearest = Optional.empty();
+    double leastM = Double.POSITIVE_INFINITY;
+    for (Waypoint place : places) {
+      double distanceM = distanceM(place);
+      if (nearest.isEmpty() || distanceM < leastM) {
+        nearest = Optional.of(place);
+        leastM = distanceM;
+      }
+    }
+    return nearest;
+  }
+
+  /** Horizontal distance [m]; infinite if it cannot be told. */
+  private double distanceM(Waypoint place) {
+    ReferenceFrame frame = place.referenceFrame();
+    if (state == null || state.referenceFrame().isEarth() != frame.isEarth()) {
+      return Double.POSITIVE_INFINITY;
+    }
+    StateInformation own = state.in(frame);
+    Point from = Point.of(own.x().orElseThrow(), own.y().orElseThrow(), 0.0);
+    Point to = Point.of(place.x().orElseThrow(), place.y().orElseThrow(), 0.0);
+    Point apart =
+        frame.equals(ReferenceFrame.GLOBAL)
+            ? new Geodetic(from.x(), from.y(), 0.0).enuOf(new Geodetic(to.x(), to.y(), 0.0))
+            : to.minus(from);
+    return Math.hypot(apart.x(), apart.y());
+  }
+}
