@@ -78,6 +78,13 @@ final class SuasDemo implements Callable<Integer>, Demo {
       description = "Air pressure that the ground station tells instead of the true one; 0: none.")
   private double toldHpa = Double.NaN;
 
+  @Option(
+      names = "--mosaic",
+      paramLabel = "M",
+      description =
+          "Make a mosaic of the search area on the ground, with pixels of this size [m], mosaic.png.")
+  private double mosaicM;
+
   private SuasField field; // of the newest run
 
   @Override
@@ -169,19 +176,28 @@ final class SuasDemo implements Callable<Integer>, Demo {
             start,
             drawn.runwayRad(),
             seed);
+    Optional<FieldMosaic> mosaic =
+        mosaicM > 0.0 && !drawn.searchArea().isEmpty()
+            ? Optional.of(new FieldMosaic(drawn, mosaicM, directory.resolve("mosaic.png")))
+            : Optional.empty();
     SeenCells cells = new SeenCells(drawn, SurveyPictures.USUAL);
     SurveyPictures camera =
         new SurveyPictures(
             SurveyPictures.USUAL,
             placed.run(),
-            new FieldPainter(drawn.targets(), SurveyPictures.USUAL, seed),
+            new FieldPainter(
+                drawn.targets(),
+                SurveyPictures.USUAL,
+                seed,
+                mosaic.map(FieldMosaic::ground)),
             cells::see);
     AtomicReference<SuasStation> station = new AtomicReference<>();
     SuasJudge.Aboard aboard =
         new SuasJudge.Aboard(
             () -> placed.devices().switchPercent("RELEASE") > 50.0,
             () -> station.get().isUp(),
-            () -> station.get().changes());
+            () -> station.get().changes(),
+            () -> mosaic.map(FieldMosaic::figures).orElse(Map.of()));
     return placed.trial(
         mission,
         placed.name(),
@@ -194,6 +210,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
                 station.set(new SuasStation(context, script(drawn)));
                 return station.get();
               });
+          mosaic.ifPresent(each -> each.start(launch));
           launch.override("WorldModeler", "WORLD", world.toAbsolutePath().toString());
           launch.override("SafetyManager", "FENCE", fence.toAbsolutePath().toString());
         });

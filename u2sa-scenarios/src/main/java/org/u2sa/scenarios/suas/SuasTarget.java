@@ -21,6 +21,20 @@ record SuasTarget(
     String letterColour) {
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
 
+  /** Colour at a place, red, green, blue; null beside the target. */
+  int[] paint(double atEastM, double atNorthM) {
+    double north = atNorthM - northM;
+    double east = atEastM - eastM;
+    double cos = Math.cos(headingRad);
+    double sin = Math.sin(headingRad);
+    double up = (north * cos + east * sin) / sideM;
+    double right = (east * cos - north * sin) / sideM;
+    if (!TargetLook.isOn(shape, right, up)) {
+      return null;
+    }
+    return TargetLook.rgb(BlockLetters.isInk(letter, right, up) ? letterColour : colour);
+  }
+
   /** The letter's top as a point of the compass. */
   String orientation() {
     int octant = (int) Math.round(headingRad / (Math.PI / 4.0));
