@@ -3,6 +3,7 @@ package org.u2sa.scenarios.suas;
 import java.util.List;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.world.Terrain;
 
 /** Colours of a field's ground: patches of grass and winding paths, fixed to the ground. */
 final class FieldGround {
@@ -16,10 +17,14 @@ final class FieldGround {
 
   private final byte[] brightness = new byte[CELLS * CELLS];
   private final boolean[] isPath = new boolean[CELLS * CELLS];
+  private final List<Point> area; // the search area
   private final List<SuasTarget> targets;
+  private final Terrain terrain;
 
-  FieldGround(List<SuasTarget> targets, long seed) {
+  FieldGround(List<Point> area, List<SuasTarget> targets, Terrain terrain, long seed) {
+    this.area = area;
     this.targets = targets;
+    this.terrain = terrain;
     Random random = new Random(seed ^ 0x2545F491L);
     for (int i = 0; i < brightness.length; i++) {
       brightness[i] = (byte) (random.nextInt(2 * PATCH + 1) - PATCH);
@@ -30,6 +35,25 @@ final class FieldGround {
       double away = Math.IEEEremainder(i / CELLS + bend, spacing);
       isPath[i] = Math.abs(away) * CELL_M < PATH_M;
     }
+  }
+
+  /**
+   * How far below a camera a ray meets the ground [m], by looking where it nearly does.
+   *
+   * @param right the ray's way east for each metre down
+   * @param ahead and north
+   * @param nearly the same of a neighbouring ray
+   */
+  double away(Point camera, double right, double ahead, double nearly) {
+    return terrain.steepest() > 0.0
+        ? camera.z() - terrain.heightM(camera.x() + nearly * right, camera.y() + nearly * ahead)
+        : camera.z();
+  }
+
+  /** Whether a camera there may see the search area. */
+  boolean isSeenFrom(Point camera) {
+    return SuasField.isInside(area, camera.x(), camera.y())
+        || SuasField.edgeM(area, camera.x(), camera.y()) < 2.0 * camera.z();
   }
 
   private static int cell(double metres) {

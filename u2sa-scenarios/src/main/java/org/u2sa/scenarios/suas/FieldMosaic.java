@@ -22,7 +22,7 @@ final class FieldMosaic {
   FieldMosaic(SuasField field, double pixelM, Path file) {
     this.field = field;
     this.file = file;
-    ground = new FieldGround(field.targets(), field.seed());
+    ground = new FieldGround(field.searchArea(), field.targets(), field.ground(), field.seed());
     mosaic =
         new SurveyMosaic(
             MosaicGrid.around(

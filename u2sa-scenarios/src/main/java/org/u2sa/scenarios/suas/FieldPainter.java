@@ -64,7 +64,8 @@ final class FieldPainter {
     int row = Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
     Point at = truth.position();
     double reachM = 3.0 * at.z();
-    if (ground.isEmpty()
+    Optional<FieldGround> shown = ground.filter(each -> each.isSeenFrom(at));
+    if (shown.isEmpty()
         && targets.stream()
             .noneMatch(
                 each -> Math.hypot(each.eastM() - at.x(), each.northM() - at.y()) < reachM)) {
@@ -72,7 +73,7 @@ final class FieldPainter {
     }
     byte[] pixels = grassFrom(row);
     Rotation nedFromFrd = truth.attitude().nedFromFrd();
-    ground.ifPresent(each -> shade(each, nedFromFrd, at, pixels));
+    shown.ifPresent(each -> shade(each, nedFromFrd, at, pixels));
     for (SuasTarget target : targets) {
       paint(target, nedFromFrd, at, pixels);
     }
@@ -91,11 +92,15 @@ final class FieldPainter {
       double v = row - 0.5 * (optics.height() - 1);
       Point first =
           nedFromFrd.times(Point.of(-v / focal, -0.5 * (optics.width() - 1) / focal, 1.0));
+      double far = at.z();
       for (int column = 0; column < optics.width(); column++) {
         double down = first.z() + column * step.z();
         if (down > HORIZON) {
-          double east = at.x() + at.z() / down * (first.y() + column * step.y());
-          double north = at.y() + at.z() / down * (first.x() + column * step.x());
+          double right = first.y() + column * step.y();
+          double ahead = first.x() + column * step.x();
+          far = shown.away(at, right / down, ahead / down, far);
+          double east = at.x() + far * right / down;
+          double north = at.y() + far * ahead / down;
           int i = 3 * (row * optics.width() + column);
           for (int c = 0; c < 3; c++) {
             int value = (pixels[i + c] & 0xff) + shown.shade(c, east, north);
@@ -107,9 +112,9 @@ final class FieldPainter {
   }
 
   private void paint(SuasTarget target, Rotation nedFromFrd, Point at, byte[] pixels) {
-    Point way = Point.of(target.northM() - at.y(), target.eastM() - at.x(), at.z());
+    Point way = Point.of(target.northM() - at.y(), target.eastM() - at.x(), at.z() - target.upM());
     Point frd = nedFromFrd.transposed().times(way);
-    double reachPx = optics.focalPx() * REACH * target.sideM() / at.z() + 3.0;
+    double reachPx = optics.focalPx() * REACH * target.sideM() / way.z() + 3.0;
     double column = 0.5 * (optics.width() - 1) + optics.focalPx() * frd.y() / frd.z();
     double row = 0.5 * (optics.height() - 1) - optics.focalPx() * frd.x() / frd.z();
     if (frd.z() < 1.0 || !(reachPx < optics.width())) {
@@ -133,9 +138,9 @@ final class FieldPainter {
       double u = x + 0.5 * (k % 2) - 0.25 - 0.5 * (optics.width() - 1);
       double v = y + 0.5 * (k / 2) - 0.25 - 0.5 * (optics.height() - 1);
       Point ray = nedFromFrd.times(Point.of(-v / optics.focalPx(), u / optics.focalPx(), 1.0));
+      double far = (at.z() - target.upM()) / ray.z();
       int[] paint =
-          target.paint(
-              at.x() + at.z() / ray.z() * ray.y(), at.y() + at.z() / ray.z() * ray.x());
+          target.paint(at.x() + far * ray.y(), at.y() + far * ray.x());
       for (int c = 0; c < 3; c++) {
         sum[c] += paint == null ? pixels[i + c] & 0xff : paint[c];
       }

@@ -79,6 +79,12 @@ final class SuasDemo implements Callable<Integer>, Demo {
   private double toldHpa = Double.NaN;
 
   @Option(
+      names = "--hills",
+      paramLabel = "M",
+      description = "Hills of this height at the search area, of which the aircraft has a map.")
+  private double hillsM;
+
+  @Option(
       names = "--mosaic",
       paramLabel = "M",
       description =
@@ -159,7 +165,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
 
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
-    SuasField all = SuasFieldGenerator.field(seed, windMps);
+    SuasField level = SuasFieldGenerator.field(seed, windMps);
+    SuasField all = hillsM > 0.0 ? level.on(SuasHills.of(level, hillsM)) : level;
     SuasField drawn = laps > 1 ? all.inLaps(laps) : all;
     field = drawn;
     Mission mission =
@@ -210,6 +217,11 @@ final class SuasDemo implements Callable<Integer>, Demo {
                 station.set(new SuasStation(context, script(drawn)));
                 return station.get();
               });
+          if (hillsM > 0.0) {
+            Path map = SuasHills.write(drawn, directory.resolve("heights.asc")).toAbsolutePath();
+            launch.override("PathPlanner", "TERRAIN", map.toString());
+            launch.override("SurveyCamera", "TERRAIN", map.toString());
+          }
           mosaic.ifPresent(each -> each.start(launch));
           launch.override("WorldModeler", "WORLD", world.toAbsolutePath().toString());
           launch.override("SafetyManager", "FENCE", fence.toAbsolutePath().toString());

@@ -293,6 +293,10 @@ final class SuasJudge implements TruthObserver.Scorer {
     counts.put("corrections", corrections);
     Map<String, Double> figures = new LinkedHashMap<>(sheet.figures());
     figures.put("areaSeen", cells.share());
+    if (cells.highestM() > 0.0) {
+      figures.put("surveyHeightLeastM", cells.lowestM());
+      figures.put("surveyHeightGreatestM", cells.highestM());
+    }
     figures.put("longestTelemetryGapS", longestGapS);
     if (isReleased) {
       figures.put("dropErrorM", dropM);

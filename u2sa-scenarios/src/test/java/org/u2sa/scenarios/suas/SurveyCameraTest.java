@@ -20,6 +20,7 @@ import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.report.mosaic.MosaicGrid;
 import org.u2sa.report.mosaic.SurveyMosaic;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.testkit.ServiceKit;
 import org.u2sa.vision.survey.SurveyCamera;
 import org.u2sa.vision.survey.SurveyTarget;
@@ -142,7 +143,7 @@ class SurveyCameraTest {
     List<Geodetic> corners =
         square.stream().map(at -> SuasField.plane().at(at.x(), at.y(), 0.0)).toList();
     SurveyMosaic mosaic = new SurveyMosaic(MosaicGrid.around(corners, 0.1, 2.0));
-    ground = Optional.of(new FieldGround(List.of(target), 505));
+    ground = Optional.of(new FieldGround(square, List.of(target), Terrain.flat(), 505));
     try (ServiceKit kit =
         new ServiceKit().with("MOUNTED PITCH", -Math.PI / 2.0).with("IMAGE EVERY", 0.5)) {
       kit.start(context -> new SurveyCamera(context, camera()));

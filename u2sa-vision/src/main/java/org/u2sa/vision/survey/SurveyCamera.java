@@ -21,6 +21,7 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.terrain.HeightGrid;
 import org.u2sa.vision.camera.CameraImages;
 import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.world.modeller.PoseHistory;
@@ -32,13 +33,17 @@ import org.u2sa.world.modeller.PoseHistory;
  * 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
-  private record Showing(
+  private record Variables(
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
           @Description("Interval of JPEG pictures published on images; 0: none are published.")
           double imageEvery,
       @Variable(min = 1, max = 16, ifAbsent = 2)
           @Description("Pixels of the camera along each side that become one of these pictures.")
-          int imageShrink) {}
+          int imageShrink,
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Height map of the ground, an Esri ASCII grid in degrees; without it search areas are level.")
+          String terrain) {}
 
   private static final int MAX_WAITING = 8; // images for the state of their time
   private static final double MIN_M = 0.7; // of a target
@@ -53,6 +58,7 @@ public final class SurveyCamera extends CameraSensor {
   private final TargetLog targets = new TargetLog();
   private final TargetModel model = TargetModel.shipped();
   private final Optional<CameraImages> pictures; // empty: not published
+  private final Optional<HeightGrid> terrain;
   private Optional<SearchArea> area = Optional.empty();
   private long images;
   private long withoutState;
@@ -62,6 +68,9 @@ public final class SurveyCamera extends CameraSensor {
     super(context, "SurveyCamera");
     mount = listen();
     pictures = pictures();
+    terrain =
+        HeightGrid.named(
+            settings(Variables.class).get().terrain(), context.configuration()::resolve);
   }
 
   /** Uses the given camera, e.g. a simulated one. */
@@ -69,6 +78,9 @@ public final class SurveyCamera extends CameraSensor {
     super(context, "SurveyCamera", camera);
     mount = listen();
     pictures = pictures();
+    terrain =
+        HeightGrid.named(
+            settings(Variables.class).get().terrain(), context.configuration()::resolve);
   }
 
   private CameraMount listen() {
@@ -79,7 +91,7 @@ public final class SurveyCamera extends CameraSensor {
   }
 
   private Optional<CameraImages> pictures() {
-    Showing showing = settings(Showing.class).get();
+    Variables showing = settings(Variables.class).get();
     if (showing.imageEvery() == 0.0) {
       return Optional.empty();
     }
@@ -145,7 +157,7 @@ public final class SurveyCamera extends CameraSensor {
   }
 
   private void see(CameraFrame frame, StateInformation state, SearchArea current) {
-    AerialView view = new AerialView(frame, mount, state, current.ground());
+    AerialView view = new AerialView(frame, mount, state, current.ground(), terrain);
     Optional<ImageFootprint> shown = view.footprint(++images);
     if (shown.isEmpty()) {
       return;
