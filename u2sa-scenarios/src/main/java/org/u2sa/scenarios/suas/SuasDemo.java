@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
+import org.u2sa.device.RadarSensor;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Point;
@@ -79,6 +80,16 @@ final class SuasDemo implements Callable<Integer>, Demo {
   private double toldHpa = Double.NaN;
 
   @Option(
+      names = "--no-transponders",
+      description = "Other aircraft have no transponder.")
+  private boolean isSilent;
+
+  @Option(
+      names = "--radar",
+      description = "The aircraft has a radar, besides its receiver of transponders.")
+  private boolean hasRadar;
+
+  @Option(
       names = "--hills",
       paramLabel = "M",
       description = "Hills of this height at the search area, of which the aircraft has a map.")
@@ -139,7 +150,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
     return field == null
         ? Surroundings.none()
         : new Surroundings(
-            SimulatedWorld.surroundings(field.world(), SuasJudge.RUN_S).objects(),
+            SimulatedWorld.surroundings(field.world(true), SuasJudge.RUN_S).objects(),
             0.0,
             field.areas());
   }
@@ -179,7 +190,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
             changes.load(
                 system().resolveSibling("vehicle.xml"),
                 Map.of("barometer/qnh", String.valueOf(drawn.qnhPa()))),
-            drawn.world(),
+            drawn.world(!isSilent),
             start,
             drawn.runwayRad(),
             seed);
@@ -217,6 +228,11 @@ final class SuasDemo implements Callable<Integer>, Demo {
                 station.set(new SuasStation(context, script(drawn)));
                 return station.get();
               });
+          if (hasRadar) {
+            launch.beside(
+                XmlConfiguration.load(system().resolveSibling("RadarSensor.xml")),
+                RadarSensor::new);
+          }
           if (hillsM > 0.0) {
             Path map = SuasHills.write(drawn, directory.resolve("heights.asc")).toAbsolutePath();
             launch.override("PathPlanner", "TERRAIN", map.toString());

@@ -158,6 +158,10 @@ record SuasField(
 
   /** The other aircraft. */
   List<ScriptedMover> movers() {
+    return movers(true);
+  }
+
+  private List<ScriptedMover> movers(boolean transponders) {
     List<ScriptedMover> movers = new ArrayList<>();
     for (Traffic each : traffic) {
       Sphere body =
@@ -177,16 +181,20 @@ record SuasField(
               ScriptedMover.End.RETURN,
               0.0,
               false,
-              true));
+              transponders));
     }
     return movers;
   }
 
-  /** The world of the run. The pillars are virtual: whoever flies through one only loses points. */
-  World world() {
+  /**
+   * The world of the run. The pillars are virtual: whoever flies through one only loses points.
+   *
+   * @param transponders whether other aircraft have them
+   */
+  World world(boolean transponders) {
     return World.at(ORIGIN)
         .with(ground)
-        .withMovers(movers())
+        .withMovers(movers(transponders))
         .with(Wind.gusty(windFromRad, windMps, seed));
   }
 
