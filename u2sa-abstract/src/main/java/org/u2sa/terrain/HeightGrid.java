@@ -24,7 +24,14 @@ public final class HeightGrid {
   private static final int MAX_CELLS = 4_000_000;
   private static final int MAX_LINE = 1_000_000; // characters
   private static final Set<String> KEYS =
-      Set.of("ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize",
+      Set.of(
+          "ncols",
+          "nrows",
+          "xllcorner",
+          "yllcorner",
+          "xllcenter",
+          "yllcenter",
+          "cellsize",
           "nodata_value");
 
   private final int columns;

@@ -30,12 +30,12 @@ import org.u2sa.planning.rightofway.RightOfWayVariables;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
 import org.u2sa.planning.survey.SurveyHeights;
 import org.u2sa.planning.survey.SurveyVariables;
-import org.u2sa.terrain.HeightGrid;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.terrain.HeightGrid;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
@@ -104,7 +104,8 @@ public class PathPlanner extends EventDrivenService {
                     survey,
                     seeing,
                     this::lines,
-                    new SurveyHeights(HeightGrid.named(
+                    new SurveyHeights(
+                        HeightGrid.named(
                             survey.get().terrain(), context.configuration()::resolve))),
                 new TakeOffState(this::lines, flight),
                 new LandingState(detour, this::lines, () -> settings.get().loiterRadius(), flight),

@@ -26,7 +26,8 @@ class RunFilesTest {
   }
 
   @Test
-  void system_configurationThatNamesFiles_attachesXmlAndMapsOnceAndNoPasswords() throws IOException {
+  void system_configurationThatNamesFiles_attachesXmlAndMapsOnceAndNoPasswords()
+      throws IOException {
     Path system = write("system.xml", "<system/>");
     write("mission.xml", "<mission/>");
     write("ground.asc", "ncols 2");

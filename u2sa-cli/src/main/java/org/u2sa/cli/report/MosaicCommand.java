@@ -42,7 +42,8 @@ public final class MosaicCommand extends BaseCommand {
   @Option(
       names = {"-o", "--out"},
       paramLabel = "FILE",
-      description = "Output file, .png or .tif. Default: beside the recording, with its name, as PNG.")
+      description =
+          "Output file, .png or .tif. Default: beside the recording, with its name, as PNG.")
   private Path out;
 
   @Override
@@ -54,8 +55,7 @@ public final class MosaicCommand extends BaseCommand {
     }
     MosaicFile.requireKind(target);
     try (RecordedMessages recording = RecordedMessages.open(file).requireMessages()) {
-      SurveyMosaic mosaic =
-          RecordedMosaic.of(file, recording, part.of(recording.reader()), pixelM);
+      SurveyMosaic mosaic = RecordedMosaic.of(file, recording, part.of(recording.reader()), pixelM);
       MosaicFile.write(mosaic, target);
       print(
           String.format(

@@ -84,6 +84,7 @@ class MosaicTest extends CommandFixture {
   @Test
   void mosaic_noImages_saysHowToGetSome() throws IOException {
     assertThat(u2sa("mosaic", recording(false).toString())).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("expected those of a SurveyCamera with IMAGE EVERY above 0");
+    assertThat(err.toString())
+        .contains("expected those of a SurveyCamera with IMAGE EVERY above 0");
   }
 }

@@ -67,10 +67,7 @@ public final class SurveyHeights {
               pose.eastM() + along * sin + side * halfM * cos,
               0.0);
       double ground =
-          terrain
-              .get()
-              .altitudeM(new Geodetic(place.x(), place.y(), 0.0))
-              .orElse(area.ground());
+          terrain.get().altitudeM(new Geodetic(place.x(), place.y(), 0.0)).orElse(area.ground());
       lowest = Math.min(lowest, ground);
       highest = Math.max(highest, ground);
     }

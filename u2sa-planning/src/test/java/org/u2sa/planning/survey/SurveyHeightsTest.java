@@ -84,14 +84,12 @@ class SurveyHeightsTest {
       before = now;
     }
     assertThat(altitude(heights, STEP_M)).isGreaterThan(125.0 + HEIGHT_M);
-    assertThat(altitude(heights, STEP_M - 100.0))
-        .isEqualTo(120.0 + HEIGHT_M, Offset.offset(3.0));
+    assertThat(altitude(heights, STEP_M - 100.0)).isEqualTo(120.0 + HEIGHT_M, Offset.offset(3.0));
   }
 
   @Test
   void altitudeM_limitsOfTheArea_hold() throws IOException {
     SearchArea low = area().highest(160.0);
-    assertThat(heights().altitudeM(low, CAMERA, plane, new Pose(200.0, 0.0, 0.0)))
-        .isEqualTo(160.0);
+    assertThat(heights().altitudeM(low, CAMERA, plane, new Pose(200.0, 0.0, 0.0))).isEqualTo(160.0);
   }
 }

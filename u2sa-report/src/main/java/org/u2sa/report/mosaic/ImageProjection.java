@@ -28,9 +28,15 @@ final class ImageProjection {
     double g = (sumX * y2 - sumY * x2) / whole;
     double k = (x1 * sumY - y1 * sumX) / whole;
     double[] m = {
-      xs[1] - xs[0] + g * xs[1], xs[3] - xs[0] + k * xs[3], 0.0,
-      ys[1] - ys[0] + g * ys[1], ys[3] - ys[0] + k * ys[3], 0.0,
-      g, k, 1.0
+      xs[1] - xs[0] + g * xs[1],
+      xs[3] - xs[0] + k * xs[3],
+      0.0,
+      ys[1] - ys[0] + g * ys[1],
+      ys[3] - ys[0] + k * ys[3],
+      0.0,
+      g,
+      k,
+      1.0
     };
     // relative to the origin
     for (int i = 0; i < 2; i++) {

@@ -110,18 +110,9 @@ public final class MosaicFile {
                   ImageTypeSpecifier.createFromRenderedImage(picture), parameters));
       numbers(tags, GeoTIFFTagSet.TAG_MODEL_PIXEL_SCALE, grid.pixelM(), grid.pixelM(), 0.0);
       numbers(
-          tags,
-          GeoTIFFTagSet.TAG_MODEL_TIE_POINT,
-          0.0,
-          0.0,
-          0.0,
-          grid.westM(),
-          grid.northM(),
-          0.0);
+          tags, GeoTIFFTagSet.TAG_MODEL_TIE_POINT, 0.0, 0.0, 0.0, grid.westM(), grid.northM(), 0.0);
       // version 1.1.0 with 3 keys: projected model, a pixel is an area, the system
-      char[] keys = {
-        1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, (char) grid.epsg()
-      };
+      char[] keys = {1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, (char) grid.epsg()};
       TIFFTag directory = TAGS.getTag(GeoTIFFTagSet.TAG_GEO_KEY_DIRECTORY);
       tags.addTIFFField(new TIFFField(directory, TIFFTag.TIFF_SHORT, keys.length, keys));
       writer.setOutput(stream);
@@ -132,7 +123,6 @@ public final class MosaicFile {
   }
 
   private static void numbers(TIFFDirectory tags, int tag, double... values) {
-    tags.addTIFFField(
-        new TIFFField(TAGS.getTag(tag), TIFFTag.TIFF_DOUBLE, values.length, values));
+    tags.addTIFFField(new TIFFField(TAGS.getTag(tag), TIFFTag.TIFF_DOUBLE, values.length, values));
   }
 }

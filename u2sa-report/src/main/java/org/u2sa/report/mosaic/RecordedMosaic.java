@@ -33,7 +33,8 @@ public final class RecordedMosaic {
    *
    * @param file for messages
    * @param pixelM side of a pixel on the ground
-   * @throws BadInputException if no images with footprints were recorded, or the mosaic is too large
+   * @throws BadInputException if no images with footprints were recorded, or the mosaic is too
+   *     large
    */
   public static SurveyMosaic of(
       Path file, RecordedMessages recording, RecordedSpan span, double pixelM) throws IOException {

@@ -92,8 +92,7 @@ class SurveyMosaicTest {
     for (int row = 0; row < mosaic.grid().rows(); row++) {
       for (int column = 0; column < mosaic.grid().columns(); column++) {
         int colour = mosaic.picture().getRGB(column, row);
-        int expected =
-            chess(Point.of(mosaic.grid().eastM(column), mosaic.grid().northM(row), 0.0));
+        int expected = chess(Point.of(mosaic.grid().eastM(column), mosaic.grid().northM(row), 0.0));
         seen += colour >>> 24 == 0 ? 0 : 1;
         right += Math.abs((colour & 0xff) - (expected & 0xff)) < 64 ? 1 : 0;
       }

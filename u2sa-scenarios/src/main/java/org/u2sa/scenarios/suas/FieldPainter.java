@@ -139,8 +139,7 @@ final class FieldPainter {
       double v = y + 0.5 * (k / 2) - 0.25 - 0.5 * (optics.height() - 1);
       Point ray = nedFromFrd.times(Point.of(-v / optics.focalPx(), u / optics.focalPx(), 1.0));
       double far = (at.z() - target.upM()) / ray.z();
-      int[] paint =
-          target.paint(at.x() + far * ray.y(), at.y() + far * ray.x());
+      int[] paint = target.paint(at.x() + far * ray.y(), at.y() + far * ray.x());
       for (int c = 0; c < 3; c++) {
         sum[c] += paint == null ? pixels[i + c] & 0xff : paint[c];
       }

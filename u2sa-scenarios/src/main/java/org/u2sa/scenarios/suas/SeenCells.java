@@ -54,14 +54,15 @@ final class SeenCells {
     Rotation frdFromNed = truth.attitude().nedFromFrd().transposed();
     Point at = truth.position();
     double reach = 3.0 * at.z();
-    boolean isNew = missing.removeIf(
-        cell ->
-            Math.abs(cell.eastM() - at.x()) < reach
-                && Math.abs(cell.northM() - at.y()) < reach
-                && isSeen(frdFromNed, at, cell.eastM(), cell.northM())
-                && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM())
-                && isSeen(frdFromNed, at, cell.eastM(), cell.northM() + CELL_M)
-                && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM() + CELL_M));
+    boolean isNew =
+        missing.removeIf(
+            cell ->
+                Math.abs(cell.eastM() - at.x()) < reach
+                    && Math.abs(cell.northM() - at.y()) < reach
+                    && isSeen(frdFromNed, at, cell.eastM(), cell.northM())
+                    && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM())
+                    && isSeen(frdFromNed, at, cell.eastM(), cell.northM() + CELL_M)
+                    && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM() + CELL_M));
     if (isNew) {
       double heightM = at.z() - ground.heightM(at.x(), at.y());
       lowestM = Math.min(lowestM, heightM);
@@ -85,8 +86,7 @@ final class SeenCells {
     double riseNorth = ground.riseNorth(east, north);
     double normal = depth + riseEast * (east - at.x()) + riseNorth * (north - at.y());
     // cosine of the angle between the ray and the normal of the ground
-    double incidence =
-        normal / Math.sqrt(1.0 + riseEast * riseEast + riseNorth * riseNorth) / away;
+    double incidence = normal / Math.sqrt(1.0 + riseEast * riseEast + riseNorth * riseNorth) / away;
     if (incidence <= 0.0) {
       return false;
     }

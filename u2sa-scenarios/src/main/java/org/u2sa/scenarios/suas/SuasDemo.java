@@ -79,9 +79,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
       description = "Air pressure that the ground station tells instead of the true one; 0: none.")
   private double toldHpa = Double.NaN;
 
-  @Option(
-      names = "--no-transponders",
-      description = "Other aircraft have no transponder.")
+  @Option(names = "--no-transponders", description = "Other aircraft have no transponder.")
   private boolean isSilent;
 
   @Option(
@@ -204,10 +202,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
             SurveyPictures.USUAL,
             placed.run(),
             new FieldPainter(
-                drawn.targets(),
-                SurveyPictures.USUAL,
-                seed,
-                mosaic.map(FieldMosaic::ground)),
+                drawn.targets(), SurveyPictures.USUAL, seed, mosaic.map(FieldMosaic::ground)),
             cells::see);
     AtomicReference<SuasStation> station = new AtomicReference<>();
     SuasJudge.Aboard aboard =

@@ -73,8 +73,7 @@ class SurveyCameraTest {
               Point.ORIGIN,
               Point.ORIGIN,
               Point.ORIGIN);
-      byte[] pixels =
-          new FieldPainter(List.of(target), OPTICS, 77L + image, ground).picture(truth);
+      byte[] pixels = new FieldPainter(List.of(target), OPTICS, 77L + image, ground).picture(truth);
       frame =
           new CameraFrame(
               kit.clock().micros(),

@@ -96,8 +96,7 @@ public final class SurveyCamera extends CameraSensor {
       return Optional.empty();
     }
     registerPublisher(Channels.IMAGES);
-    return Optional.of(
-        new CameraImages(sensorName(), showing.imageEvery(), showing.imageShrink()));
+    return Optional.of(new CameraImages(sensorName(), showing.imageEvery(), showing.imageShrink()));
   }
 
   private void onGoals(GoalList goals) {

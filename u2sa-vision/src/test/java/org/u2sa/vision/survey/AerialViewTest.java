@@ -97,6 +97,7 @@ class AerialViewTest {
 
     assertThat(seen.points().get(0).z()).isLessThan(100.0);
     assertThat(seen.points().get(1).z()).isGreaterThan(100.0);
-    assertThat(seen.resolution()).isGreaterThan(view(false).footprint(7).orElseThrow().resolution());
+    assertThat(seen.resolution())
+        .isGreaterThan(view(false).footprint(7).orElseThrow().resolution());
   }
 }
