@@ -25,7 +25,7 @@ import org.u2sa.messages.shape.ImageFootprint;
  */
 public final class SurveyMosaic {
   private static final int MAX_WAITING = 32; // images or footprints without the other
-  private static final int MAX_SIDE_PX = 8_192; // of an image
+  private static final long MAX_PIXELS = 25_000_000L; // of an image
   private static final double MAX_AWAY_DEG = 1.0;
   private static final double MAX_ANGLE_RAD = Math.toRadians(60.0); // from the vertical
 
@@ -122,7 +122,7 @@ public final class SurveyMosaic {
       ImageReader reader = readers.next();
       try {
         reader.setInput(in, true, true);
-        if (reader.getWidth(0) > MAX_SIDE_PX || reader.getHeight(0) > MAX_SIDE_PX) {
+        if ((long) reader.getWidth(0) * reader.getHeight(0) > MAX_PIXELS) {
           throw new IOException("too large");
         }
         return reader.read(0);
