@@ -28,12 +28,14 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.rightofway.RightOfWayVariables;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
+import org.u2sa.planning.survey.SurveyHeights;
 import org.u2sa.planning.survey.SurveyVariables;
 import org.u2sa.service.EventDrivenService;
 import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.terrain.HeightGrid;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
@@ -89,6 +91,7 @@ public class PathPlanner extends EventDrivenService {
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
     Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
+    Settings<SurveyVariables> survey = settings(SurveyVariables.class);
     states =
         new PlannerStates(
             List.of(
@@ -96,7 +99,14 @@ public class PathPlanner extends EventDrivenService {
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(guidance, settings(StationVariables.class)),
                 new SearchAreaState(
-                    avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines),
+                    avoidance,
+                    guidance,
+                    survey,
+                    seeing,
+                    this::lines,
+                    new SurveyHeights(
+                        HeightGrid.named(
+                            survey.get().terrain(), context.configuration()::resolve))),
                 new TakeOffState(this::lines, flight),
                 new LandingState(detour, this::lines, () -> settings.get().loiterRadius(), flight),
                 new PayloadDropState(detour, this::lines, flight)));

@@ -23,6 +23,7 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.survey.LaneLegs;
+import org.u2sa.planning.survey.SurveyHeights;
 import org.u2sa.planning.survey.SurveyVariables;
 
 /**
@@ -41,6 +42,7 @@ final class SearchAreaState implements PlannerState {
   private final Supplier<SurveyVariables> survey;
   private final Supplier<AvoidanceVariables> seeing;
   private final Supplier<LineSettings> lines;
+  private final SurveyHeights heights;
   private final Deque<LaneLegs.Leg> legs = new ArrayDeque<>();
   private PlanningPlane plane; // of the legs
   private boolean isAlong; // on its lane, after the way there
@@ -56,12 +58,14 @@ final class SearchAreaState implements PlannerState {
       WaypointGuidance guidance,
       Supplier<SurveyVariables> survey,
       Supplier<AvoidanceVariables> seeing,
-      Supplier<LineSettings> lines) {
+      Supplier<LineSettings> lines,
+      SurveyHeights heights) {
     this.avoidance = avoidance;
     this.guidance = guidance;
     this.survey = survey;
     this.seeing = seeing;
     this.lines = lines;
+    this.heights = heights;
   }
 
   @Override
@@ -232,7 +236,7 @@ final class SearchAreaState implements PlannerState {
   }
 
   private Place place(Pose pose, SearchArea area) {
-    return Place.of(plane.frame(), LaneLegs.point(area, survey.get(), plane, pose));
+    return Place.of(plane.frame(), heights.point(area, survey.get(), plane, pose));
   }
 
   /** To a pose, around what is in the way if the planner avoids anything. */

@@ -54,10 +54,15 @@ public final class RunFiles {
     }
   }
 
-  /** Attaches the file that a variable names, if it is XML. */
+  /** Whether a variable may name a file to record: XML, or a height map; no passwords or keys. */
+  public static boolean isRecorded(String value) {
+    return value.endsWith(".xml") || value.endsWith(".asc");
+  }
+
+  /** Attaches the file that a variable names, if it is one to record. */
   public void attachIfFile(Path folder, String value) {
-    if (!value.endsWith(".xml")) {
-      return; // passwords and keys must not be recorded
+    if (!isRecorded(value)) {
+      return;
     }
     try {
       Path file = folder.resolve(value);

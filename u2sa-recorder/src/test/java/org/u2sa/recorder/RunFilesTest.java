@@ -26,22 +26,25 @@ class RunFilesTest {
   }
 
   @Test
-  void system_configurationThatNamesFiles_attachesXmlOnceAndNoPasswords() throws IOException {
+  void system_configurationThatNamesFiles_attachesXmlAndMapsOnceAndNoPasswords()
+      throws IOException {
     Path system = write("system.xml", "<system/>");
     write("mission.xml", "<mission/>");
+    write("ground.asc", "ncols 2");
     write("user.password", "secret");
     Path manager =
         write(
             "Manager.xml",
             "<configuration><variable name=\"MISSION\" value=\"mission.xml\"/>"
                 + "<variable name=\"PASSWORD FILE\" value=\"user.password\"/>"
+                + "<variable name=\"TERRAIN\" value=\"ground.asc\"/>"
                 + "<variable name=\"FENCE\" value=\"missing.xml\"/></configuration>");
 
     new RunFiles(facts).system(system, List.of(manager, manager));
 
     List<RecordingFacts.Missing> missing = new ArrayList<>();
     assertThat(fileNames(facts.attachments(0, missing)))
-        .containsExactly("system.xml", "Manager.xml", "mission.xml");
+        .containsExactly("system.xml", "Manager.xml", "mission.xml", "ground.asc");
     assertThat(missing).isEmpty();
   }
 

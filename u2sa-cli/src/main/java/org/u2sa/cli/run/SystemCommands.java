@@ -19,6 +19,7 @@ import org.u2sa.cli.record.RecoverCommand;
 import org.u2sa.cli.record.ReplayCommand;
 import org.u2sa.cli.report.CompareCommand;
 import org.u2sa.cli.report.ExportCommand;
+import org.u2sa.cli.report.MosaicCommand;
 import org.u2sa.cli.report.ReportCommand;
 import org.u2sa.cli.safety.ArmingCommand;
 import org.u2sa.cli.safety.EmergencyStopCommand;
@@ -40,6 +41,7 @@ public final class SystemCommands implements CommandProvider {
             new RecoverCommand(),
             new ReplayCommand(),
             new ExportCommand(),
+            new MosaicCommand(),
             new ViewCommand(),
             new MavlinkCommand(),
             new ReportCommand(),

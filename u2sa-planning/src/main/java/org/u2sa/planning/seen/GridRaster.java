@@ -1,6 +1,5 @@
 package org.u2sa.planning.seen;
 
-import java.util.List;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 
@@ -96,15 +95,9 @@ final class GridRaster {
     return e1 + share * (e2 - e1);
   }
 
-  void drawOutside(List<PlanarShape> corridors) {
+  void draw(CorridorLayer corridors) {
     for (int i = 0; i < states.length; i++) {
-      double north = frame.centreNorthM(i);
-      double east = frame.centreEastM(i);
-      boolean inside = false;
-      for (PlanarShape corridor : corridors) {
-        inside |= corridor.distanceM(north, east) == 0.0;
-      }
-      if (!inside) {
+      if (corridors.isOutside(i)) {
         occupy(i);
       }
     }

@@ -1,5 +1,7 @@
 package org.u2sa.planning.seen;
 
+import java.util.Arrays;
+
 /**
  * Static obstacle on the planning plane: everything within a radius of points, of a chain of lines,
  * or of an area. Immutable.
@@ -96,6 +98,14 @@ public final class PlanarShape {
   public boolean reaches(double oneDownM, double otherDownM, double marginM) {
     return topDownM - marginM <= Math.max(oneDownM, otherDownM)
         && bottomDownM + marginM >= Math.min(oneDownM, otherDownM);
+  }
+
+  /** Whether another shape covers the same points, whatever its name and heights. */
+  boolean isOfSameOutline(PlanarShape other) {
+    return kind == other.kind
+        && radiusM == other.radiusM
+        && Arrays.equals(norths, other.norths)
+        && Arrays.equals(easts, other.easts);
   }
 
   /** Distance of a point from it [m]; 0 inside. */

@@ -66,6 +66,7 @@ public final class SeenWorld {
   private CostGrid costs;
   private Reading costsRead;
   private GridLayer layer; // last drawn
+  private CorridorLayer outside; // likewise
   private int revision;
   private boolean overlooks;
   private List<PlanarShape> guessed = List.of();
@@ -280,7 +281,8 @@ public final class SeenWorld {
     shapes.forEach(raster::draw);
     closed.forEach(raster::draw);
     if (!corridors.isEmpty()) {
-      raster.drawOutside(corridors);
+      outside = CorridorLayer.of(corridors, costs.frame(), outside);
+      raster.draw(outside);
     }
     return raster.states();
   }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.u2sa.messages.ObjectDescription;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.planning.curve.Pose;
@@ -89,7 +88,7 @@ public final class LaneLegs {
     return LedgerCells.of(area, objects);
   }
 
-  /** Altitude at which an area is flown over [m above mean sea level]. */
+  /** Altitude at which a level area is flown over [m above mean sea level]. */
   public static double altitudeM(SearchArea area, SurveyVariables survey) {
     double height = survey.surveyHeight() * area.resolution() * survey.surveyFocalLength();
     double highest = area.highest().orElse(Double.POSITIVE_INFINITY);
@@ -147,13 +146,5 @@ public final class LaneLegs {
       legs.add(new Leg(lane, survey.surveyLeadIn()));
     }
     return legs;
-  }
-
-  /** A point at the altitude of an area, in the frame of the plane. */
-  public static Point point(
-      SearchArea area, SurveyVariables survey, PlanningPlane plane, Pose pose) {
-    double altitude = altitudeM(area, survey);
-    Point at = plane.point(pose.northM(), pose.eastM(), -altitude);
-    return plane.onEarth() ? Point.of(at.x(), at.y(), altitude) : at;
   }
 }

@@ -24,4 +24,11 @@ public record SurveyVariables(
     @Variable(min = 1, max = 50, ifAbsent = 8)
         @Description(
             "Number of times that what is missing is flown over before the goal is given up.")
-        int surveyPasses) {}
+        int surveyPasses,
+    @Variable(min = 0.01, max = 1, ifAbsent = 0.1)
+        @Description("Slope that the vehicle climbs and descends to follow TERRAIN.")
+        double surveyClimb,
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Height map of the ground, an Esri ASCII grid in degrees; without it search areas are level.")
+        String terrain) {}

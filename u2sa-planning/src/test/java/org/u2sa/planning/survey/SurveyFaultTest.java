@@ -15,7 +15,7 @@ import org.u2sa.planning.seen.PlanningPlane;
 /** Areas that the camera cannot see as it should, or that are too large for one plan. */
 class SurveyFaultTest {
   private static final SurveyVariables CAMERA =
-      new SurveyVariables(1372.0, 1280.0, 0.3, 0.7, 40.0, 8);
+      new SurveyVariables(1372.0, 1280.0, 0.3, 0.7, 40.0, 8, 0.1, "");
   private static final List<Point> CORNERS =
       List.of(Point.of(0.0, 0.0, 0.0), Point.of(1000.0, 0.0, 0.0), Point.of(1000.0, 1000.0, 0.0));
 

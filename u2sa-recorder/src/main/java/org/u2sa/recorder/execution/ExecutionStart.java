@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.recorder.RunFiles;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapAttachment;
@@ -152,7 +153,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
   }
 
   private static boolean isFile(ServiceContext context, String value) throws IOException {
-    if (!value.endsWith(".xml")) {
+    if (!RunFiles.isRecorded(value)) {
       return false;
     }
     try {
@@ -255,7 +256,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
         String name = variable.attribute("name");
         String value = variable.optionalAttribute("value").orElse("");
         Path named = file.toAbsolutePath().resolveSibling(value);
-        boolean isNew = !texts.containsKey(OVERRIDE + name) && value.endsWith(".xml");
+        boolean isNew = !texts.containsKey(OVERRIDE + name) && RunFiles.isRecorded(value);
         if (isNew && Files.isRegularFile(named)) {
           otherTexts.put(OF_VARIABLE + name, value);
           otherFiles.put(OF_VARIABLE + name, Files.readAllBytes(named));

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
@@ -12,7 +13,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 /**
  * Paints what the camera sees of the field: grass with patches and noise of the pixels, and the
  * targets, each pixel as the mean of four rays. The grass is a part of one large picture, another
- * one in each image, and not fixed to the ground: nothing is to be recognised in it.
+ * one in each image, and not fixed to the ground, unless a ground is given: its colours are fixed.
  */
 final class FieldPainter {
   private static final int[] GRASS = {92, 118, 62};
@@ -21,15 +22,26 @@ final class FieldPainter {
   private static final double NOISE = 4.0; // standard deviation
   private static final int ROWS = 509; // by which images differ
   private static final int EMPTY = 5; // different images without targets
+  private static final double HORIZON = 0.05; // of a ray's part downwards
   private static final double REACH = 0.75; // of a target's side, around its middle
 
   private final List<SuasTarget> targets;
   private final SurveyPictures.Optics optics;
   private final byte[] grass;
   private final Map<Integer, byte[]> empty = new HashMap<>(); // images without targets
+  private final Optional<FieldGround> ground;
 
   FieldPainter(List<SuasTarget> targets, SurveyPictures.Optics optics, long seed) {
+    this(targets, optics, seed, Optional.empty());
+  }
+
+  FieldPainter(
+      List<SuasTarget> targets,
+      SurveyPictures.Optics optics,
+      long seed,
+      Optional<FieldGround> ground) {
     this.targets = targets;
+    this.ground = ground;
     this.optics = optics;
     Random random = new Random(seed ^ 0x5DEECE66DL);
     int wide = optics.width();
@@ -37,7 +49,7 @@ final class FieldPainter {
     grass = new byte[3 * wide * high];
     int[] patches = new int[(wide / PATCH_PX + 1) * (high / PATCH_PX + 1)];
     for (int i = 0; i < patches.length; i++) {
-      patches[i] = random.nextInt(2 * PATCH + 1) - PATCH;
+      patches[i] = ground.isPresent() ? 0 : random.nextInt(2 * PATCH + 1) - PATCH;
     }
     for (int i = 0; i < wide * high; i++) {
       int patch = i / wide / PATCH_PX * (wide / PATCH_PX + 1) + i % wide / PATCH_PX;
@@ -52,14 +64,18 @@ final class FieldPainter {
     int row = Math.floorMod(Math.round(1000.0 * truth.timeS()) * 7919L, ROWS);
     Point at = truth.position();
     double reachM = 3.0 * at.z();
-    if (targets.stream()
-        .noneMatch(each -> Math.hypot(each.eastM() - at.x(), each.northM() - at.y()) < reachM)) {
+    Optional<FieldGround> shown = ground.filter(each -> each.isSeenFrom(at));
+    if (shown.isEmpty()
+        && targets.stream()
+            .noneMatch(
+                each -> Math.hypot(each.eastM() - at.x(), each.northM() - at.y()) < reachM)) {
       return empty.computeIfAbsent(row % EMPTY, this::grassFrom);
     }
     byte[] pixels = grassFrom(row);
     Rotation nedFromFrd = truth.attitude().nedFromFrd();
+    shown.ifPresent(each -> shade(each, nedFromFrd, at, pixels));
     for (SuasTarget target : targets) {
-      paint(target, nedFromFrd, truth.position(), pixels);
+      paint(target, nedFromFrd, at, pixels);
     }
     return pixels;
   }
@@ -69,10 +85,36 @@ final class FieldPainter {
     return Arrays.copyOfRange(grass, from, from + 3 * optics.width() * optics.height());
   }
 
+  private void shade(FieldGround shown, Rotation nedFromFrd, Point at, byte[] pixels) {
+    double focal = optics.focalPx();
+    Point step = nedFromFrd.times(Point.of(0.0, 1.0 / focal, 0.0)); // of a ray, for each column
+    for (int row = 0; row < optics.height(); row++) {
+      double v = row - 0.5 * (optics.height() - 1);
+      Point first =
+          nedFromFrd.times(Point.of(-v / focal, -0.5 * (optics.width() - 1) / focal, 1.0));
+      double far = at.z();
+      for (int column = 0; column < optics.width(); column++) {
+        double down = first.z() + column * step.z();
+        if (down > HORIZON) {
+          double right = first.y() + column * step.y();
+          double ahead = first.x() + column * step.x();
+          far = shown.away(at, right / down, ahead / down, far);
+          double east = at.x() + far * right / down;
+          double north = at.y() + far * ahead / down;
+          int i = 3 * (row * optics.width() + column);
+          for (int c = 0; c < 3; c++) {
+            int value = (pixels[i + c] & 0xff) + shown.shade(c, east, north);
+            pixels[i + c] = (byte) Math.max(0, Math.min(255, value));
+          }
+        }
+      }
+    }
+  }
+
   private void paint(SuasTarget target, Rotation nedFromFrd, Point at, byte[] pixels) {
-    Point way = Point.of(target.northM() - at.y(), target.eastM() - at.x(), at.z());
+    Point way = Point.of(target.northM() - at.y(), target.eastM() - at.x(), at.z() - target.upM());
     Point frd = nedFromFrd.transposed().times(way);
-    double reachPx = optics.focalPx() * REACH * target.sideM() / at.z() + 3.0;
+    double reachPx = optics.focalPx() * REACH * target.sideM() / way.z() + 3.0;
     double column = 0.5 * (optics.width() - 1) + optics.focalPx() * frd.y() / frd.z();
     double row = 0.5 * (optics.height() - 1) - optics.focalPx() * frd.x() / frd.z();
     if (frd.z() < 1.0 || !(reachPx < optics.width())) {
@@ -96,17 +138,8 @@ final class FieldPainter {
       double u = x + 0.5 * (k % 2) - 0.25 - 0.5 * (optics.width() - 1);
       double v = y + 0.5 * (k / 2) - 0.25 - 0.5 * (optics.height() - 1);
       Point ray = nedFromFrd.times(Point.of(-v / optics.focalPx(), u / optics.focalPx(), 1.0));
-      double north = at.y() + at.z() / ray.z() * ray.x() - target.northM();
-      double east = at.x() + at.z() / ray.z() * ray.y() - target.eastM();
-      double cos = Math.cos(target.headingRad());
-      double sin = Math.sin(target.headingRad());
-      double up = (north * cos + east * sin) / target.sideM();
-      double right = (east * cos - north * sin) / target.sideM();
-      int[] paint = null;
-      if (TargetLook.isOn(target.shape(), right, up)) {
-        boolean ink = BlockLetters.isInk(target.letter(), right, up);
-        paint = TargetLook.rgb(ink ? target.letterColour() : target.colour());
-      }
+      double far = (at.z() - target.upM()) / ray.z();
+      int[] paint = target.paint(at.x() + far * ray.y(), at.y() + far * ray.x());
       for (int c = 0; c < 3; c++) {
         sum[c] += paint == null ? pixels[i + c] & 0xff : paint[c];
       }

@@ -5,6 +5,7 @@ import java.util.List;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Terrain;
 
 /**
  * The judge's own record of what was truly seen: cells of 5 m of which all corners were in one
@@ -19,12 +20,16 @@ final class SeenCells {
 
   private final SurveyPictures.Optics optics;
   private final double resolutionM;
+  private final Terrain ground;
+  private double lowestM = Double.POSITIVE_INFINITY;
+  private double highestM = Double.NEGATIVE_INFINITY;
   private final List<Cell> missing = new ArrayList<>();
   private final int all;
 
   SeenCells(SuasField field, SurveyPictures.Optics optics) {
     this.optics = optics;
     resolutionM = field.resolutionM();
+    ground = field.ground();
     List<Point> area = field.searchArea();
     if (area.isEmpty()) {
       all = 0;
@@ -49,18 +54,25 @@ final class SeenCells {
     Rotation frdFromNed = truth.attitude().nedFromFrd().transposed();
     Point at = truth.position();
     double reach = 3.0 * at.z();
-    missing.removeIf(
-        cell ->
-            Math.abs(cell.eastM() - at.x()) < reach
-                && Math.abs(cell.northM() - at.y()) < reach
-                && isSeen(frdFromNed, at, cell.eastM(), cell.northM())
-                && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM())
-                && isSeen(frdFromNed, at, cell.eastM(), cell.northM() + CELL_M)
-                && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM() + CELL_M));
+    boolean isNew =
+        missing.removeIf(
+            cell ->
+                Math.abs(cell.eastM() - at.x()) < reach
+                    && Math.abs(cell.northM() - at.y()) < reach
+                    && isSeen(frdFromNed, at, cell.eastM(), cell.northM())
+                    && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM())
+                    && isSeen(frdFromNed, at, cell.eastM(), cell.northM() + CELL_M)
+                    && isSeen(frdFromNed, at, cell.eastM() + CELL_M, cell.northM() + CELL_M));
+    if (isNew) {
+      double heightM = at.z() - ground.heightM(at.x(), at.y());
+      lowestM = Math.min(lowestM, heightM);
+      highestM = Math.max(highestM, heightM);
+    }
   }
 
   private boolean isSeen(Rotation frdFromNed, Point at, double east, double north) {
-    Point frd = frdFromNed.times(Point.of(north - at.y(), east - at.x(), at.z()));
+    double depth = at.z() - ground.heightM(east, north);
+    Point frd = frdFromNed.times(Point.of(north - at.y(), east - at.x(), depth));
     double focal = optics.focalPx();
     if (frd.z() <= 0.0
         || Math.abs(frd.y() / frd.z()) > 0.5 * (optics.width() - 1) / focal
@@ -70,10 +82,27 @@ final class SeenCells {
     // A pixel is 1 / focal wide at depth 1: rays of neighbouring pixels, by finite differences.
     double away = frd.distance();
     double offAxis = frd.z() / away; // cosine
-    double incidence = at.z() / away; // cosine of the angle on the ground
+    double riseEast = ground.riseEast(east, north);
+    double riseNorth = ground.riseNorth(east, north);
+    double normal = depth + riseEast * (east - at.x()) + riseNorth * (north - at.y());
+    // cosine of the angle between the ray and the normal of the ground
+    double incidence = normal / Math.sqrt(1.0 + riseEast * riseEast + riseNorth * riseNorth) / away;
+    if (incidence <= 0.0) {
+      return false;
+    }
     double stretched = away * offAxis * offAxis / focal / incidence;
     double flat = away * offAxis / focal;
     return Math.max(stretched, flat) <= resolutionM;
+  }
+
+  /** Least height above the ground of an image that showed a cell for the first time [m]. */
+  double lowestM() {
+    return lowestM;
+  }
+
+  /** Greatest such height [m]. */
+  double highestM() {
+    return highestM;
   }
 
   /** Share of the cells that were seen, 0…1. */

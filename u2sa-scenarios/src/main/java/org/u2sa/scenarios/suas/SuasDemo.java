@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
+import org.u2sa.device.RadarSensor;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.frame.Point;
@@ -78,6 +79,27 @@ final class SuasDemo implements Callable<Integer>, Demo {
       description = "Air pressure that the ground station tells instead of the true one; 0: none.")
   private double toldHpa = Double.NaN;
 
+  @Option(names = "--no-transponders", description = "Other aircraft have no transponder.")
+  private boolean isSilent;
+
+  @Option(
+      names = "--radar",
+      description = "The aircraft has a radar, besides its receiver of transponders.")
+  private boolean hasRadar;
+
+  @Option(
+      names = "--hills",
+      paramLabel = "M",
+      description = "Hills of this height at the search area, of which the aircraft has a map.")
+  private double hillsM;
+
+  @Option(
+      names = "--mosaic",
+      paramLabel = "M",
+      description =
+          "Make a mosaic of the search area on the ground, with pixels of this size [m], mosaic.png.")
+  private double mosaicM;
+
   private SuasField field; // of the newest run
 
   @Override
@@ -126,7 +148,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
     return field == null
         ? Surroundings.none()
         : new Surroundings(
-            SimulatedWorld.surroundings(field.world(), SuasJudge.RUN_S).objects(),
+            SimulatedWorld.surroundings(field.world(true), SuasJudge.RUN_S).objects(),
             0.0,
             field.areas());
   }
@@ -152,7 +174,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
 
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
-    SuasField all = SuasFieldGenerator.field(seed, windMps);
+    SuasField level = SuasFieldGenerator.field(seed, windMps);
+    SuasField all = hillsM > 0.0 ? level.on(SuasHills.of(level, hillsM)) : level;
     SuasField drawn = laps > 1 ? all.inLaps(laps) : all;
     field = drawn;
     Mission mission =
@@ -165,23 +188,29 @@ final class SuasDemo implements Callable<Integer>, Demo {
             changes.load(
                 system().resolveSibling("vehicle.xml"),
                 Map.of("barometer/qnh", String.valueOf(drawn.qnhPa()))),
-            drawn.world(),
+            drawn.world(!isSilent),
             start,
             drawn.runwayRad(),
             seed);
+    Optional<FieldMosaic> mosaic =
+        mosaicM > 0.0 && !drawn.searchArea().isEmpty()
+            ? Optional.of(new FieldMosaic(drawn, mosaicM, directory.resolve("mosaic.png")))
+            : Optional.empty();
     SeenCells cells = new SeenCells(drawn, SurveyPictures.USUAL);
     SurveyPictures camera =
         new SurveyPictures(
             SurveyPictures.USUAL,
             placed.run(),
-            new FieldPainter(drawn.targets(), SurveyPictures.USUAL, seed),
+            new FieldPainter(
+                drawn.targets(), SurveyPictures.USUAL, seed, mosaic.map(FieldMosaic::ground)),
             cells::see);
     AtomicReference<SuasStation> station = new AtomicReference<>();
     SuasJudge.Aboard aboard =
         new SuasJudge.Aboard(
             () -> placed.devices().switchPercent("RELEASE") > 50.0,
             () -> station.get().isUp(),
-            () -> station.get().changes());
+            () -> station.get().changes(),
+            () -> mosaic.map(FieldMosaic::figures).orElse(Map.of()));
     return placed.trial(
         mission,
         placed.name(),
@@ -194,6 +223,17 @@ final class SuasDemo implements Callable<Integer>, Demo {
                 station.set(new SuasStation(context, script(drawn)));
                 return station.get();
               });
+          if (hasRadar) {
+            launch.beside(
+                XmlConfiguration.load(system().resolveSibling("RadarSensor.xml")),
+                RadarSensor::new);
+          }
+          if (hillsM > 0.0) {
+            Path map = SuasHills.write(drawn, directory.resolve("heights.asc")).toAbsolutePath();
+            launch.override("PathPlanner", "TERRAIN", map.toString());
+            launch.override("SurveyCamera", "TERRAIN", map.toString());
+          }
+          mosaic.ifPresent(each -> each.start(launch));
           launch.override("WorldModeler", "WORLD", world.toAbsolutePath().toString());
           launch.override("SafetyManager", "FENCE", fence.toAbsolutePath().toString());
         });

@@ -11,11 +11,11 @@ import org.u2sa.report.score.Surroundings;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.ScriptedMover;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
- * A field of the competition. Places are east, north, up of the middle of the runway [m]; the
- * ground is level.
+ * A field of the competition. Places are east, north, up of the middle of the runway [m].
  *
  * @param runwayRad direction of take-off and landing, clockwise from north [rad]
  * @param boundary corners of the area that may not be left
@@ -32,6 +32,7 @@ import org.u2sa.sim.world.World;
  * @param drop where the bottle is to land
  * @param qnhPa air pressure at sea level [Pa]
  * @param seed of gusts
+ * @param ground its heights; level at the runway and the drop
  */
 record SuasField(
     double runwayRad,
@@ -48,7 +49,8 @@ record SuasField(
     double windFromRad,
     Point drop,
     double qnhPa,
-    long seed) {
+    long seed,
+    Terrain ground) {
   /** Place of the competition of 2025: St. Mary's County airport, Maryland. */
   static final Geodetic ORIGIN = new Geodetic(-76.55578, 38.31633, 43.3);
 
@@ -77,22 +79,35 @@ record SuasField(
     for (int i = 0; i < laps; i++) {
       all.addAll(waypoints);
     }
+    return with(all, List.of(), List.of(), ground);
+  }
+
+  /** The same on other ground. */
+  SuasField on(Terrain hills) {
+    List<SuasTarget> raised = new ArrayList<>();
+    targets.forEach(each -> raised.add(each.up(hills.heightM(each.eastM(), each.northM()))));
+    return with(waypoints, searchArea, raised, hills);
+  }
+
+  private SuasField with(
+      List<Point> places, List<Point> area, List<SuasTarget> things, Terrain below) {
     return new SuasField(
         runwayRad,
         boundary,
         floorM,
         ceilingM,
-        List.copyOf(all),
+        List.copyOf(places),
         pillars,
-        List.of(),
+        area,
         resolutionM,
-        List.of(),
+        List.copyOf(things),
         traffic,
         windMps,
         windFromRad,
         drop,
         qnhPa,
-        seed);
+        seed,
+        below);
   }
 
   /** Converts between the field and the earth. */
@@ -143,6 +158,10 @@ record SuasField(
 
   /** The other aircraft. */
   List<ScriptedMover> movers() {
+    return movers(true);
+  }
+
+  private List<ScriptedMover> movers(boolean transponders) {
     List<ScriptedMover> movers = new ArrayList<>();
     for (Traffic each : traffic) {
       Sphere body =
@@ -162,14 +181,21 @@ record SuasField(
               ScriptedMover.End.RETURN,
               0.0,
               false,
-              true));
+              transponders));
     }
     return movers;
   }
 
-  /** The world of the run. The pillars are virtual: whoever flies through one only loses points. */
-  World world() {
-    return World.at(ORIGIN).withMovers(movers()).with(Wind.gusty(windFromRad, windMps, seed));
+  /**
+   * The world of the run. The pillars are virtual: whoever flies through one only loses points.
+   *
+   * @param transponders whether other aircraft have them
+   */
+  World world(boolean transponders) {
+    return World.at(ORIGIN)
+        .with(ground)
+        .withMovers(movers(transponders))
+        .with(Wind.gusty(windFromRad, windMps, seed));
   }
 
   /** Whether a place lies in a polygon of the field. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.world.Terrain;
 
 /**
  * Draws fields by the rules: 10 to 14 waypoints, a concave search area of 7 to 11 ha with targets,
@@ -67,7 +68,8 @@ final class SuasFieldGenerator {
         windFromRad,
         drop(),
         between(99_000.0, 103_000.0),
-        seed);
+        seed,
+        Terrain.flat());
   }
 
   private double between(double least, double most) {
@@ -210,6 +212,7 @@ final class SuasFieldGenerator {
             new SuasTarget(
                 east,
                 north,
+                0.0,
                 between(1.2, 1.6),
                 between(0.0, 2.0 * Math.PI),
                 SHAPES[random.nextInt(SHAPES.length)],

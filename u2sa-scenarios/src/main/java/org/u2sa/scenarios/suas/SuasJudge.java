@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntSupplier;
+import java.util.function.Supplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
@@ -73,8 +74,13 @@ final class SuasJudge implements TruthObserver.Scorer {
    * @param released whether the bottle has been let go
    * @param hears whether telemetry arrives at the ground station
    * @param changes of the mission that were made in flight
+   * @param figures of a mosaic, if one is made
    */
-  record Aboard(BooleanSupplier released, BooleanSupplier hears, IntSupplier changes) {}
+  record Aboard(
+      BooleanSupplier released,
+      BooleanSupplier hears,
+      IntSupplier changes,
+      Supplier<Map<String, Double>> figures) {}
 
   SuasJudge(SuasField field, SeenCells cells, Aboard aboard, Path directory) {
     this.field = field;
@@ -287,10 +293,15 @@ final class SuasJudge implements TruthObserver.Scorer {
     counts.put("corrections", corrections);
     Map<String, Double> figures = new LinkedHashMap<>(sheet.figures());
     figures.put("areaSeen", cells.share());
+    if (cells.highestM() > 0.0) {
+      figures.put("surveyHeightLeastM", cells.lowestM());
+      figures.put("surveyHeightGreatestM", cells.highestM());
+    }
     figures.put("longestTelemetryGapS", longestGapS);
     if (isReleased) {
       figures.put("dropErrorM", dropM);
     }
+    figures.putAll(aboard.figures().get());
     ReportFile.writeText(
         directory.resolve("judge.log"), out -> out.write(String.join("\n", log) + "\n"));
     return new RunOutcome(0, false, violations, counts, figures);

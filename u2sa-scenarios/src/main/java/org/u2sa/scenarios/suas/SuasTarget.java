@@ -13,6 +13,7 @@ import java.util.Locale;
 record SuasTarget(
     double eastM,
     double northM,
+    double upM,
     double sideM,
     double headingRad,
     String shape,
@@ -20,6 +21,26 @@ record SuasTarget(
     String letter,
     String letterColour) {
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+
+  /** The same at another height. */
+  SuasTarget up(double metres) {
+    return new SuasTarget(
+        eastM, northM, metres, sideM, headingRad, shape, colour, letter, letterColour);
+  }
+
+  /** Colour at a place, red, green, blue; null beside the target. */
+  int[] paint(double atEastM, double atNorthM) {
+    double north = atNorthM - northM;
+    double east = atEastM - eastM;
+    double cos = Math.cos(headingRad);
+    double sin = Math.sin(headingRad);
+    double up = (north * cos + east * sin) / sideM;
+    double right = (east * cos - north * sin) / sideM;
+    if (!TargetLook.isOn(shape, right, up)) {
+      return null;
+    }
+    return TargetLook.rgb(BlockLetters.isInk(letter, right, up) ? letterColour : colour);
+  }
 
   /** The letter's top as a point of the compass. */
   String orientation() {

@@ -48,6 +48,7 @@ final class TargetLessons {
         new SuasTarget(
             1.0 - 2.0 * random.nextDouble(),
             1.0 - 2.0 * random.nextDouble(),
+            0.0,
             1.2 + 0.4 * random.nextDouble(),
             2.0 * Math.PI * random.nextDouble(),
             shape,

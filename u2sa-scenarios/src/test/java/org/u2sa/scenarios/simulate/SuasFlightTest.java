@@ -199,4 +199,72 @@ class SuasFlightTest {
     assertThat(end.fromM(20, 0)).isLessThan(1.0);
     assertThat(end.altitudeM()).isLessThan(TAKES_OFF_M + 0.5);
   }
+
+  /** Nearest distance from an aircraft without a transponder that comes down the leg [m]. */
+  private double nearestM(boolean hasRadar) throws IOException {
+    Path own = Repository.root().resolve("config/suas/plane");
+    String radar =
+        hasRadar
+            ? "<service class=\"org.u2sa.device.RadarSensor\" configuration=\"RadarSensor.xml\"/>"
+            : "";
+    Path system = folder.resolve("system.xml");
+    Files.writeString(
+        system,
+        Files.readString(own.resolve("system-competition.xml"))
+            .replaceFirst("<service class=\"[^\"]*SurveyCamera\"[^>]*>", radar)
+            .replace("configuration=\"", "configuration=\"" + own + "/"));
+    Path world = folder.resolve("silent.xml");
+    Geodetic from = FIELD.fromNed(Point.of(1500.0, 0.0, 0.0));
+    Geodetic to = FIELD.fromNed(Point.of(-500.0, 0.0, 0.0));
+    String at = "<referenceFrame>Global</referenceFrame><x>%.7f</x><y>%.7f</y><z>%.1f</z>";
+    Files.writeString(
+        world,
+        "<world><mover><sphere><uid>silent</uid>"
+            + String.format(at, from.longitudeDeg(), from.latitudeDeg(), TAKES_OFF_M + 90.0)
+            + "<radius>2</radius></sphere><waypoint>"
+            + String.format("<x>%.7f</x><y>%.7f</y>", to.longitudeDeg(), to.latitudeDeg())
+            + "</waypoint><speed>20</speed></mover></world>");
+    Path mission = folder.resolve("north.xml");
+    Files.writeString(
+        mission,
+        "<mission><home><x>-76.55578</x><y>38.31633</y><z>43.28</z><psi>0</psi></home>"
+            + place("takeOff", 200.0, 0.0, 60.0, "")
+            + place("waypoint", 1300.0, 0.0, 90.0, "")
+            + "</mission>");
+    Path out = folder.resolve(hasRadar ? "radar" : "blind");
+    CommandLineRun run =
+        CommandLineRun.of(
+            "simulate",
+            system.toString(),
+            "--vehicle",
+            own.resolve("vehicle.xml").toString(),
+            "--mission",
+            mission.toString(),
+            "--world",
+            world.toString(),
+            "--seed",
+            "5",
+            "--limit",
+            "55",
+            "--port",
+            "0",
+            "--out",
+            out.toString());
+    assertThat(run.exitCode()).as(run.out() + run.err()).isNotEqualTo(2);
+    double nearest = Double.POSITIVE_INFINITY;
+    for (String line : Files.readAllLines(out.resolve("track.csv")).stream().skip(1).toList()) {
+      double timeS = Double.parseDouble(line.substring(0, line.indexOf(',')));
+      Row row = Row.of(line);
+      double north = row.ned().x() - (1500.0 - 20.0 * timeS);
+      double up = row.altitudeM() - TAKES_OFF_M - 90.0;
+      nearest = Math.min(nearest, Math.hypot(Math.hypot(north, row.ned().y()), up));
+    }
+    return nearest;
+  }
+
+  @Test
+  void plane_aircraftWithoutTransponder_keepsItsDistanceOnlyWithRadar() throws IOException {
+    assertThat(nearestM(false)).isLessThan(50.0);
+    assertThat(nearestM(true)).isGreaterThan(50.0);
+  }
 }

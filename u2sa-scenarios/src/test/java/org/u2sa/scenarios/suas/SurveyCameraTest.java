@@ -3,6 +3,7 @@ package org.u2sa.scenarios.suas;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.device.port.Camera;
@@ -16,7 +17,10 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.shape.ImageFootprint;
+import org.u2sa.report.mosaic.MosaicGrid;
+import org.u2sa.report.mosaic.SurveyMosaic;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.testkit.ServiceKit;
 import org.u2sa.vision.survey.SurveyCamera;
 import org.u2sa.vision.survey.SurveyTarget;
@@ -28,6 +32,7 @@ class SurveyCameraTest {
   private static final double UP_M = 52.0;
 
   private CameraFrame frame; // the newest
+  private Optional<FieldGround> ground = Optional.empty();
 
   private Camera camera() {
     return new Camera() {
@@ -68,7 +73,7 @@ class SurveyCameraTest {
               Point.ORIGIN,
               Point.ORIGIN,
               Point.ORIGIN);
-      byte[] pixels = new FieldPainter(List.of(target), OPTICS, 77L + image).picture(truth);
+      byte[] pixels = new FieldPainter(List.of(target), OPTICS, 77L + image, ground).picture(truth);
       frame =
           new CameraFrame(
               kit.clock().micros(),
@@ -122,6 +127,36 @@ class SurveyCameraTest {
           .hasSizeGreaterThan(targets);
       assertThat((double) right / targets).isGreaterThanOrEqualTo(0.9);
     }
+  }
+
+  @Test
+  void look_imagesPublished_makeAMosaicWithColoursAndPlacesOfTheTruth() {
+    SuasTarget target = SuasFieldGenerator.field(505, 0.0).targets().get(0);
+    Point middle = Point.of(target.eastM(), target.northM(), 0.0);
+    List<Point> square =
+        List.of(
+            middle.plus(Point.of(-3.0, -3.0, 0.0)),
+            middle.plus(Point.of(3.0, -3.0, 0.0)),
+            middle.plus(Point.of(3.0, 3.0, 0.0)),
+            middle.plus(Point.of(-3.0, 3.0, 0.0)));
+    List<Geodetic> corners =
+        square.stream().map(at -> SuasField.plane().at(at.x(), at.y(), 0.0)).toList();
+    SurveyMosaic mosaic = new SurveyMosaic(MosaicGrid.around(corners, 0.1, 2.0));
+    ground = Optional.of(new FieldGround(square, List.of(target), Terrain.flat(), 505));
+    try (ServiceKit kit =
+        new ServiceKit().with("MOUNTED PITCH", -Math.PI / 2.0).with("IMAGE EVERY", 0.5)) {
+      kit.start(context -> new SurveyCamera(context, camera()));
+      look(kit, target, 3);
+      kit.published(Channels.SENSED_OBJECTS).forEach(mosaic::take);
+      assertThat(kit.published(Channels.IMAGES)).hasSize(3).allMatch(each -> each.width() == 160);
+      kit.published(Channels.IMAGES).forEach(mosaic::take);
+    }
+    assertThat(mosaic.used()).isEqualTo(3);
+    Map<String, Double> figures =
+        MosaicScore.of(mosaic, square, List.of(target), ground.orElseThrow());
+    assertThat(figures.get("mosaicShown")).isEqualTo(1.0);
+    assertThat(figures.get("mosaicTargetOffsetM")).isLessThan(0.1);
+    assertThat(figures.get("mosaicColourError")).isLessThan(6.0);
   }
 
   private static boolean isRight(SurveyTarget report, SuasTarget target) {

@@ -3,6 +3,7 @@ package org.u2sa.vision.survey;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.messages.StateInformation;
@@ -11,14 +12,18 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.shape.ImageFootprint;
+import org.u2sa.terrain.HeightGrid;
 import org.u2sa.vision.ground.CameraMount;
 
 /**
- * Geometry of one image of level ground, taken by a pinhole camera of known pose. Immutable.
+ * Geometry of one image of the ground, level or by a height map, taken by a pinhole camera of known
+ * pose. Immutable.
  *
  * <p>Camera axes are x ahead, y right, z down in the image.
  */
 final class AerialView {
+  private static final double HALF = Math.sqrt(0.5);
+  private static final int LOOKS = 6; // at the terrain; enough for gentle slopes
   private static final double MIN_SINE = 0.2; // of a ray's angle below the horizon
 
   private final Intrinsics lens;
@@ -26,13 +31,21 @@ final class AerialView {
   private final int height;
   private final Geodetic camera;
   private final Rotation nedFromCamera;
-  private final double groundM; // altitude
+  private final double groundM; // altitude of level ground
+  private final Optional<HeightGrid> terrain;
 
   /**
    * @param state in GLOBAL, with altitude and attitude
-   * @param groundM altitude of the ground above mean sea level
+   * @param groundM altitude of the ground above mean sea level where there is no terrain
+   * @param terrain height map, if there is one
    */
-  AerialView(CameraFrame frame, CameraMount mount, StateInformation state, double groundM) {
+  AerialView(
+      CameraFrame frame,
+      CameraMount mount,
+      StateInformation state,
+      double groundM,
+      Optional<HeightGrid> terrain) {
+    this.terrain = terrain;
     lens = frame.intrinsics().orElseThrow();
     width = frame.width();
     height = frame.height();
@@ -58,26 +71,55 @@ final class AerialView {
   /** Place on the ground that a pixel shows; empty near the horizon and above. */
   Optional<Geodetic> ground(double column, double row) {
     Point ray = ray(column, row);
-    double heightM = camera.altitudeM() - groundM;
-    if (heightM <= 0.0 || ray.z() < MIN_SINE * ray.distance()) {
+    if (ray.z() < MIN_SINE * ray.distance()) {
+      return Optional.empty();
+    }
+    Optional<Geodetic> place = at(ray, groundM);
+    for (int i = 0; i < LOOKS && terrain.isPresent() && place.isPresent(); i++) {
+      place = at(ray, terrain.get().altitudeM(place.get()).orElse(groundM));
+    }
+    return place;
+  }
+
+  /** Where a ray passes an altitude; empty if the camera is not above it. */
+  private Optional<Geodetic> at(Point ray, double altitudeM) {
+    double heightM = camera.altitudeM() - altitudeM;
+    if (heightM <= 0.0) {
       return Optional.empty();
     }
     Point way = ray.times(heightM / ray.z());
     Geodetic flat = camera.fromNed(Point.of(way.x(), way.y(), 0.0));
-    return Optional.of(new Geodetic(flat.longitudeDeg(), flat.latitudeDeg(), groundM));
+    return Optional.of(new Geodetic(flat.longitudeDeg(), flat.latitudeDeg(), altitudeM));
   }
 
   /**
    * Ground resolution at a pixel, in the worse direction [m per pixel]: a pixel's angle cos²ε / f
-   * away from the optical axis, spread by the slant of the ray.
+   * away from the optical axis, spread by the slant of the ray; on terrain, by the places of the
+   * pixels around it.
    */
   double resolutionM(double column, double row) {
+    if (terrain.isPresent()) {
+      return Math.max(
+          Math.max(apartM(column, row, 1.0, 0.0), apartM(column, row, 0.0, 1.0)),
+          Math.max(apartM(column, row, HALF, HALF), apartM(column, row, HALF, -HALF)));
+    }
     Point ray = ray(column, row);
     double length = ray.distance(); // 1 / cos ε
     double slant = (camera.altitudeM() - groundM) * length / ray.z();
     double along = slant / (length * length) / (ray.z() / length);
     double across = slant / length;
     return Math.max(along, across) / Math.min(lens.focalX(), lens.focalY());
+  }
+
+  /** Ground per pixel along a direction in the image [m]; infinite if it shows the horizon. */
+  private double apartM(double column, double row, double right, double down) {
+    double px = 4.0;
+    Optional<Geodetic> one = ground(column - px * right, row - px * down);
+    Optional<Geodetic> other = ground(column + px * right, row + px * down);
+    if (one.isEmpty() || other.isEmpty()) {
+      return Double.POSITIVE_INFINITY;
+    }
+    return one.get().nedOf(other.get()).distance() / (2.0 * px);
   }
 
   /** Angle of a pixel's ray from the vertical [rad]. */
@@ -109,7 +151,9 @@ final class AerialView {
     }
     ImageFootprint shown =
         new ImageFootprint().image(image).resolution(resolution).angle(angle).points(outline);
-    shown.x(camera.longitudeDeg()).y(camera.latitudeDeg()).z(groundM);
+    OptionalDouble altitude =
+        terrain.isPresent() ? terrain.get().altitudeM(camera) : OptionalDouble.empty();
+    shown.x(camera.longitudeDeg()).y(camera.latitudeDeg()).z(altitude.orElse(groundM));
     return Optional.of(shown);
   }
 }

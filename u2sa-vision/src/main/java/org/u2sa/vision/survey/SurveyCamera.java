@@ -9,6 +9,8 @@ import org.u2sa.device.MountingPose;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.StateInformation;
@@ -19,15 +21,30 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.service.ServiceContext;
+import org.u2sa.terrain.HeightGrid;
+import org.u2sa.vision.camera.CameraImages;
 import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
  * A camera that looks down, while a search area is current: publishes which ground each image
  * shows, and, when the area has been searched, the targets that it found. In: state, goals. Out:
- * sensed-objects, survey-targets. Thesis 4.4.1.1, 4.4.1.3.
+ * sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set. Thesis
+ * 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
+  private record Variables(
+      @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
+          @Description("Interval of JPEG pictures published on images; 0: none are published.")
+          double imageEvery,
+      @Variable(min = 1, max = 16, ifAbsent = 2)
+          @Description("Pixels of the camera along each side that become one of these pictures.")
+          int imageShrink,
+      @Variable(ifAbsentText = "")
+          @Description(
+              "Height map of the ground, an Esri ASCII grid in degrees; without it search areas are level.")
+          String terrain) {}
+
   private static final int MAX_WAITING = 8; // images for the state of their time
   private static final double MIN_M = 0.7; // of a target
   private static final double MAX_M = 2.8;
@@ -40,6 +57,8 @@ public final class SurveyCamera extends CameraSensor {
   private final CameraMount mount;
   private final TargetLog targets = new TargetLog();
   private final TargetModel model = TargetModel.shipped();
+  private final Optional<CameraImages> pictures; // empty: not published
+  private final Optional<HeightGrid> terrain;
   private Optional<SearchArea> area = Optional.empty();
   private long images;
   private long withoutState;
@@ -48,12 +67,20 @@ public final class SurveyCamera extends CameraSensor {
   public SurveyCamera(ServiceContext context) {
     super(context, "SurveyCamera");
     mount = listen();
+    pictures = pictures();
+    terrain =
+        HeightGrid.named(
+            settings(Variables.class).get().terrain(), context.configuration()::resolve);
   }
 
   /** Uses the given camera, e.g. a simulated one. */
   public SurveyCamera(ServiceContext context, Camera camera) {
     super(context, "SurveyCamera", camera);
     mount = listen();
+    pictures = pictures();
+    terrain =
+        HeightGrid.named(
+            settings(Variables.class).get().terrain(), context.configuration()::resolve);
   }
 
   private CameraMount listen() {
@@ -61,6 +88,15 @@ public final class SurveyCamera extends CameraSensor {
     subscribe(Channels.GOALS, this::onGoals);
     registerPublisher(SurveyTarget.CHANNEL);
     return CameraMount.of(settings(MountingPose.class).get(), 0.0);
+  }
+
+  private Optional<CameraImages> pictures() {
+    Variables showing = settings(Variables.class).get();
+    if (showing.imageEvery() == 0.0) {
+      return Optional.empty();
+    }
+    registerPublisher(Channels.IMAGES);
+    return Optional.of(new CameraImages(sensorName(), showing.imageEvery(), showing.imageShrink()));
   }
 
   private void onGoals(GoalList goals) {
@@ -120,7 +156,7 @@ public final class SurveyCamera extends CameraSensor {
   }
 
   private void see(CameraFrame frame, StateInformation state, SearchArea current) {
-    AerialView view = new AerialView(frame, mount, state, current.ground());
+    AerialView view = new AerialView(frame, mount, state, current.ground(), terrain);
     Optional<ImageFootprint> shown = view.footprint(++images);
     if (shown.isEmpty()) {
       return;
@@ -130,11 +166,20 @@ public final class SurveyCamera extends CameraSensor {
     footprint.level(ObjectLevel.HINDRANCE);
     footprint.timestamp(frame.measuredAtMicros());
     publish(Channels.SENSED_OBJECTS, footprint);
+    show(frame);
     if (frame.format() == CameraFrame.PixelFormat.RGB24) {
       double pixelM = view.resolutionM(0.5 * frame.width(), 0.5 * frame.height());
       for (TargetPatch patch : TargetFinder.in(frame, MIN_M / pixelM, MAX_M / pixelM)) {
         find(frame, view, patch);
       }
+    }
+  }
+
+  private void show(CameraFrame frame) {
+    try {
+      pictures.flatMap(each -> each.of(frame)).ifPresent(each -> publish(Channels.IMAGES, each));
+    } catch (IllegalArgumentException e) {
+      trouble("a picture of " + frame + " to publish: " + e.getMessage());
     }
   }
 

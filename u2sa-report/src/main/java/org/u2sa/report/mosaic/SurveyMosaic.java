@@ -1,0 +1,165 @@
+package org.u2sa.report.mosaic;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageInputStream;
+import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
+import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.ImageFootprint;
+
+/**
+ * Joins images and their footprints, by sensor and time of exposure, to a mosaic. The ground within
+ * an image counts as a plane. Not thread-safe.
+ */
+public final class SurveyMosaic {
+  private static final int MAX_WAITING = 32; // images or footprints without the other
+  private static final long MAX_PIXELS = 25_000_000L; // of an image
+  private static final double MAX_AWAY_DEG = 1.0;
+  private static final double MAX_ANGLE_RAD = Math.toRadians(60.0); // from the vertical
+
+  private final MosaicGrid grid;
+  private final UtmGrid utm;
+  private final Geodetic middle;
+  private final MosaicCanvas canvas;
+  private final Map<String, U2SAData> waiting = new LinkedHashMap<>();
+  private int used;
+  private int refused;
+
+  /**
+   * @param grid its pixels
+   */
+  public SurveyMosaic(MosaicGrid grid) {
+    this.grid = grid;
+    utm = new UtmGrid(grid.frame());
+    middle = utm.place(Point.of(grid.eastM(grid.columns() / 2), grid.northM(grid.rows() / 2), 0.0));
+    canvas = new MosaicCanvas(grid);
+  }
+
+  /** Whether an image is seen steeply enough, in GLOBAL, to be used. */
+  static boolean isUsable(ImageFootprint footprint) {
+    return footprint.referenceFrame().equals(ReferenceFrame.GLOBAL)
+        && footprint.points().size() == 4
+        && footprint.angle() <= MAX_ANGLE_RAD;
+  }
+
+  /** Takes an image or a footprint; other messages are ignored. */
+  public void take(U2SAData message) {
+    if (message instanceof CameraImage image) {
+      pair(image.sensorName() + " " + image.timestamp(), message);
+    } else if (message instanceof ImageFootprint footprint && isUsable(footprint)) {
+      pair(footprint.sensorName() + " " + footprint.timestamp(), message);
+    }
+  }
+
+  private void pair(String key, U2SAData message) {
+    U2SAData other = waiting.remove(key);
+    if (other instanceof CameraImage image && message instanceof ImageFootprint footprint) {
+      draw(image, footprint);
+    } else if (other instanceof ImageFootprint footprint && message instanceof CameraImage image) {
+      draw(image, footprint);
+    } else {
+      waiting.put(key, message);
+      if (waiting.size() > MAX_WAITING) {
+        waiting.remove(waiting.keySet().iterator().next());
+      }
+    }
+  }
+
+  private void draw(CameraImage image, ImageFootprint footprint) {
+    if (footprint.points().stream().anyMatch(this::isFar)) {
+      refused++;
+      return;
+    }
+    double[] xs = new double[4];
+    double[] ys = new double[4];
+    for (int i = 0; i < 4; i++) {
+      Point at = utm.grid(Geodetic.of(footprint.points().get(i)));
+      xs[i] = at.x();
+      ys[i] = at.y();
+    }
+    try {
+      BufferedImage pixels = decoded(image);
+      int width = pixels.getWidth();
+      int height = pixels.getHeight();
+      Optional<ImageProjection> projection = ImageProjection.of(xs, ys, width, height);
+      if (projection.isPresent()) {
+        int[] rgb = pixels.getRGB(0, 0, width, height, null, 0, width);
+        canvas.draw(rgb, width, height, projection.get(), xs, ys);
+        used++;
+        return;
+      }
+    } catch (IOException e) {
+      // counted like an image that shows no ground: one damaged image must not cost the mosaic
+    }
+    refused++;
+  }
+
+  /** Whether a place is so far away that the zone's projection does not hold. */
+  private boolean isFar(Point place) {
+    return !(Math.abs(place.x() - middle.longitudeDeg()) < MAX_AWAY_DEG
+        && Math.abs(place.y() - middle.latitudeDeg()) < MAX_AWAY_DEG);
+  }
+
+  private static BufferedImage decoded(CameraImage image) throws IOException {
+    try (ImageInputStream in =
+        new MemoryCacheImageInputStream(new ByteArrayInputStream(image.data().toBytes()))) {
+      Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+      if (!readers.hasNext()) {
+        throw new IOException("no image");
+      }
+      ImageReader reader = readers.next();
+      try {
+        reader.setInput(in, true, true);
+        if ((long) reader.getWidth(0) * reader.getHeight(0) > MAX_PIXELS) {
+          throw new IOException("too large");
+        }
+        return reader.read(0);
+      } catch (RuntimeException e) { // decoders throw these for damaged files
+        throw new IOException("damaged", e);
+      } finally {
+        reader.dispose();
+      }
+    }
+  }
+
+  public MosaicGrid grid() {
+    return grid;
+  }
+
+  /** The mosaic; transparent where nothing was seen. */
+  public BufferedImage picture() {
+    return canvas.picture();
+  }
+
+  /** Images in it. */
+  public int used() {
+    return used;
+  }
+
+  /** Images that were damaged, or whose footprint is no quadrilateral. */
+  public int refused() {
+    return refused;
+  }
+
+  /** Ground that it shows [m²]. */
+  public double areaM2() {
+    return canvas.seen() * grid.pixelM() * grid.pixelM();
+  }
+
+  /** Place of the middle of a pixel. */
+  public Geodetic place(int column, int row) {
+    return utm.place(Point.of(grid.eastM(column), grid.northM(row), 0.0));
+  }
+}
