@@ -1821,4 +1821,9 @@ LABELS = (
     'turnRate',
     'speedShare',
     'turnShare',
+    'turns',
+    'towardsNext',
+    'photoDistance',
+    'lookAt',
+    'landingStart',
 )

@@ -89,12 +89,14 @@ public class PathPlanner extends EventDrivenService {
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
     Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
+    StationCircle circle =
+        new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
     states =
         new PlannerStates(
             List.of(
                 new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
-                new StationState(guidance, settings(StationVariables.class)),
+                new StationState(guidance, settings(StationVariables.class), circle),
                 new SearchAreaState(
                     avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines),
                 new TakeOffState(this::lines, flight),
