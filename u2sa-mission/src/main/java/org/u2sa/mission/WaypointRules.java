@@ -80,6 +80,12 @@ final class WaypointRules {
     if (frame.equals(ReferenceFrame.GLOBAL)) {
       goal.field("x").ifPresent(x -> XmlNumbers.checkLongitude(x, waypoint.x().orElseThrow()));
       goal.field("y").ifPresent(y -> XmlNumbers.checkLatitude(y, waypoint.y().orElseThrow()));
+      goal.field("lookAt")
+          .ifPresent(
+              view -> {
+                XmlNumbers.checkLongitude(view, waypoint.lookAt().orElseThrow().x());
+                XmlNumbers.checkLatitude(view, waypoint.lookAt().orElseThrow().y());
+              });
     }
   }
 
@@ -102,6 +108,9 @@ final class WaypointRules {
     if (!vertical && onlyZ && waypoint.z().isPresent() && !isPlaced) {
       throw element(goal, "z")
           .error("is the only coordinate; expected a <verticalThreshold> as well");
+    }
+    if (waypoint.photoDistance().orElse(1.0) == 0.0) {
+      throw element(goal, "photoDistance").error("0.0 m is no distance; expected more than 0 m");
     }
     if (waypoint.speed().orElse(1.0) == 0.0) {
       throw element(goal, "speed")

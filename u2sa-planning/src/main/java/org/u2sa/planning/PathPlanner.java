@@ -51,6 +51,7 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
+  private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
   private Optional<GoalList> goals = Optional.empty();
   // Goal list transferred by the predecessor; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
@@ -396,7 +397,7 @@ public class PathPlanner extends EventDrivenService {
     }
     avoidance.news().ifPresent(path -> show(path, state));
     rightOfWay.news().ifPresent(path -> show(path, state));
-    return plan.points();
+    return view.with(plan.points(), chosen, state);
   }
 
   private void show(PlannedPath path, StateInformation state) {
