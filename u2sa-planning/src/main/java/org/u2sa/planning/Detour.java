@@ -35,6 +35,11 @@ final class Detour {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
   }
 
+  /** Whether traffic comes near on the way straight to a place. */
+  boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
+    return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);
+  }
+
   /** Whether a route to the target of the last {@link #step} is known. */
   boolean hasRoute() {
     return avoidance.remainingM().isPresent();

@@ -101,7 +101,7 @@ public class PathPlanner extends EventDrivenService {
                 new SearchAreaState(
                     avoidance, guidance, settings(SurveyVariables.class), seeing, this::lines),
                 new TakeOffState(this::lines, flight),
-                new LandingState(detour, this::lines, () -> settings.get().loiterRadius(), flight),
+                new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);

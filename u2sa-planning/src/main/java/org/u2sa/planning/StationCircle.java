@@ -9,6 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
@@ -105,10 +106,15 @@ final class StationCircle {
   /**
    * Plans the next step.
    *
+   * @param after the next goal
    * @param centre of the circle, with altitude; another one than before begins a new circle
    */
-  Plan plan(Pursuit pursuit, Vehicle vehicle, Place centre) {
-    Station station = (Station) pursuit.goal();
+  Plan plan(
+      Station station,
+      StateInformation state,
+      Vehicle vehicle,
+      Place centre,
+      Optional<GoalInformation> after) {
     if (circle == null || !place.equals(Optional.of(centre))) {
       place = Optional.of(centre);
       begin(station, centre, vehicle);
@@ -118,13 +124,13 @@ final class StationCircle {
         NavigationPoint.at(
             vehicle.body(circle.tangentAhead(vehicle, lines.get().lookAheadM(vehicle.speedMps()))));
     station.speed().ifPresent(point::speed);
-    if (isOver(station, vehicle) && mayLeave(station, vehicle, pursuit)) {
+    if (isOver(station, vehicle) && mayLeave(station, vehicle, after)) {
       return new Plan(List.of(point), Plan.Progress.COMPLETED, counted(vehicle));
     }
     if (!detour.isPossible()) {
       return Plan.underWay(List.of(point));
     }
-    boolean isFree = !isHindered(vehicle, pursuit.state());
+    boolean isFree = !isHindered(vehicle, state);
     if (entry > 0 && isFree && isAlong(vehicle)) {
       entry = 0;
     } else if (entry == 0 && !isFree) {
@@ -132,7 +138,7 @@ final class StationCircle {
     }
     return entry == 0
         ? Plan.underWay(List.of(point))
-        : around(station, pursuit.state(), vehicle, point);
+        : around(station, state, vehicle, point);
   }
 
   /** Something is in the way to the circle or along it. */
@@ -217,12 +223,12 @@ final class StationCircle {
   }
 
   /** On its course to the next goal, if the station asks for that; anywhere if it is inside. */
-  private boolean mayLeave(Station station, Vehicle vehicle, Pursuit pursuit) {
+  private boolean mayLeave(
+      Station station, Vehicle vehicle, Optional<GoalInformation> after) {
     Optional<Place> next =
-        pursuit
-            .after()
-            .filter(after -> station.towardsNext() && after instanceof Waypoint)
-            .map(after -> Place.of((Waypoint) after))
+        after
+            .filter(goal -> station.towardsNext() && goal instanceof Waypoint)
+            .map(goal -> Place.of((Waypoint) goal))
             .filter(Place::isHorizontal)
             .filter(place -> circle.outsideM(place, vehicle) > 0.0);
     if (next.isEmpty()) {

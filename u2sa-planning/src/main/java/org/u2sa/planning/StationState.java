@@ -112,7 +112,8 @@ final class StationState implements PlannerState {
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     Place place = place(station);
     if (circle.isCircling()) {
-      return circle.plan(pursuit, vehicle, place.orAltitudeOf(here.orElse(place)));
+      Place centre = place.orAltitudeOf(here.orElse(place));
+      return circle.plan(station, pursuit.state(), vehicle, centre, pursuit.after());
     }
     Point to = vehicle.nedOf(place);
     boolean isBerth = station.approach().isPresent() && station.psi().isPresent();

@@ -28,8 +28,8 @@ final class SuasPilot {
   private static final double PITCH_DAMPING = 0.2;
   private static final double CLIMB_GAIN = 0.04; // rad of pitch per m/s
   private static final double HEIGHT_GAIN = 0.2; // m/s per m
-  private static final double TRIM = 0.1; // of the elevator, up
-  private static final double THROTTLE = 0.62;
+  private static final double TRIM = 0.25; // of the elevator, up
+  private static final double THROTTLE = 0.7;
   private static final double FULL_RAD = Math.PI / 6.0; // of a stick
   private static final double FULL_PERCENT = 100.0;
 
