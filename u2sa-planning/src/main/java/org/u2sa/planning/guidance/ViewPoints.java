@@ -1,4 +1,4 @@
-package org.u2sa.planning;
+package org.u2sa.planning.guidance;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,17 +11,14 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
-import org.u2sa.planning.guidance.Leg;
-import org.u2sa.planning.guidance.Place;
-import org.u2sa.planning.guidance.Vehicle;
 
 /** Adds {@link Waypoint#lookAt} to a goal's navigation points: for a gimbal, or as heading. */
-final class ViewPoints {
+public final class ViewPoints {
   private static final String VEHICLE = "VEHICLE";
   private static final double OVERHEAD_M = 1.0; // nearer, it is in no direction
 
   /** Which subsystem looks. */
-  record Variables(
+  public record Variables(
       @Variable(ifAbsentText = "GIMBAL")
           @Description(
               "Subsystem that looks at the lookAt of goals; VEHICLE turns the vehicle itself, if it can move in any direction.")
@@ -29,12 +26,12 @@ final class ViewPoints {
 
   private final Supplier<Variables> settings;
 
-  ViewPoints(Supplier<Variables> settings) {
+  public ViewPoints(Supplier<Variables> settings) {
     this.settings = settings;
   }
 
   /** The points, with the view that the goal asks for. */
-  List<NavigationPoint> with(
+  public List<NavigationPoint> with(
       List<NavigationPoint> points, GoalInformation goal, StateInformation state) {
     Optional<Point> view = goal instanceof Waypoint at ? at.lookAt() : Optional.empty();
     if (view.isEmpty()) {
