@@ -12,12 +12,14 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.FieldValue;
+import org.u2sa.messages.schema.MessageType;
 
 /**
- * Goals as items: a waypoint is NAV_WAYPOINT with its threshold as acceptance radius, a landing
- * NAV_LAND, a station as {@link StationItems} says; {@link WayOrders} come before them, repetitions
+ * Goals as items: a waypoint is NAV_WAYPOINT with its threshold as acceptance radius, a take-off
+ * NAV_TAKEOFF, a landing NAV_LAND, a station as {@link StationItems} says; {@link WayOrders} come before them, repetitions
  * are DO_JUMP.
  */
 public final class GoalItems {
@@ -25,6 +27,7 @@ public final class GoalItems {
   private static final double FOREVER = -1.0; // of DO_JUMP
   private static final String THRESHOLD = "horizontalThreshold";
   private static final String NEXT_IF_DONE = "nextIfDone";
+  private static final Set<MessageType<?>> ITEMS = Set.of(Waypoint.TYPE, Landing.TYPE);
   private static final Set<String> LINKS = Set.of("nextIfFailed", "nextIfTimedOut", "choose");
   private static final Set<String> SAID =
       Set.of(
@@ -164,13 +167,13 @@ public final class GoalItems {
       field.value().ifPresent(value -> fields.put(field.name(), value));
     }
     boolean isStation = goal.type() == Station.TYPE;
-    boolean isLanding = goal.type() == Landing.TYPE;
-    if (!isStation && !isLanding && goal.type() != Waypoint.TYPE) {
+    boolean isTakeOff = goal.type() == TakeOff.TYPE;
+    if (!isStation && !isTakeOff && !ITEMS.contains(goal.type())) {
       lose(goal, "is a " + goal.type().name() + ", which no item is");
       return;
     }
     loseOthers(goal, fields);
-    boolean isHere = isStation && !fields.containsKey("x") && !fields.containsKey("y");
+    boolean isHere = isTakeOff || isStation && !fields.containsKey("x") && !fields.containsKey("y");
     boolean isGlobal = ((Waypoint) goal).referenceFrame().equals(ReferenceFrame.GLOBAL);
     boolean isPlace = isGlobal && fields.containsKey("x") && fields.containsKey("y");
     if (isHere ? fields.containsKey("z") && !isGlobal : !isPlace) {
@@ -209,12 +212,23 @@ public final class GoalItems {
     if (goal instanceof Station station) {
       return StationItems.of(nextId(), station, place, radius, heading, what -> detail(goal, what));
     }
-    if (goal instanceof Landing) {
+    boolean isTakeOff = goal instanceof TakeOff;
+    if (isTakeOff || goal instanceof Landing) {
       if (radius > 0.0) {
         detail(goal, "has " + THRESHOLD + " " + radius);
       }
+      if (isTakeOff && goal.x().isPresent()) {
+        detail(goal, "has a place");
+      }
       return PlanItem.at(
-          nextId(), PlanItem.LAND, PlanItem.GLOBAL, place, 0.0, 0.0, 0.0, heading);
+          nextId(),
+          isTakeOff ? PlanItem.TAKE_OFF : PlanItem.LAND,
+          PlanItem.GLOBAL,
+          isTakeOff ? List.of(0.0, 0.0, place.get(2)) : place,
+          0.0,
+          0.0,
+          0.0,
+          heading);
     }
     return PlanItem.at(
         nextId(), PlanItem.WAYPOINT, PlanItem.GLOBAL, place, 0.0, radius, 0.0, heading);

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Items as waypoints, stations and landings, without names, speeds and order. */
@@ -30,7 +31,6 @@ final class ItemPlaces {
           PlanItem.RELATIVE_INT,
           10, // MAV_FRAME_GLOBAL_TERRAIN_ALT
           11); // likewise, _INT
-  private static final double CLIMBED_WITHIN_M = 10.0; // of the altitude of a take-off
   private static final double FULL_TURN_DEG = 360.0;
 
   private final OptionalDouble homeAltitudeM;
@@ -124,7 +124,7 @@ final class ItemPlaces {
         : goal;
   }
 
-  /** Vehicles take off by themselves; what is left is the place behind, or the altitude. */
+  /** With a place it is the waypoint behind: vehicles take off by themselves. */
   private Optional<Waypoint> takeOff(PlanItem item) {
     if (item.parameter(1) > 0.0) {
       detail(item, "a pitch of " + item.parameter(1) + " deg");
@@ -132,8 +132,9 @@ final class ItemPlaces {
     boolean isHere = item.parameter(5) == 0.0 && item.parameter(6) == 0.0;
     OptionalDouble altitude = isHere ? altitude(item) : OptionalDouble.empty();
     if (altitude.isPresent()) {
-      Waypoint climb = new Waypoint().z(altitude.getAsDouble());
-      return Optional.of(climb.verticalThreshold(CLIMBED_WITHIN_M));
+      double heading = item.parameter(4);
+      Waypoint climb = new TakeOff().z(altitude.getAsDouble());
+      return Optional.of(Double.isFinite(heading) ? climb.psi(radians(heading)) : climb);
     }
     return position(item, new Waypoint());
   }
@@ -151,9 +152,13 @@ final class ItemPlaces {
     altitude(item).ifPresent(goal::z);
     double heading = item.parameter(4);
     if (Double.isFinite(heading)) {
-      goal.psi(Math.toRadians((heading % FULL_TURN_DEG + FULL_TURN_DEG) % FULL_TURN_DEG));
+      goal.psi(radians(heading));
     }
     return Optional.of(goal);
+  }
+
+  private static double radians(double headingDeg) {
+    return Math.toRadians((headingDeg % FULL_TURN_DEG + FULL_TURN_DEG) % FULL_TURN_DEG);
   }
 
   /** Whether latitude and longitude are possible; 0, 0 means the present position. */

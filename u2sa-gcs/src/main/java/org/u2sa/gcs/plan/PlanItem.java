@@ -124,14 +124,18 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return command == VIEW || command == ANY_VIEW;
   }
 
+  private boolean hasHeading() {
+    return !isOrder() && !isView();
+  }
+
   /** From a writer that knows no empty heading and writes 0. */
   public PlanItem withoutHeading0() {
-    return !isOrder() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
+    return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
   }
 
   /** For a reader that takes a heading of 0 as none: north is 360. */
   public PlanItem withNorth360() {
-    return !isOrder() && parameter(HEADING) == 0.0 ? with(HEADING, NORTH_DEG) : this;
+    return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, NORTH_DEG) : this;
   }
 
   /** For messages: its number and command. */

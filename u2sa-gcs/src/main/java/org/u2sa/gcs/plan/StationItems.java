@@ -7,6 +7,7 @@ import org.u2sa.messages.goal.Station;
 /** Stations as items: holds, circles and delays. */
 final class StationItems {
   private static final double YES = 1.0;
+  private static final double NO_TIME = -1.0; // of day, of NAV_DELAY
 
   private StationItems() {}
 
@@ -62,7 +63,7 @@ final class StationItems {
     }
     boolean isDelay = isHere && radius == 0.0 && exit == 0.0 && station.z().isEmpty();
     return isDelay && Double.isNaN(heading)
-        ? PlanItem.order(id, PlanItem.DELAY, stay)
+        ? PlanItem.order(id, PlanItem.DELAY, stay, NO_TIME, NO_TIME, NO_TIME)
         : circle(id, PlanItem.LOITER_TIME, place, stay, exit, radius, heading, detail);
   }
 

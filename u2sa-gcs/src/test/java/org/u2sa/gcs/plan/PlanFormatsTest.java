@@ -19,6 +19,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Missions in the formats of other stations and back. */
@@ -72,7 +73,9 @@ class PlanFormatsTest {
       station.radius((1 + random.nextInt(300)) * (random.nextBoolean() ? 1 : -1));
     }
     boolean isToNext = random.nextBoolean();
-    switch (random.nextInt(7)) {
+    switch (random.nextInt(8)) {
+      case 7:
+        return new TakeOff().z(random.nextDouble() * 1000.0);
       case 0:
         return waypoint(random, new Station().duration(1 + random.nextInt(60)));
       case 1:

@@ -76,7 +76,7 @@ class PlanReaderTest {
   @Test
   void read_takeOffHere_climbs() {
     assertThat(read(VehicleKind.COPTER, 0, item(22, false, 0, 0, 0), waypoint()).xml())
-        .contains("<z>70.0</z><verticalThreshold>10.0</verticalThreshold></waypoint>");
+        .contains("<takeOff><z>70.0</z></takeOff>");
   }
 
   @Test
