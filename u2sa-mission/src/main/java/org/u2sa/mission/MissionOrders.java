@@ -213,7 +213,8 @@ final class MissionOrders {
     GoalSequence mission = run.progress().mission();
     List<GoalInformation> goals = landing.get();
     if (goals.isEmpty()) {
-      throw new BadInputException("the Mission Manager has no LAND MISSION, and the mission no landingStart");
+      throw new BadInputException(
+          "the Mission Manager has no LAND MISSION, and the mission no landingStart");
     }
     if (run.progress().isLeft()) {
       throw new BadInputException("the failsafe " + run.progress().pursuedFor() + " is pursued");

@@ -136,9 +136,7 @@ final class StationCircle {
     } else if (entry == 0 && !isFree) {
       enter(1, vehicle);
     }
-    return entry == 0
-        ? Plan.underWay(List.of(point))
-        : around(station, state, vehicle, point);
+    return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
   }
 
   /** Something is in the way to the circle or along it. */
@@ -194,8 +192,7 @@ final class StationCircle {
   private void count(Station station, Vehicle vehicle) {
     double now = circle.bearingRad(vehicle);
     double downM = vehicle.nedOf(circle.at(now)).z();
-    double tolerance =
-        station.verticalThreshold().orElse(settings.get().takeOffAccuracy());
+    double tolerance = station.verticalThreshold().orElse(settings.get().takeOffAccuracy());
     if (sinceMicros != Long.MIN_VALUE) {
       double turned = circle.sense() * Leg.wrapped(now - bearingRad);
       turnedRad += Double.isNaN(turned) ? 0.0 : turned;
@@ -223,8 +220,7 @@ final class StationCircle {
   }
 
   /** On its course to the next goal, if the station asks for that; anywhere if it is inside. */
-  private boolean mayLeave(
-      Station station, Vehicle vehicle, Optional<GoalInformation> after) {
+  private boolean mayLeave(Station station, Vehicle vehicle, Optional<GoalInformation> after) {
     Optional<Place> next =
         after
             .filter(goal -> station.towardsNext() && goal instanceof Waypoint)
@@ -235,8 +231,7 @@ final class StationCircle {
       return true;
     }
     Point to = vehicle.nedOf(next.get());
-    double turn =
-        circle.sense() * Leg.wrapped(Math.atan2(to.y(), to.x()) - vehicle.courseRad());
+    double turn = circle.sense() * Leg.wrapped(Math.atan2(to.y(), to.x()) - vehicle.courseRad());
     return turn >= 0.0 && turn <= LEAVES_RAD;
   }
 

@@ -18,9 +18,9 @@ import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Others: to the place, or to the start of its straight way and
- * along it, then there until its time is over. The time starts again when the vehicle leaves a
- * threshold or the heading.
+ * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Others: to the place,
+ * or to the start of its straight way and along it, then there until its time is over. The time
+ * starts again when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
   private enum Phase {
@@ -204,7 +204,8 @@ final class StationState implements PlannerState {
       sinceMicros = now;
     }
     double keptS = Clock.seconds(now - sinceMicros);
-    double wantedS = station.duration().orElse(station.turns().isPresent() ? 0.0 : Double.MAX_VALUE);
+    double wantedS =
+        station.duration().orElse(station.turns().isPresent() ? 0.0 : Double.MAX_VALUE);
     if (keptS < wantedS) {
       return Plan.underWay(points);
     }

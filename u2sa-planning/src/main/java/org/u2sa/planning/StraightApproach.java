@@ -13,8 +13,8 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.guidance.AirMass;
 import org.u2sa.planning.guidance.LineGuidance;
-import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 

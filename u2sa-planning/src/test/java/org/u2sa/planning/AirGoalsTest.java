@@ -220,15 +220,18 @@ class AirGoalsTest extends PlannedVehicle {
           new MovingSphere()
               .timeStep(30.0)
               .trajectory(List.of(Point.of(crossesAtNorth, east + 1200.0, -40.0)));
-      traffic.radius(10.0).uid("traffic").objectType("aircraft").referenceFrame(ReferenceFrame.LOCAL_NED);
+      traffic
+          .radius(10.0)
+          .uid("traffic")
+          .objectType("aircraft")
+          .referenceFrame(ReferenceFrame.LOCAL_NED);
       traffic.x(crossesAtNorth).y(east).z(-40.0);
       kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(traffic)));
       kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
       aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
       kit.advance(0.1);
       nearestM =
-          Math.min(
-              nearestM, Math.hypot(aircraft.north - crossesAtNorth, aircraft.east - east));
+          Math.min(nearestM, Math.hypot(aircraft.north - crossesAtNorth, aircraft.east - east));
       boolean isDown = Math.abs(aircraft.north) < 100.0 && aircraft.altitude < 15.0;
       touchesS = isDown ? kit.nowS() : touchesS;
     }

@@ -53,7 +53,8 @@ class PathPlannerTest extends PlannedVehicle {
             .findFirst()
             .orElseThrow();
     assertThat(view.point().y()).isCloseTo(-50.0, within(1.0e-9)); // to the right
-    assertThat(view.point().z()).isCloseTo(20.0, within(1.0e-9)); // below: BODY is forward, left, down
+    assertThat(view.point().z())
+        .isCloseTo(20.0, within(1.0e-9)); // below: BODY is forward, left, down
   }
 
   @Test

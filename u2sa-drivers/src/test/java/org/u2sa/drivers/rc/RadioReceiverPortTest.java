@@ -29,7 +29,8 @@ class RadioReceiverPortTest extends DeviceContract<RadioReceiver.Pulses> {
   @Override
   protected void judge(RadioReceiver.Pulses pulses) {
     assertThat(pulses.widthsS()).hasSize(16);
-    assertThat(pulses.widthsS()).allSatisfy(width -> assertThat(width).isCloseTo(1.5e-3, within(1e-6)));
+    assertThat(pulses.widthsS())
+        .allSatisfy(width -> assertThat(width).isCloseTo(1.5e-3, within(1e-6)));
   }
 
   @Test

@@ -19,8 +19,8 @@ import org.u2sa.messages.schema.MessageType;
 
 /**
  * Goals as items: a waypoint is NAV_WAYPOINT with its threshold as acceptance radius, a take-off
- * NAV_TAKEOFF, a landing NAV_LAND, a station as {@link StationItems} says; {@link WayOrders} come before them, repetitions
- * are DO_JUMP.
+ * NAV_TAKEOFF, a landing NAV_LAND, a station as {@link StationItems} says; {@link WayOrders} come
+ * before them, repetitions are DO_JUMP.
  */
 public final class GoalItems {
   private static final String HOME = "home";

@@ -34,14 +34,7 @@ final class StationItems {
     boolean isHold = stay > 0.0 && station.turns().isEmpty() && !isCircle;
     if (isHold) {
       return PlanItem.at(
-          id,
-          PlanItem.WAYPOINT,
-          PlanItem.GLOBAL,
-          place,
-          stay,
-          thresholdM,
-          0.0,
-          heading);
+          id, PlanItem.WAYPOINT, PlanItem.GLOBAL, place, stay, thresholdM, 0.0, heading);
     }
     if (thresholdM > 0.0) {
       detail.accept("stays within horizontalThreshold " + thresholdM + " m");

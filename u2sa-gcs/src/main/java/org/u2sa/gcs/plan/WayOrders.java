@@ -29,7 +29,8 @@ final class WayOrders {
    */
   WayOrders(List<GoalInformation> goals) {
     hasImages = goals.stream().anyMatch(goal -> imageDistanceM(goal) > 0.0);
-    hasView = goals.stream().anyMatch(goal -> goal instanceof Waypoint at && at.lookAt().isPresent());
+    hasView =
+        goals.stream().anyMatch(goal -> goal instanceof Waypoint at && at.lookAt().isPresent());
   }
 
   private static double imageDistanceM(GoalInformation goal) {
@@ -70,10 +71,7 @@ final class WayOrders {
     return at.map(
             point ->
                 PlanItem.at(
-                    id,
-                    PlanItem.VIEW,
-                    PlanItem.GLOBAL,
-                    List.of(point.y(), point.x(), point.z())))
+                    id, PlanItem.VIEW, PlanItem.GLOBAL, List.of(point.y(), point.x(), point.z())))
         .orElseGet(() -> PlanItem.order(id, PlanItem.NO_VIEW));
   }
 }

@@ -121,7 +121,8 @@ class StationMissionTest {
   void upload_inexpressibleItem_isRefusedByName() {
     upload(kit, List.of(item(0, 16, 0.001), item(1, 205, 0.001)));
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
-    assertThat(kit.texts()).contains("mission item 2 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that");
+    assertThat(kit.texts())
+        .contains("mission item 2 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that");
     assertThat(kit.orders(MissionOrder.class)).isEmpty();
   }
 

@@ -21,7 +21,8 @@ public class Station extends Waypoint {
   private static final NumberField<Station> APPROACH = SCHEMA.optionalNumber("approach", "m", 0.0);
   private static final ValueField<Station, Boolean> BACKWARDS = SCHEMA.optionalFlag("backwards");
   private static final NumberField<Station> RADIUS = SCHEMA.optionalNumber("radius", "m");
-  private static final NumberField<Station> TURNS = SCHEMA.optionalNumber("turns", "1", 0.0, 1000.0);
+  private static final NumberField<Station> TURNS =
+      SCHEMA.optionalNumber("turns", "1", 0.0, 1000.0);
   private static final ValueField<Station, Boolean> TOWARDS_NEXT =
       SCHEMA.optionalFlag("towardsNext");
 

@@ -93,8 +93,7 @@ final class SuasJudge implements TruthObserver.Scorer {
 
   @Override
   public List<Channel<?>> listensTo() {
-    return List.of(
-        Channels.STATE, Channels.MANUAL_STATE, Channels.FAILSAFE, SurveyTarget.CHANNEL);
+    return List.of(Channels.STATE, Channels.MANUAL_STATE, Channels.FAILSAFE, SurveyTarget.CHANNEL);
   }
 
   @Override

@@ -132,8 +132,7 @@ final class SuasPilot {
   private double stick(String actuator, VehicleTruth truth) {
     return switch (actuator) {
       case "AILERON" ->
-          ROLL_GAIN * (bankRad(truth) - truth.attitude().phi())
-              - ROLL_DAMPING * truth.rates().x();
+          ROLL_GAIN * (bankRad(truth) - truth.attitude().phi()) - ROLL_DAMPING * truth.rates().x();
       case "ELEVATOR" -> elevator(truth);
       default -> 0.0;
     };
@@ -144,9 +143,7 @@ final class SuasPilot {
     double pitch = CLIMB_GAIN * (climbMps - truth.velocity().z());
     double wanted = Math.max(-0.25, Math.min(0.25, pitch));
     double up =
-        TRIM
-            + PITCH_GAIN * (wanted - truth.attitude().theta())
-            - PITCH_DAMPING * truth.rates().y();
+        TRIM + PITCH_GAIN * (wanted - truth.attitude().theta()) - PITCH_DAMPING * truth.rates().y();
     return -Math.max(-1.0, Math.min(1.0, up));
   }
 

@@ -19,7 +19,8 @@ import org.u2sa.service.ServiceRole;
 /**
  * The ground station of the demo, with a person at it: heartbeats, air pressure, and the search
  * area, which is told in flight; after a takeover it resumes the mission. While it is down nothing
- * goes out, and no telemetry gets through. In: mission, goals, manual-state. Out: operator, ground-pressure, mission.
+ * goes out, and no telemetry gets through. In: mission, goals, manual-state. Out: operator,
+ * ground-pressure, mission.
  */
 final class SuasStation extends PeriodicService {
   private static final String NAME = "SuasStation";

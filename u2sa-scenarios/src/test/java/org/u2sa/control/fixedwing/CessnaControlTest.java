@@ -99,11 +99,13 @@ class CessnaControlTest {
     kit.start(CessnaControl::new);
     fly(flying(), Point.of(300.0, 0.0, 0.0), 5);
     double throttle = kit.percent("THROTTLE");
-    kit.publish(Channels.MANUAL_STATE, new ManualState().active(true).operator("pilot").takeovers(1));
+    kit.publish(
+        Channels.MANUAL_STATE, new ManualState().active(true).operator("pilot").takeovers(1));
     kit.forget();
     fly(flying(), Point.of(300.0, 0.0, 0.0), 5);
     assertThat(kit.published(Channels.ACTUATION)).isEmpty();
-    kit.publish(Channels.MANUAL_ORDERS, new ManualOrder().active(true).operator("ann").requestId("q"));
+    kit.publish(
+        Channels.MANUAL_ORDERS, new ManualOrder().active(true).operator("ann").requestId("q"));
     ManualState answer = kit.latest(Channels.MANUAL_STATE).orElseThrow();
     assertThat(answer.active()).isTrue();
     assertThat(answer.takeovers()).isEqualTo(1);

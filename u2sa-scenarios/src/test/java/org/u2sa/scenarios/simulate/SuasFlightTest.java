@@ -191,7 +191,13 @@ class SuasFlightTest {
   void hexacopter_lookAt_keepsItsNoseOnThePlace() throws IOException {
     Geodetic view = FIELD.fromNed(Point.of(60.0, 120.0, 0.0));
     String lookAt =
-        "<lookAt>" + view.longitudeDeg() + " " + view.latitudeDeg() + " " + TAKES_OFF_M + "</lookAt>";
+        "<lookAt>"
+            + view.longitudeDeg()
+            + " "
+            + view.latitudeDeg()
+            + " "
+            + TAKES_OFF_M
+            + "</lookAt>";
     List<Row> rows =
         fly(
             "hexacopter",

@@ -30,8 +30,8 @@ import org.u2sa.world.modeller.PoseHistory;
 /**
  * A camera that looks down, while a search area or a goal with a photoDistance is current:
  * publishes which ground each image shows, and afterwards the targets that it found. Of a search
- * area all images count, otherwise one each time the distance has been flown. In: state, goals. Out:
- * sensed-objects, survey-targets. Thesis 4.4.1.1, 4.4.1.3.
+ * area all images count, otherwise one each time the distance has been flown. In: state, goals.
+ * Out: sensed-objects, survey-targets. Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
   private static final int MAX_WAITING = 8; // images for the state of their time

@@ -74,7 +74,8 @@ class PlanReaderProperties {
   void read_anyItems_isAMissionOrARefusal(@ForAll long seed) {
     Random random = new Random(seed);
     int[] commands = {
-      16, 17, 18, 19, 20, 21, 22, 31, 93, 177, 178, 189, 195, 197, 201, 206, random.nextInt(65_536)};
+      16, 17, 18, 19, 20, 21, 22, 31, 93, 177, 178, 189, 195, 197, 201, 206, random.nextInt(65_536)
+    };
     List<MissionItem> items = new ArrayList<>();
     for (int i = random.nextInt(6); i >= 0; i--) {
       float[] p = new float[5];
