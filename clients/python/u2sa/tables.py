@@ -596,6 +596,7 @@ MESSAGES = [
         ('fence', 'text', 'optional', None, None, None, (), 3, None, False),
         ('file', 'text', 'optional', None, None, None, (), 3, None, False),
         ('margin', 'float64', 'always', 0.0, 0.0, None, (), 3, None, False),
+        ('rally', 'messages:GoalInformation', 'always', (), None, None, (), 3, None, False),
     ]),
     (('FenceOrder',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1218,7 +1219,7 @@ MESSAGES = [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
         ('timestamp', 'int', 'optional', None, None, None, (), 1, None, False),
         ('requestId', 'text', 'required', None, None, None, (), 3, 1000, False),
-        ('action', 'enum', 'required', None, None, None, ('GOTO', 'SKIP', 'INSERT', 'UPDATE', 'RESUME', 'PAUSE', 'REPLACE', 'LAND'), 3, None, False),
+        ('action', 'enum', 'required', None, None, None, ('GOTO', 'SKIP', 'INSERT', 'UPDATE', 'RESUME', 'PAUSE', 'REPLACE', 'LAND', 'RETURN'), 3, None, False),
         ('uid', 'text', 'optional', None, None, None, (), 3, 1000, False),
         ('goals', 'text', 'optional', None, None, None, (), 3, None, False),
         ('file', 'text', 'optional', None, None, None, (), 3, None, False),
@@ -1822,4 +1823,9 @@ LABELS = (
     'speedShare',
     'turnShare',
     'rally',
+    'turns',
+    'towardsNext',
+    'photoDistance',
+    'lookAt',
+    'landingStart',
 )

@@ -46,9 +46,18 @@ final class FailsafeMissions {
         || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
-  /** Goals of the LAND MISSION; none without one. */
+  /** Goals of the LAND MISSION, or from the mission's start of landing on; none without either. */
   List<GoalInformation> landGoals() {
-    return loaded.get(FailsafeAction.LAND).goals();
+    return goals(FailsafeAction.LAND);
+  }
+
+  private List<GoalInformation> goals(FailsafeAction action) {
+    List<GoalInformation> own = loaded.get(action).goals();
+    return own.isEmpty()
+        ? run.progress().mission().landing().stream()
+            .map(goal -> renamed(goal, action + " "))
+            .collect(Collectors.toList())
+        : own;
   }
 
   /** Reloads the files; if one is invalid, throws and keeps the previous ones. */
@@ -109,7 +118,7 @@ final class FailsafeMissions {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
-    List<GoalInformation> own = loaded.get(action).goals();
+    List<GoalInformation> own = goals(action);
     if (own.isEmpty() && action == FailsafeAction.LAND) {
       logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
       own = loaded.get(FailsafeAction.RETURN).goals();

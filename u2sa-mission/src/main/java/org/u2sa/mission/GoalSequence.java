@@ -12,6 +12,7 @@ import java.util.Set;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.service.handover.HandOver;
 
 /**
@@ -118,6 +119,20 @@ final class GoalSequence {
       next.removeAll(at.finished);
     }
     return book.named(next);
+  }
+
+  /** Goals from the one with which the landing starts, as they usually follow; none without one. */
+  List<GoalInformation> landing() {
+    Set<String> way = new LinkedHashSet<>();
+    Optional<String> name = book.names().stream().filter(this::startsLanding).findFirst();
+    while (name.isPresent() && way.add(name.get())) {
+      name = followers.usual(name.get()).stream().findFirst();
+    }
+    return book.named(way);
+  }
+
+  private boolean startsLanding(String uid) {
+    return book.goal(uid) instanceof Waypoint waypoint && waypoint.landingStart();
   }
 
   boolean knows(String uid) {

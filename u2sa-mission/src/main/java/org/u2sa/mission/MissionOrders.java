@@ -218,7 +218,8 @@ final class MissionOrders {
   private String land() {
     List<GoalInformation> goals = landing.get();
     if (goals.isEmpty()) {
-      throw new BadInputException("the Mission Manager has no LAND MISSION");
+      throw new BadInputException(
+          "the Mission Manager has no LAND MISSION, and the mission no landingStart");
     }
     return leaveFor(goals);
   }

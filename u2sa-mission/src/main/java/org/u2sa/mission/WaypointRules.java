@@ -8,6 +8,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
@@ -29,8 +30,8 @@ final class WaypointRules {
         checkCoordinates(goal, waypoint);
         checkThresholds(goal, waypoint);
         if (first == null) {
-          first = goal;
-        } else {
+          first = hasPlace(waypoint) ? goal : null;
+        } else if (hasPlace(waypoint)) {
           Waypoint other = (Waypoint) first.message();
           checkSameEarth(goal, waypoint, other, "waypoint in line " + first.element().line());
         }
@@ -42,9 +43,9 @@ final class WaypointRules {
   static void check(Collection<GoalElement> goals, GoalBook mission) {
     check(goals);
     for (GoalElement goal : goals) {
-      if (goal.message() instanceof Waypoint waypoint) {
+      if (goal.message() instanceof Waypoint waypoint && hasPlace(waypoint)) {
         for (GoalInformation each : mission.named(mission.names())) {
-          if (each instanceof Waypoint other) {
+          if (each instanceof Waypoint other && hasPlace(other)) {
             checkSameEarth(goal, waypoint, other, "mission's waypoint \"" + other.uid() + "\"");
           }
         }
@@ -52,12 +53,17 @@ final class WaypointRules {
     }
   }
 
+  /** A station without one is where the vehicle is when it begins. */
+  private static boolean hasPlace(Waypoint waypoint) {
+    return !(waypoint instanceof Station) || waypoint.x().isPresent() || waypoint.y().isPresent();
+  }
+
   private static void checkCoordinates(GoalElement goal, Waypoint waypoint) {
     ReferenceFrame frame = waypoint.referenceFrame();
     Home.requireFixed(frame, element(goal, "referenceFrame"));
     boolean hasX = waypoint.x().isPresent();
     boolean hasY = waypoint.y().isPresent();
-    if (!hasX && !hasY && waypoint.z().isEmpty()) {
+    if (!hasX && !hasY && waypoint.z().isEmpty() && hasPlace(waypoint)) {
       throw goal.element().error("has no coordinates; expected at least one of x, y, z");
     }
     boolean needsZ = waypoint instanceof TakeOff;
@@ -74,6 +80,12 @@ final class WaypointRules {
     if (frame.equals(ReferenceFrame.GLOBAL)) {
       goal.field("x").ifPresent(x -> XmlNumbers.checkLongitude(x, waypoint.x().orElseThrow()));
       goal.field("y").ifPresent(y -> XmlNumbers.checkLatitude(y, waypoint.y().orElseThrow()));
+      goal.field("lookAt")
+          .ifPresent(
+              view -> {
+                XmlNumbers.checkLongitude(view, waypoint.lookAt().orElseThrow().x());
+                XmlNumbers.checkLatitude(view, waypoint.lookAt().orElseThrow().y());
+              });
     }
   }
 
@@ -92,9 +104,13 @@ final class WaypointRules {
           .error("has nothing to compare with: the goal has no <z>");
     }
     boolean onlyZ = waypoint.x().isEmpty() && waypoint.y().isEmpty();
-    if (!vertical && onlyZ && !(waypoint instanceof TakeOff)) {
+    boolean isPlaced = waypoint instanceof TakeOff || waypoint instanceof Station;
+    if (!vertical && onlyZ && waypoint.z().isPresent() && !isPlaced) {
       throw element(goal, "z")
           .error("is the only coordinate; expected a <verticalThreshold> as well");
+    }
+    if (waypoint.photoDistance().orElse(1.0) == 0.0) {
+      throw element(goal, "photoDistance").error("0.0 m is no distance; expected more than 0 m");
     }
     if (waypoint.speed().orElse(1.0) == 0.0) {
       throw element(goal, "speed")

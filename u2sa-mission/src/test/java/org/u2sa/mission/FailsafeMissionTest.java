@@ -15,6 +15,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.goal.GoalInformation;
@@ -113,6 +115,29 @@ class FailsafeMissionTest {
 
     failsafe(FailsafeAction.LAND);
     assertThat(goals()).containsExactly("LAND 1");
+    failsafe(FailsafeAction.CONTINUE);
+
+    assertThat(goals()).containsExactly("1");
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"RETURN", "LAND"})
+  void returnAndLand_withALandingStart_beginThere(FailsafeAction action) throws IOException {
+    String mission =
+        """
+        <mission><home><x>0.5</x><y>0.5</y></home>
+          <waypoint><name>1</name><x>1</x><y>1</y></waypoint>
+          <waypoint><name>down</name><landingStart>true</landingStart><x>1</x><y>2</y></waypoint>
+          <landing><name>runway</name><x>1</x><y>3</y><z>0</z></landing>
+        </mission>
+        """;
+    kit.with("MISSION", Files.writeString(directory.resolve("m.xml"), mission).toString());
+    kit.start(MissionManager::new);
+    assertThat(kit.latest(Channels.GOALS).orElseThrow().landGoals()).hasValue(2);
+    failsafe(action);
+    assertThat(goals()).containsExactly(action + " down");
+    complete(action + " down");
+    assertThat(goals()).containsExactly(action + " runway");
     failsafe(FailsafeAction.CONTINUE);
 
     assertThat(goals()).containsExactly("1");

@@ -31,11 +31,15 @@ class MissionErrorsTest {
           <waypoint><x>0x10</x></waypoint> | m.xml, line 2, <x>: "0x10" is not a number of deg
           <waypoint><x>1</x><speed>-1</speed></waypoint> | m.xml, line 2, <speed>: Waypoint.speed: expected at least 0.0 m/s, not "-1.0"
           <waypoint><x/></waypoint> | m.xml, line 2, <x>: is empty; expected a number of deg
+          <waypoint><x>1</x><photoDistance>0</photoDistance></waypoint> | m.xml, line 2, <photoDistance>: 0.0 m is no distance; expected more than 0 m
+          <waypoint><x>1</x><lookAt>1</lookAt></waypoint> | m.xml, line 2, <lookAt>: Waypoint.lookAt: expected a point: two or three numbers, not "1"
+          <waypoint><x>1</x><lookAt>8 95 0</lookAt></waypoint> | m.xml, line 2, <lookAt>: 95.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
+          <station><turns>-1</turns></station> | m.xml, line 2, <turns>: Station.turns: expected 0.0…1000.0 1, not "-1.0"
           <waypoint><x>1</x><x>2</x></waypoint> | m.xml, line 2, <x>: appears twice; x is in line 2 already
           <waypoint><x>181</x></waypoint> | m.xml, line 2, <x>: 181.0 is outside -180.0…180.0 deg of longitude
           <waypoint><x>50</x><y>-121</y></waypoint> | m.xml, line 2, <y>: -121.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
-          <waypoint><x>1</x><completed>true</completed></waypoint> | m.xml, line 2, <completed>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, repeat, end
-          <waypoint><x>1</x><horizontalTreshold>3</horizontalTreshold></waypoint> | m.xml, line 2, <horizontalTreshold>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, repeat, end; did you mean "horizontalThreshold"?
+          <waypoint><x>1</x><completed>true</completed></waypoint> | m.xml, line 2, <completed>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end
+          <waypoint><x>1</x><horizontalTreshold>3</horizontalTreshold></waypoint> | m.xml, line 2, <horizontalTreshold>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end; did you mean "horizontalThreshold"?
           <waypoint><x>1</x><horizontalThreshold>0</horizontalThreshold></waypoint> | m.xml, line 2, <horizontalThreshold>: 0.0 m can never be met; expected more than 0 m
           <waypoint><x>1</x><z>5</z><verticalThreshold>0</verticalThreshold></waypoint> | m.xml, line 2, <verticalThreshold>: 0.0 m can never be met; expected more than 0 m
           <waypoint><x>1</x><verticalThreshold>9</verticalThreshold></waypoint> | m.xml, line 2, <verticalThreshold>: has nothing to compare with: the goal has no <z>

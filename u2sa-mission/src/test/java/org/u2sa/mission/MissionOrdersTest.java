@@ -442,7 +442,9 @@ class MissionOrdersTest extends ThreeWaypoints {
   @Test
   void land_withoutALandMission_isRefused() {
     kit.start(MissionManager::new);
-    refused(order(MissionAction.LAND), "the Mission Manager has no LAND MISSION");
+    refused(
+        order(MissionAction.LAND),
+        "the Mission Manager has no LAND MISSION, and the mission no landingStart");
   }
 
   @Test

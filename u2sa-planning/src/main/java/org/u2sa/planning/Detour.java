@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
 /**
@@ -27,6 +28,21 @@ final class Detour {
   /** Whether the planner avoids anything. */
   boolean isPossible() {
     return avoidance.isOn();
+  }
+
+  /** Whether something is in the way straight to a place. */
+  boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
+    return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
+  }
+
+  /** Whether traffic comes near on the way straight to a place. */
+  boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
+    return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);
+  }
+
+  /** Whether a route to the target of the last {@link #step} is known. */
+  boolean hasRoute() {
+    return avoidance.remainingM().isPresent();
   }
 
   /** The next step around what is in the way; empty if the straight way is free. */

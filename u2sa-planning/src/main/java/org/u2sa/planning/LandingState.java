@@ -35,10 +35,10 @@ final class LandingState implements PlannerState {
   LandingState(
       Detour detour,
       Supplier<LineSettings> lines,
-      Supplier<Double> loiter,
+      StationCircle circle,
       Supplier<FlightVariables> settings) {
     this.lines = lines;
-    straight = new StraightApproach(detour, lines, loiter, settings);
+    straight = new StraightApproach(detour, lines, circle, settings);
     vertical = new VerticalDescent(detour, lines, settings);
   }
 

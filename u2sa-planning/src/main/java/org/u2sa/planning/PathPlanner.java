@@ -25,6 +25,7 @@ import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.guidance.ViewPoints;
 import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.planning.rightofway.RightOfWayVariables;
 import org.u2sa.planning.rightofway.RightOfWayWatch;
@@ -53,6 +54,7 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
+  private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
   private Optional<GoalList> goals = Optional.empty();
   // Goal list transferred by the predecessor; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
@@ -92,12 +94,14 @@ public class PathPlanner extends EventDrivenService {
     Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     Settings<SurveyVariables> survey = settings(SurveyVariables.class);
+    StationCircle circle =
+        new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
     states =
         new PlannerStates(
             List.of(
                 new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
-                new StationState(guidance, settings(StationVariables.class)),
+                new StationState(guidance, settings(StationVariables.class), circle),
                 new SearchAreaState(
                     avoidance,
                     guidance,
@@ -108,7 +112,7 @@ public class PathPlanner extends EventDrivenService {
                         HeightGrid.named(
                             survey.get().terrain(), context.configuration()::resolve))),
                 new TakeOffState(this::lines, flight),
-                new LandingState(detour, this::lines, () -> settings.get().loiterRadius(), flight),
+                new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
     end = new EndOfMission(settings, this::lines, guidance);
@@ -404,7 +408,7 @@ public class PathPlanner extends EventDrivenService {
     }
     avoidance.news().ifPresent(path -> show(path, state));
     rightOfWay.news().ifPresent(path -> show(path, state));
-    return plan.points();
+    return view.with(plan.points(), chosen, state);
   }
 
   private void show(PlannedPath path, StateInformation state) {

@@ -18,9 +18,9 @@ import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the vehicle at a {@link Station}: to the place, or to the start of its straight way and
- * along it, then there until its time is over. The time starts again when the vehicle leaves a
- * threshold or the heading.
+ * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Others: to the place,
+ * or to the start of its straight way and along it, then there until its time is over. The time
+ * starts again when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
   private enum Phase {
@@ -34,12 +34,16 @@ final class StationState implements PlannerState {
 
   private final WaypointGuidance guidance;
   private final Supplier<StationVariables> settings;
+  private final StationCircle circle;
+  private Optional<Place> here = Optional.empty(); // where it began, for a station without a place
   private Phase phase = Phase.TRANSIT;
   private long sinceMicros = Long.MIN_VALUE; // on station
 
-  StationState(WaypointGuidance guidance, Supplier<StationVariables> settings) {
+  StationState(
+      WaypointGuidance guidance, Supplier<StationVariables> settings, StationCircle circle) {
     this.guidance = guidance;
     this.settings = settings;
+    this.circle = circle;
   }
 
   @Override
@@ -49,7 +53,10 @@ final class StationState implements PlannerState {
 
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
-    return length(Vehicle.of(state).orElseThrow().nedOf(Place.of((Station) goal)));
+    Place place = Place.of((Station) goal);
+    return place.isHorizontal()
+        ? length(Vehicle.of(state).orElseThrow().nedOf(place))
+        : 0.0; // it is where it begins
   }
 
   @Override
@@ -57,11 +64,27 @@ final class StationState implements PlannerState {
     guidance.begin(WaypointState.placeOf(pursuit.before()));
     phase = Phase.TRANSIT;
     sinceMicros = Long.MIN_VALUE;
+    here = Vehicle.of(pursuit.state()).map(Vehicle::place);
+    circle.leave();
+  }
+
+  /** Position of a station, or where it began if it names none. */
+  private Place place(Station station) {
+    Place place = Place.of(station);
+    if (place.isHorizontal() || here.isEmpty()) {
+      return place;
+    }
+    return place.upM().isPresent() ? here.get().at(place.upM().getAsDouble()) : here.get();
   }
 
   @Override
   public void handOver(HandOver state) {
     state.text("STATION PHASE", phase.name());
+    here.ifPresent(place -> place.handOver(state, "STATION BEGAN"));
+    if (circle.isCircling()) {
+      circle.handOver(state);
+      return;
+    }
     if (sinceMicros != Long.MIN_VALUE) {
       state.number("STATION SINCE", Clock.seconds(sinceMicros));
     }
@@ -75,6 +98,8 @@ final class StationState implements PlannerState {
     }
     guidance.begin(Optional.empty());
     guidance.takeOver(state);
+    here = Place.takenOver(state, "STATION BEGAN");
+    circle.takeOver(state);
     phase = Phase.valueOf(state.text("STATION PHASE").get());
     OptionalDouble since = state.number("STATION SINCE");
     sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
@@ -85,7 +110,11 @@ final class StationState implements PlannerState {
   public Plan plan(Pursuit pursuit) {
     Station station = (Station) pursuit.goal();
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
-    Place place = Place.of(station);
+    Place place = place(station);
+    if (circle.isCircling()) {
+      Place centre = place.orAltitudeOf(here.orElse(place));
+      return circle.plan(station, pursuit.state(), vehicle, centre, pursuit.after());
+    }
     Point to = vehicle.nedOf(place);
     boolean isBerth = station.approach().isPresent() && station.psi().isPresent();
     Point start = isBerth ? to.plus(entrance(station)) : to;
@@ -175,7 +204,9 @@ final class StationState implements PlannerState {
       sinceMicros = now;
     }
     double keptS = Clock.seconds(now - sinceMicros);
-    if (station.duration().isEmpty() || keptS < station.duration().getAsDouble()) {
+    double wantedS =
+        station.duration().orElse(station.turns().isPresent() ? 0.0 : Double.MAX_VALUE);
+    if (keptS < wantedS) {
       return Plan.underWay(points);
     }
     String remark = String.format(Locale.ROOT, "kept for %.1f s", keptS);

@@ -9,11 +9,12 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.guidance.AirMass;
 import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
-import org.u2sa.planning.guidance.LoiterCircle;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
@@ -21,7 +22,8 @@ import org.u2sa.planning.guidance.Vehicle;
  * Landing of an aeroplane: to a place on the extended centreline, around obstacles if the planner
  * avoids them, circling there down or up to the altitude of the approach, level along the line,
  * then down the slope and along the runway. Control flares. An approach that is off at the start of
- * the descent is flown again.
+ * the descent, that something is in the way of before, or that traffic comes near to above
+ * LEAST_BREAK_OFF_M is flown again.
  */
 final class StraightApproach implements LandingState.Descent {
   /** Level part of the line, in radii of turns downwind; the others if no route leads to it. */
@@ -32,6 +34,8 @@ final class StraightApproach implements LandingState.Descent {
   private static final double HIGH_M = 10.0; // … so high, control refuses to land
   private static final double ALONG_RAD = Math.toRadians(30.0); // course on the line, at most off
   private static final int ATTEMPTS = 3;
+  private static final int BREAK_OFFS = 6;
+  private static final double LEAST_BREAK_OFF_M = 20.0; // above the position
 
   private enum Phase {
     /** To the place on the extended centreline. */
@@ -46,24 +50,24 @@ final class StraightApproach implements LandingState.Descent {
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
-  private final Supplier<Double> loiterRadiusM;
+  private final StationCircle circle;
   private final Supplier<FlightVariables> settings;
   private final LineGuidance guidance;
   private Phase phase = Phase.JOIN;
   private int attempts;
+  private int breakOffs;
   private double courseRad;
   private double radiusM;
   private int lead; // index in LEAD_RADII
-  private Optional<LoiterCircle> circle = Optional.empty();
 
   StraightApproach(
       Detour detour,
       Supplier<LineSettings> lines,
-      Supplier<Double> loiter,
+      StationCircle circle,
       Supplier<FlightVariables> settings) {
     this.detour = detour;
     this.lines = lines;
-    loiterRadiusM = loiter;
+    this.circle = circle;
     this.settings = settings;
     guidance = new LineGuidance(this::level);
   }
@@ -77,6 +81,7 @@ final class StraightApproach implements LandingState.Descent {
   @Override
   public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
     attempts = 1;
+    breakOffs = 0;
     Point to = vehicle.nedOf(Place.of(goal));
     Optional<Point> wind = AirMass.wind(state, vehicle);
     courseRad =
@@ -94,7 +99,7 @@ final class StraightApproach implements LandingState.Descent {
 
   private void join() {
     phase = Phase.JOIN;
-    circle = Optional.empty();
+    circle.leave();
     guidance.begin(Optional.empty());
     detour.begin();
   }
@@ -119,8 +124,15 @@ final class StraightApproach implements LandingState.Descent {
           guidance.towards(vehicle, entry, settings.get().approachAccuracy(), Optional.of(end)));
     }
     if (phase == Phase.CIRCLE) {
-      double aheadM = lines.get().lookAheadM(vehicle.speedMps());
-      return underWay(vehicle.body(circle.orElseThrow().ahead(vehicle, aheadM)));
+      Station around = new Station().uid(goal.uid()); // until at its altitude
+      return circle.plan(around, state, vehicle, entry, Optional.empty());
+    }
+    boolean isBlocked =
+        phase == Phase.LEVEL
+            ? detour.isHindered(vehicle, state, ahead(place, remainingM, lengthM).at(highM))
+            : to.z() > LEAST_BREAK_OFF_M && detour.comesTraffic(vehicle, state, place);
+    if (isBlocked) {
+      return breakOff(vehicle.body(toEntry));
     }
     double acrossM = to.x() * Math.sin(courseRad) - to.y() * Math.cos(courseRad);
     if (phase == Phase.LEVEL && remainingM <= lengthM) {
@@ -164,6 +176,23 @@ final class StraightApproach implements LandingState.Descent {
         plan.remark() + ": to another place on the centreline");
   }
 
+  /** The place on the level line to look to: as far ahead as it reaches, at most the length. */
+  private Place ahead(Place place, double remainingM, double lengthM) {
+    return onLine(place, -Math.max(lengthM, remainingM - lengthM));
+  }
+
+  private Plan breakOff(Point body) {
+    List<NavigationPoint> points = List.of(NavigationPoint.at(body));
+    if (breakOffs >= BREAK_OFFS) {
+      return new Plan(
+          points, Plan.Progress.ABANDONED, "given up: something is in the way of the approach");
+    }
+    breakOffs++;
+    join();
+    return new Plan(
+        points, Plan.Progress.UNDER_WAY, "something is in the way of the approach: once more");
+  }
+
   /** A place on the centreline, a distance behind the position. */
   private Place onLine(Place place, double behindM) {
     return place.moved(behindM * Math.cos(courseRad), behindM * Math.sin(courseRad));
@@ -178,9 +207,8 @@ final class StraightApproach implements LandingState.Descent {
             : guidance.isApproaching() && guidance.hasPassed()
                 || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
     boolean isLevel = Math.abs(toEntry.z()) < accuracyM / 2.0;
-    if (phase == Phase.JOIN && isThere && !isLevel && loiterRadiusM.get() > 0.0) {
+    if (phase == Phase.JOIN && isThere && !isLevel && circle.isCircling()) {
       phase = Phase.CIRCLE;
-      circle = Optional.of(new LoiterCircle(entry, loiterRadiusM.get(), vehicle));
     } else if (phase == Phase.JOIN && isThere) {
       phase = Phase.LEVEL;
       guidance.begin(Optional.of(entry));

@@ -10,6 +10,7 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.planning.avoidance.Avoidance;
 import org.u2sa.planning.avoidance.AvoidanceVariables;
@@ -137,8 +138,11 @@ final class WaypointState implements PlannerState {
     return true;
   }
 
+  /** Position of a goal; none of a circle that was left towards the next goal. */
   static Optional<Place> placeOf(Optional<GoalInformation> goal) {
-    return goal.filter(Waypoint.class::isInstance).map(waypoint -> Place.of((Waypoint) waypoint));
+    return goal.filter(Waypoint.class::isInstance)
+        .filter(each -> !(each instanceof Station station && station.towardsNext()))
+        .map(waypoint -> Place.of((Waypoint) waypoint));
   }
 
   @Override

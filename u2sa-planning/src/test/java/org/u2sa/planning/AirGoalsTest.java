@@ -20,6 +20,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.guidance.Leg;
 
@@ -196,5 +197,48 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(nearestM).isGreaterThan(150.0);
     assertThat(Math.abs(aircraft.east)).isLessThan(50.0);
     assertThat(Math.abs(Math.toDegrees(Leg.wrapped(aircraft.heading)))).isLessThan(10.0);
+  }
+
+  /** Traffic crosses the line of the approach as the aircraft comes there, level or descending. */
+  @ParameterizedTest
+  @ValueSource(doubles = {-2000.0, -600.0})
+  void landing_trafficCrossesTheApproach_breaksOffAndComesAgain(double crossesAtNorth) {
+    kit.with("TRAFFIC CLEARANCE", 60.0).with("TRAFFIC HORIZON", 25.0);
+    kit.with("LOITER RADIUS", 800.0).with("VERTICAL CLEARANCE", 300.0);
+    start("AIR");
+    Waypoint landing = new Landing().approach(1000.0).slope(0.05);
+    landing.uid("1").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goals(landing.x(0.0).y(0.0).z(0.0).psi(0.0).horizontalThreshold(30.0));
+    aircraft.north = -6000.0;
+    aircraft.altitude = 50.0;
+    double meetsS = (crossesAtNorth - aircraft.north) / 46.0;
+    double nearestM = Double.POSITIVE_INFINITY;
+    double touchesS = Double.NaN;
+    while (kit.nowS() < 900.0 && Double.isNaN(touchesS)) {
+      double east = 40.0 * (kit.nowS() - meetsS);
+      MovingSphere traffic =
+          new MovingSphere()
+              .timeStep(30.0)
+              .trajectory(List.of(Point.of(crossesAtNorth, east + 1200.0, -40.0)));
+      traffic
+          .radius(10.0)
+          .uid("traffic")
+          .objectType("aircraft")
+          .referenceFrame(ReferenceFrame.LOCAL_NED);
+      traffic.x(crossesAtNorth).y(east).z(-40.0);
+      kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(traffic)));
+      kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      nearestM =
+          Math.min(nearestM, Math.hypot(aircraft.north - crossesAtNorth, aircraft.east - east));
+      boolean isDown = Math.abs(aircraft.north) < 100.0 && aircraft.altitude < 15.0;
+      touchesS = isDown ? kit.nowS() : touchesS;
+    }
+
+    assertThat(logged("something is in the way of the approach: once more")).isPositive();
+    assertThat(nearestM).isGreaterThan(70.0);
+    assertThat(touchesS).isNotNaN();
+    assertThat(Math.abs(aircraft.east)).isLessThan(20.0);
   }
 }

@@ -42,6 +42,33 @@ class PathPlannerTest extends PlannedVehicle {
   }
 
   @Test
+  void state_goalWithAView_theGimbalGetsItsPlace() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 100, 0).lookAt(Point.of(0.0, 50.0, 20.0)));
+    kit.publish(Channels.STATE, state(0, 0, 0).z(0.0));
+
+    NavigationPoint view =
+        kit.<NavigationPoint>published(Channels.NAVIGATION).stream()
+            .filter(point -> point.subsystem().equals("GIMBAL"))
+            .findFirst()
+            .orElseThrow();
+    assertThat(view.point().y()).isCloseTo(-50.0, within(1.0e-9)); // to the right
+    assertThat(view.point().z())
+        .isCloseTo(20.0, within(1.0e-9)); // below: BODY is forward, left, down
+  }
+
+  @Test
+  void state_goalWithAViewOfTheVehicle_turnsItThere() {
+    kit.with("VIEW SUBSYSTEM", "VEHICLE").start(PathPlanner::new);
+    goals(waypoint("1", 100, 0).lookAt(Point.of(0.0, 50.0, 20.0)));
+    kit.publish(Channels.STATE, state(0, 0, 0.5).z(0.0));
+
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(1);
+    double turn = kit.latest(Channels.NAVIGATION).orElseThrow().turn().orElseThrow();
+    assertThat(turn).isCloseTo(Math.PI / 2.0 - 0.5, within(1.0e-9));
+  }
+
+  @Test
   void state_rolledAndPitched_pointConvertsBackToWhereItIs() {
     kit.with("LOOK AHEAD", 50.0).start(PathPlanner::new);
     Waypoint goal = waypoint("1", 1000, 0).z(-200.0);

@@ -16,6 +16,8 @@ import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
 
@@ -46,6 +48,7 @@ public final class CessnaControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
   private SurfaceMixing mixing = SurfaceMixing.SOUND;
   private Autopilot autopilot;
+  private ManualState byHand = new ManualState(); // by the pilot's radio
   private FlightPhase loggedPhase;
   private boolean loggedNavigating;
   private double statusDueS = Double.NEGATIVE_INFINITY;
@@ -56,7 +59,29 @@ public final class CessnaControl extends ControlSystem {
     super(context, "Control");
     autopilot = new Autopilot(tuning.get());
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
+    subscribe(Channels.MANUAL_STATE, this::onManual);
     registerPublisher(ControlStatus.CHANNEL);
+  }
+
+  /** The laws begin again when a pilot has given the aircraft back, wherever that is. */
+  private void onManual(ManualState state) {
+    if (state.requestId().isPresent()) {
+      return; // an answer of this service
+    }
+    if (byHand.active() && !state.active()) {
+      autopilot = new Autopilot(tuning.get());
+      takeOverCommands();
+    }
+    byHand = state;
+  }
+
+  @Override
+  protected ManualState byHand(ManualOrder order) {
+    ManualState refusal = super.byHand(order);
+    return refusal
+        .active(byHand.active())
+        .operator(byHand.operator())
+        .takeovers(byHand.takeovers());
   }
 
   /** Applies new gains and limits in flight. */
@@ -76,6 +101,9 @@ public final class CessnaControl extends ControlSystem {
       return;
     }
     loggedMissing = List.of();
+    if (byHand.active()) {
+      return;
+    }
     FlightState now = seen.get();
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
     lookAtSurfaces();
@@ -194,16 +222,24 @@ public final class CessnaControl extends ControlSystem {
     if (isOfMyClass(state)) {
       reader.takeOver(state);
       autopilot.transfer(Transfer.restoring(state));
-    } else if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isPresent()) {
-      boolean elevons = outputs.get().elevons();
-      double left = lastShare(Surfaces.LEFT_ELEVON);
-      double right = lastShare(Surfaces.RIGHT_ELEVON);
-      autopilot.takeOver(
-          elevons ? (left - right) / 2.0 : lastShare(AircraftActuator.AILERON.actuatorName()),
-          elevons ? (left + right) / 2.0 : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
-          lastShare(AircraftActuator.RUDDER.actuatorName()),
-          lastShare(AircraftActuator.THROTTLE.actuatorName()));
+    } else {
+      takeOverCommands();
     }
+  }
+
+  /** Begins with the commands given last. */
+  private void takeOverCommands() {
+    if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isEmpty()) {
+      return;
+    }
+    boolean elevons = outputs.get().elevons();
+    double left = lastShare(Surfaces.LEFT_ELEVON);
+    double right = lastShare(Surfaces.RIGHT_ELEVON);
+    autopilot.takeOver(
+        elevons ? (left - right) / 2.0 : lastShare(AircraftActuator.AILERON.actuatorName()),
+        elevons ? (left + right) / 2.0 : lastShare(AircraftActuator.ELEVATOR.actuatorName()),
+        lastShare(AircraftActuator.RUDDER.actuatorName()),
+        lastShare(AircraftActuator.THROTTLE.actuatorName()));
   }
 
   private void lacking(List<String> missing) {

@@ -10,24 +10,24 @@ import java.util.Set;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.FieldValue;
+import org.u2sa.messages.schema.MessageType;
 
 /**
- * Goals as items: a waypoint is NAV_WAYPOINT with its threshold as acceptance radius, a station one
- * with hold time; the speed to a goal is a DO_CHANGE_SPEED before it, repetitions are DO_JUMP.
+ * Goals as items: a waypoint is NAV_WAYPOINT with its threshold as acceptance radius, a take-off
+ * NAV_TAKEOFF, a landing NAV_LAND, a station as {@link StationItems} says; {@link WayOrders} come
+ * before them, repetitions are DO_JUMP.
  */
 public final class GoalItems {
   private static final String HOME = "home";
-  private static final double AIRSPEED = 0.0; // through the air or water, as goals have it
-  private static final double VEHICLE_CHOOSES = -2.0; // of DO_CHANGE_SPEED
   private static final double FOREVER = -1.0; // of DO_JUMP
-  private static final double UNCHANGED = -1.0; // throttle of DO_CHANGE_SPEED
-  private static final String SPEED = "speed";
   private static final String THRESHOLD = "horizontalThreshold";
-  private static final String DURATION = "duration";
   private static final String NEXT_IF_DONE = "nextIfDone";
+  private static final Set<MessageType<?>> ITEMS = Set.of(Waypoint.TYPE, Landing.TYPE);
   private static final Set<String> LINKS = Set.of("nextIfFailed", "nextIfTimedOut", "choose");
   private static final Set<String> SAID =
       Set.of(
@@ -44,17 +44,24 @@ public final class GoalItems {
           "z",
           "psi",
           THRESHOLD,
-          SPEED,
-          DURATION);
+          "speed",
+          "duration",
+          "radius",
+          "turns",
+          "towardsNext",
+          "photoDistance",
+          "lookAt",
+          "landingStart");
 
   private final List<String> lost;
   private final List<String> details;
   private final List<PlanItem> items = new ArrayList<>();
   private final List<String> names = new ArrayList<>();
   private final Map<String, Integer> idOfGoal = new HashMap<>(); // of the first item to it
-  private double speed = VEHICLE_CHOOSES;
+  private final WayOrders orders;
 
-  private GoalItems(List<String> lost, List<String> details) {
+  private GoalItems(List<GoalInformation> goals, List<String> lost, List<String> details) {
+    orders = new WayOrders(goals);
     this.lost = lost;
     this.details = details;
   }
@@ -67,7 +74,7 @@ public final class GoalItems {
    * @param details receives what else they cannot say
    */
   public static GoalItems of(List<GoalInformation> goals, List<String> lost, List<String> details) {
-    GoalItems made = new GoalItems(lost, details);
+    GoalItems made = new GoalItems(goals, lost, details);
     made.addAll(goals);
     return made;
   }
@@ -160,18 +167,22 @@ public final class GoalItems {
       field.value().ifPresent(value -> fields.put(field.name(), value));
     }
     boolean isStation = goal.type() == Station.TYPE;
-    if (!isStation && goal.type() != Waypoint.TYPE) {
+    boolean isTakeOff = goal.type() == TakeOff.TYPE;
+    if (!isStation && !isTakeOff && !ITEMS.contains(goal.type())) {
       lose(goal, "is a " + goal.type().name() + ", which no item is");
       return;
     }
     loseOthers(goal, fields);
+    boolean isHere = isTakeOff || isStation && !fields.containsKey("x") && !fields.containsKey("y");
     boolean isGlobal = ((Waypoint) goal).referenceFrame().equals(ReferenceFrame.GLOBAL);
-    if (!isGlobal || !fields.containsKey("x") || !fields.containsKey("y")) {
+    boolean isPlace = isGlobal && fields.containsKey("x") && fields.containsKey("y");
+    if (isHere ? fields.containsKey("z") && !isGlobal : !isPlace) {
       lose(goal, "has no longitude and latitude in the frame Global");
       return;
     }
-    speed((double) fields.getOrDefault(SPEED, VEHICLE_CHOOSES), isTarget, goal.uid());
-    position(goal, isStation, fields);
+    Waypoint at = (Waypoint) goal;
+    orders.before(at, isTarget, nextId()).forEach(order -> add(order, goal.uid()));
+    add(position(at, fields), goal.uid());
   }
 
   private void loseOthers(GoalInformation goal, Map<String, Object> fields) {
@@ -189,38 +200,38 @@ public final class GoalItems {
         });
   }
 
-  /** A goal to which the mission jumps states its speed again, whatever it was where it jumped. */
-  private void speed(double wanted, boolean isTarget, String name) {
-    if (wanted != speed || isTarget) {
-      add(PlanItem.order(nextId(), PlanItem.CHANGE_SPEED, AIRSPEED, wanted, UNCHANGED), name);
-    }
-    speed = wanted;
-  }
-
-  private void position(GoalInformation goal, boolean isStation, Map<String, Object> fields) {
+  private PlanItem position(Waypoint goal, Map<String, Object> fields) {
     double heading =
         fields.containsKey("psi") ? Math.toDegrees((double) fields.get("psi")) : Double.NaN;
     double radius = (double) fields.getOrDefault(THRESHOLD, 0.0);
     List<Double> place =
         List.of(
-            (double) fields.get("y"),
-            (double) fields.get("x"),
+            (double) fields.getOrDefault("y", 0.0),
+            (double) fields.getOrDefault("x", 0.0),
             (double) fields.getOrDefault("z", Double.NaN));
-    if (isStation && !fields.containsKey(DURATION)) {
-      if (fields.containsKey(THRESHOLD)) {
-        detail(goal, "stays with no end within " + THRESHOLD + " " + radius + " m");
-      }
-      add(
-          PlanItem.at(
-              nextId(), PlanItem.LOITER_UNLIMITED, PlanItem.GLOBAL, place, 0.0, 0.0, 0.0, heading),
-          goal.uid());
-      return;
+    if (goal instanceof Station station) {
+      return StationItems.of(nextId(), station, place, radius, heading, what -> detail(goal, what));
     }
-    double stay = (double) fields.getOrDefault(DURATION, 0.0);
-    add(
-        PlanItem.at(
-            nextId(), PlanItem.WAYPOINT, PlanItem.GLOBAL, place, stay, radius, 0.0, heading),
-        goal.uid());
+    boolean isTakeOff = goal instanceof TakeOff;
+    if (isTakeOff || goal instanceof Landing) {
+      if (radius > 0.0) {
+        detail(goal, "has " + THRESHOLD + " " + radius);
+      }
+      if (isTakeOff && goal.x().isPresent()) {
+        detail(goal, "has a place");
+      }
+      return PlanItem.at(
+          nextId(),
+          isTakeOff ? PlanItem.TAKE_OFF : PlanItem.LAND,
+          PlanItem.GLOBAL,
+          isTakeOff ? List.of(0.0, 0.0, place.get(2)) : place,
+          0.0,
+          0.0,
+          0.0,
+          heading);
+    }
+    return PlanItem.at(
+        nextId(), PlanItem.WAYPOINT, PlanItem.GLOBAL, place, 0.0, radius, 0.0, heading);
   }
 
   private void lose(GoalInformation goal, String what) {

@@ -10,13 +10,10 @@ import org.u2sa.messages.goal.Waypoint;
 /** Items as goals: the inverse of {@link GoalItems}. */
 public final class ItemGoals {
   private static final String HOME = "home";
-  private static final double AIRSPEED = 0.0; // types of DO_CHANGE_SPEED
-  private static final double GROUND_SPEED = 1.0; // the same without wind or current
-  private static final double VEHICLE_CHOOSES = -2.0; // of DO_CHANGE_SPEED
-  private static final double UNCHANGED = -1.0; // likewise
   private static final double LARGEST = 1.0e6; // parameter: times, s, m, m/s
 
   private final ItemPlaces places;
+  private final ItemOrders orders;
   private final List<PlanItem> items;
   private final boolean hasHome;
   private final List<String> lost;
@@ -24,16 +21,14 @@ public final class ItemGoals {
   private final List<GoalInformation> goals = new ArrayList<>();
   private final Map<Integer, Integer> goalFrom = new HashMap<>(); // index by ID of item before it
   private final List<Integer> pending = new ArrayList<>(); // items whose goal follows
-  private final Map<Integer, Double> statedSpeeds = new HashMap<>(); // by index of goal
   private final List<List<String>> next = new ArrayList<>();
-  private double speed = VEHICLE_CHOOSES;
-  private boolean isStated; // the speed, since the last goal
   private boolean isOver; // an item that ends the way came
 
   private ItemGoals(StationPlan plan, List<String> lost, List<String> details) {
     items = plan.items();
     hasHome = plan.home().isPresent();
     places = new ItemPlaces(plan.home(), lost, details);
+    orders = new ItemOrders(places, lost, details);
     this.lost = lost;
     this.details = details;
   }
@@ -47,6 +42,9 @@ public final class ItemGoals {
   public static ItemGoals of(StationPlan plan, List<String> lost, List<String> details) {
     ItemGoals made = new ItemGoals(plan, lost, details);
     plan.items().forEach(made::add);
+    if (made.orders.isIncomplete()) {
+      lost.add("the landing starts after the last goal; expected one");
+    }
     made.link();
     return made;
   }
@@ -89,45 +87,25 @@ public final class ItemGoals {
       detail(item, "waits for an operator before the next item");
     }
     switch (item.command()) {
-      case PlanItem.WAYPOINT, PlanItem.LOITER_UNLIMITED, PlanItem.LOITER_TIME, PlanItem.TAKE_OFF ->
-          places.waypoint(item).ifPresent(this::take);
-      case PlanItem.CHANGE_SPEED -> speed(item);
       case PlanItem.JUMP -> jump(item);
       case PlanItem.RETURN -> returning(item);
-      default -> lose(item, "no goal says that");
+      default -> {
+        if (ItemPlaces.COMMANDS.contains(item.command())) {
+          places.waypoint(item).ifPresent(this::take);
+        } else if (!orders.take(item)) {
+          lose(item, "no goal says that");
+        }
+      }
     }
   }
 
   private void take(Waypoint goal) {
     goal.uid(Integer.toString(goals.size() + 1));
-    if (speed != VEHICLE_CHOOSES) {
-      goal.speed(speed);
-    }
+    orders.applyTo(goal, goals.size());
     pending.forEach(id -> goalFrom.put(id, goals.size()));
     pending.clear();
-    if (isStated) {
-      statedSpeeds.put(goals.size(), speed);
-    }
-    isStated = false;
     goals.add(goal);
     next.add(List.of());
-  }
-
-  private void speed(PlanItem item) {
-    double wanted = item.parameter(2);
-    if (item.parameter(1) != AIRSPEED && item.parameter(1) != GROUND_SPEED) {
-      lose(item, "a speed of type " + item.parameter(1) + "; expected 0 or 1");
-      return;
-    }
-    if (wanted == VEHICLE_CHOOSES || wanted > 0.0) {
-      speed = wanted;
-      isStated = true;
-    } else if (wanted != UNCHANGED) {
-      lose(item, "a speed of " + wanted + " m/s; expected more than 0, -1 or -2");
-    }
-    if (item.parameter(3) > 0.0) {
-      detail(item, "a throttle of " + item.parameter(3) + " %");
-    }
   }
 
   /** Jumps back: a number of times is a repetition, endless ones are the way itself. */
@@ -138,9 +116,7 @@ public final class ItemGoals {
       lose(item, "jumps to item " + item.parameter(1) + ", which no goal before it is");
       return;
     }
-    if (speed != speedTo(target) && !statedSpeeds.containsKey(target)) {
-      detail(item, "jumps to an item at another speed, which a speed item before that must set");
-    }
+    orders.jump(item, (Waypoint) goals.get(target), target);
     GoalInformation last = goals.get(goals.size() - 1);
     if (times < 0.0) {
       next.set(goals.size() - 1, List.of(Integer.toString(target + 1)));
@@ -150,10 +126,6 @@ public final class ItemGoals {
     } else if (times != 0.0) {
       lose(item, "jumps " + times + " times, or is the second jump at its place");
     }
-  }
-
-  private double speedTo(int index) {
-    return ((Waypoint) goals.get(index)).speed().orElse(VEHICLE_CHOOSES);
   }
 
   private void returning(PlanItem item) {

@@ -3,6 +3,7 @@ package org.u2sa.gcs.plan;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * One item of a mission as MAVLink has it (MISSION_ITEM, mavlink.io/en/messages/common.html).
@@ -16,11 +17,20 @@ import java.util.Map;
 public record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn, int id) {
   public static final int WAYPOINT = 16;
   public static final int LOITER_UNLIMITED = 17;
+  public static final int LOITER_TURNS = 18;
   public static final int LOITER_TIME = 19;
   static final int RETURN = 20;
+  public static final int LAND = 21;
   public static final int TAKE_OFF = 22;
+  static final int LOITER_TO_ALTITUDE = 31;
+  static final int DELAY = 93;
   public static final int JUMP = 177;
   static final int CHANGE_SPEED = 178;
+  static final int LAND_START = 189;
+  static final int VIEW = 195;
+  static final int NO_VIEW = 197;
+  static final int ANY_VIEW = 201;
+  static final int IMAGE_DISTANCE = 206;
 
   public static final int GLOBAL = 0;
   static final int MISSION = 2; // no coordinates
@@ -33,20 +43,22 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
   private static final int HEADING = 4; // its parameter
   private static final double NORTH_DEG = 360.0;
 
+  private static final Set<Integer> ORDERS =
+      Set.of(JUMP, CHANGE_SPEED, RETURN, DELAY, LAND_START, NO_VIEW, IMAGE_DISTANCE);
   private static final Map<Integer, String> NAMES =
       Map.ofEntries(
           Map.entry(WAYPOINT, "NAV_WAYPOINT"),
           Map.entry(LOITER_UNLIMITED, "NAV_LOITER_UNLIM"),
-          Map.entry(18, "NAV_LOITER_TURNS"),
+          Map.entry(LOITER_TURNS, "NAV_LOITER_TURNS"),
           Map.entry(LOITER_TIME, "NAV_LOITER_TIME"),
           Map.entry(RETURN, "NAV_RETURN_TO_LAUNCH"),
-          Map.entry(21, "NAV_LAND"),
+          Map.entry(LAND, "NAV_LAND"),
           Map.entry(TAKE_OFF, "NAV_TAKEOFF"),
-          Map.entry(31, "NAV_LOITER_TO_ALT"),
+          Map.entry(LOITER_TO_ALTITUDE, "NAV_LOITER_TO_ALT"),
           Map.entry(82, "NAV_SPLINE_WAYPOINT"),
           Map.entry(84, "NAV_VTOL_TAKEOFF"),
           Map.entry(85, "NAV_VTOL_LAND"),
-          Map.entry(93, "NAV_DELAY"),
+          Map.entry(DELAY, "NAV_DELAY"),
           Map.entry(112, "CONDITION_DELAY"),
           Map.entry(115, "CONDITION_YAW"),
           Map.entry(JUMP, "DO_JUMP"),
@@ -54,12 +66,13 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
           Map.entry(179, "DO_SET_HOME"),
           Map.entry(181, "DO_SET_RELAY"),
           Map.entry(183, "DO_SET_SERVO"),
-          Map.entry(189, "DO_LAND_START"),
-          Map.entry(195, "DO_SET_ROI_LOCATION"),
-          Map.entry(201, "DO_SET_ROI"),
+          Map.entry(LAND_START, "DO_LAND_START"),
+          Map.entry(VIEW, "DO_SET_ROI_LOCATION"),
+          Map.entry(NO_VIEW, "DO_SET_ROI_NONE"),
+          Map.entry(ANY_VIEW, "DO_SET_ROI"),
           Map.entry(203, "DO_DIGICAM_CONTROL"),
           Map.entry(205, "DO_MOUNT_CONTROL"),
-          Map.entry(206, "DO_SET_CAM_TRIGG_DIST"),
+          Map.entry(IMAGE_DISTANCE, "DO_SET_CAM_TRIGG_DIST"),
           Map.entry(530, "SET_CAMERA_MODE"),
           Map.entry(2000, "IMAGE_START_CAPTURE"),
           Map.entry(2001, "IMAGE_STOP_CAPTURE"));
@@ -101,19 +114,28 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return new PlanItem(command, frame, changed, goesOn, id);
   }
 
-  /** Whether it is no way to a place. */
+  /** Whether it has no coordinates. */
   public boolean isOrder() {
-    return command == JUMP || command == CHANGE_SPEED || command == RETURN;
+    return ORDERS.contains(command);
+  }
+
+  /** Whether its place is to be looked at, not to be gone to. */
+  public boolean isView() {
+    return command == VIEW || command == ANY_VIEW;
+  }
+
+  private boolean hasHeading() {
+    return !isOrder() && !isView();
   }
 
   /** From a writer that knows no empty heading and writes 0. */
   public PlanItem withoutHeading0() {
-    return !isOrder() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
+    return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
   }
 
   /** For a reader that takes a heading of 0 as none: north is 360. */
   public PlanItem withNorth360() {
-    return !isOrder() && parameter(HEADING) == 0.0 ? with(HEADING, NORTH_DEG) : this;
+    return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, NORTH_DEG) : this;
   }
 
   /** For messages: its number and command. */

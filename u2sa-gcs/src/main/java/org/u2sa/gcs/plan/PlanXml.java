@@ -3,6 +3,7 @@ package org.u2sa.gcs.plan;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.FieldValue;
 import org.u2sa.report.EscapedXml;
@@ -52,6 +53,8 @@ public final class PlanXml {
       if (!list.isEmpty()) {
         element(text, name, list.get(0)); // an item has one successor
       }
+    } else if (value instanceof Point point) {
+      element(text, name, point.x() + " " + point.y() + " " + point.z());
     } else {
       element(text, name, value);
     }

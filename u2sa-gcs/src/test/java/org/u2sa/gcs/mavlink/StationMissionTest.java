@@ -119,9 +119,10 @@ class StationMissionTest {
 
   @Test
   void upload_inexpressibleItem_isRefusedByName() {
-    upload(kit, List.of(item(0, 16, 0.001), item(1, 189, 0.001)));
+    upload(kit, List.of(item(0, 16, 0.001), item(1, 205, 0.001)));
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
-    assertThat(kit.texts()).contains("mission item 2 (MAV_CMD_DO_LAND_START): no goal says that");
+    assertThat(kit.texts())
+        .contains("mission item 2 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that");
     assertThat(kit.orders(MissionOrder.class)).isEmpty();
   }
 
@@ -149,11 +150,11 @@ class StationMissionTest {
 
   @Test
   void upload_lastItemRepeatedAsTheAnswerWasLost_isAnsweredAgain() {
-    upload(kit, List.of(item(0, 16, 0.001), item(1, 189, 0.001)));
+    upload(kit, List.of(item(0, 16, 0.001), item(1, 205, 0.001)));
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
     kit.send(item(0, 16, 0.001));
     assertThat(kit.received(MissionAck.class)).isEmpty();
-    kit.send(item(1, 189, 0.001));
+    kit.send(item(1, 205, 0.001));
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
     upload(kit, List.of(item(0, 16, 0.001)));
     kit.send(item(0, 16, 0.001)); // the Mission Manager has not answered yet

@@ -13,10 +13,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
 /** Missions in the formats of other stations and back. */
@@ -49,22 +52,72 @@ class PlanFormatsTest {
         .horizontalThreshold(2.5);
   }
 
+  private static <T extends Waypoint> T place(Random random, T goal) {
+    goal.x(8.0 + random.nextDouble()).y(-50.0 - random.nextDouble());
+    if (random.nextBoolean() || goal instanceof Landing) {
+      goal.z(random.nextDouble() * 1000.0);
+    }
+    return goal;
+  }
+
+  private static Waypoint waypoint(Random random, Waypoint goal) {
+    place(random, goal).horizontalThreshold(1 + random.nextInt(100));
+    return random.nextInt(3) == 0 ? goal.psi(Math.toRadians(random.nextInt(360))) : goal;
+  }
+
+  /** A hold, a landing, a delay or a circle: without end, for a time or turns, to an altitude. */
+  private static Waypoint other(Random random) {
+    Station station = random.nextInt(4) == 0 ? new Station() : place(random, new Station());
+    boolean hasRadius = random.nextBoolean();
+    if (hasRadius) {
+      station.radius((1 + random.nextInt(300)) * (random.nextBoolean() ? 1 : -1));
+    }
+    boolean isToNext = random.nextBoolean();
+    switch (random.nextInt(8)) {
+      case 7:
+        return new TakeOff().z(random.nextDouble() * 1000.0);
+      case 0:
+        return waypoint(random, new Station().duration(1 + random.nextInt(60)));
+      case 1:
+        return place(random, new Landing()).psi(Math.toRadians(random.nextInt(360)));
+      case 2:
+        return new Station().duration(1 + random.nextInt(60)); // a delay
+      case 3:
+        return station; // without end
+      case 4:
+        station.turns(0.5 + random.nextInt(9));
+        break;
+      case 5:
+        station.duration(0.0); // to the altitude
+        break;
+      default:
+        station.duration(1 + random.nextInt(60));
+        isToNext |= !hasRadius;
+    }
+    return isToNext ? station.towardsNext(true) : station;
+  }
+
+  private static void camera(Random random, Waypoint goal) {
+    if (random.nextInt(4) == 0) {
+      goal.photoDistance(1 + random.nextInt(80));
+    }
+    if (random.nextInt(4) == 0) {
+      goal.lookAt(Point.of(8.0 + random.nextDouble(), -50.5, random.nextDouble() * 100.0));
+    }
+    if (random.nextInt(8) == 0) {
+      goal.landingStart(true);
+    }
+  }
+
   /** All that both formats can say, at random. */
   private static List<GoalInformation> mission(Random random) {
     List<GoalInformation> goals = new ArrayList<>();
     int count = 1 + random.nextInt(12);
     boolean isLinked = random.nextBoolean();
     for (int i = 1; i <= count; i++) {
-      Waypoint goal =
-          random.nextInt(4) == 0 ? new Station().duration(1 + random.nextInt(60)) : new Waypoint();
-      goal.uid(Integer.toString(i)).x(8.0 + random.nextDouble()).y(-50.0 - random.nextDouble());
-      goal.horizontalThreshold(1 + random.nextInt(100));
-      if (random.nextBoolean()) {
-        goal.z(random.nextDouble() * 1000.0);
-      }
-      if (random.nextInt(3) == 0) {
-        goal.psi(Math.toRadians(random.nextInt(360)));
-      }
+      Waypoint goal = random.nextBoolean() ? other(random) : waypoint(random, new Waypoint());
+      goal.uid(Integer.toString(i));
+      camera(random, goal);
       if (random.nextInt(3) == 0) {
         goal.speed(1 + random.nextInt(40));
       }
@@ -104,6 +157,36 @@ class PlanFormatsTest {
   }
 
   @Test
+  void export_camera_isOrderedWhereItChanges() {
+    Point tower = Point.of(8.5, 50.5, 30.0);
+    List<GoalInformation> goals =
+        List.of(
+            waypoint(1).photoDistance(25.0).lookAt(tower),
+            waypoint(2).photoDistance(25.0).lookAt(tower),
+            waypoint(3).landingStart(true));
+
+    List<PlanItem> items = GoalItems.of(goals, lost, lost).items();
+
+    assertThat(items)
+        .extracting(PlanItem::command)
+        .containsExactly(206, 195, 16, 16, 206, 197, 189, 16);
+    assertThat(items.get(0).parameter(1)).isEqualTo(25.0);
+    assertThat(items.get(1).parameters().subList(4, 7)).containsExactly(50.5, 8.5, 30.0);
+  }
+
+  @Test
+  void export_stationThatNoItemSays_isNamed() {
+    Station both = (Station) new Station().turns(2.0).duration(5.0).radius(50.0).uid("1");
+    GoalItems.of(List.of(both.x(8.0).y(50.0).psi(0.5).horizontalThreshold(3.0)), lost, lost);
+
+    assertThat(lost)
+        .containsExactly(
+            "goal \"1\": stays within horizontalThreshold 3.0 m",
+            "goal \"1\": has turns and duration 5.0",
+            "goal \"1\": has psi of 28.64788975654116 deg besides");
+  }
+
+  @Test
   void export_whatItemsCannotSay_isNamed() {
     Waypoint local = new Waypoint().uid("1").referenceFrame(ReferenceFrame.LOCAL_ENU).x(1).y(2);
     Waypoint named = waypoint(2).verticalThreshold(3.0);
@@ -140,9 +223,16 @@ class PlanFormatsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "'21,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): no goal says that'",
+    "'205,2,0,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that'",
+    "'21,0,10,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): an altitude to abort'",
+    "'21,0,0,0,0,0,50,8,nan,1', 'item 1 (MAV_CMD_NAV_LAND): no altitude of the ground'",
+    "'18,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LOITER_TURNS): 0.0 turns'",
+    "'93,2,-1,12,0,0,0,0,0,1', 'item 1 (MAV_CMD_NAV_DELAY): until a time of day'",
+    "'189,2,0,0,0,0,0,0,0,1', 'the landing starts after the last goal'",
+    "'195,0,0,0,0,0,50,8,nan,1', 'item 1 (MAV_CMD_DO_SET_ROI_LOCATION): expected latitude'",
+    "'201,0,2,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_DO_SET_ROI): a view of mode 2.0'",
     "'22,0,15,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_TAKEOFF): a pitch of 15.0 deg'",
-    "'206,2,25,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): no goal says that'",
+    "'206,2,25,9,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): a shutter time of 9.0'",
     "'16,10,0,0,0,0,50,8,30,1', 'an altitude in frame 10'",
     "'16,3,0,0,0,0,0,0,30,1', 'latitude 0.0, longitude 0.0 is no place'",
     "'16,3,0,0,50,0,50,8,30,1', 'a radius of 50.0 m'",

@@ -10,7 +10,9 @@ import org.u2sa.messages.schema.ValueField;
 /**
  * A position to keep, with a heading if {@link #psi} is given: station keeping, or a berth that is
  * entered along its axis. It is reached when the vehicle has stayed within both thresholds and on
- * its heading for the {@link #duration}.
+ * its heading for the {@link #duration}. A vehicle that cannot stop circles around the position; it
+ * is reached after duration and {@link #turns}, counted from its arrival on the circle at the
+ * altitude.
  */
 public class Station extends Waypoint {
   private static final Schema<Station> SCHEMA =
@@ -18,6 +20,11 @@ public class Station extends Waypoint {
   private static final NumberField<Station> DURATION = SCHEMA.optionalNumber("duration", "s", 0.0);
   private static final NumberField<Station> APPROACH = SCHEMA.optionalNumber("approach", "m", 0.0);
   private static final ValueField<Station, Boolean> BACKWARDS = SCHEMA.optionalFlag("backwards");
+  private static final NumberField<Station> RADIUS = SCHEMA.optionalNumber("radius", "m");
+  private static final NumberField<Station> TURNS =
+      SCHEMA.optionalNumber("turns", "1", 0.0, 1000.0);
+  private static final ValueField<Station, Boolean> TOWARDS_NEXT =
+      SCHEMA.optionalFlag("towardsNext");
 
   public static final MessageType<Station> TYPE = SCHEMA.build();
 
@@ -54,6 +61,39 @@ public class Station extends Waypoint {
 
   public Station backwards(boolean value) {
     return put(BACKWARDS, value);
+  }
+
+  /**
+   * Radius of the circle of a vehicle that cannot stop [m]; positive clockwise, negative
+   * counter-clockwise, empty or 0: the planner's, in the direction of arrival.
+   */
+  public OptionalDouble radius() {
+    return get(RADIUS);
+  }
+
+  public Station radius(double metres) {
+    return put(RADIUS, metres);
+  }
+
+  /** Number of turns of a vehicle that cannot stop; empty: none are counted. */
+  public OptionalDouble turns() {
+    return get(TURNS);
+  }
+
+  public Station turns(double number) {
+    return put(TURNS, number);
+  }
+
+  /**
+   * Whether a vehicle that cannot stop leaves its circle only when its course leads to the next
+   * goal; defaults to false.
+   */
+  public boolean towardsNext() {
+    return Boolean.TRUE.equals(get(TOWARDS_NEXT));
+  }
+
+  public Station towardsNext(boolean value) {
+    return put(TOWARDS_NEXT, value);
   }
 
   @Override

@@ -1,7 +1,9 @@
 package org.u2sa.messages.goal;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
@@ -29,6 +31,11 @@ public class Waypoint extends GoalInformation {
   private static final NumberField<Waypoint> VERTICAL_THRESHOLD =
       SCHEMA.optionalNumber("verticalThreshold", "m", 0.0);
   private static final NumberField<Waypoint> SPEED = SCHEMA.optionalNumber("speed", "m/s", 0.0);
+  private static final NumberField<Waypoint> PHOTO_DISTANCE =
+      SCHEMA.since(3).optionalNumberWithoutBit("photoDistance", "m", 0.0);
+  private static final ValueField<Waypoint, Point> LOOK_AT = SCHEMA.optionalPoint("lookAt", "m");
+  private static final ValueField<Waypoint, Boolean> LANDING_START =
+      SCHEMA.optionalFlagWithoutBit("landingStart");
 
   static {
     SCHEMA.alias("reference", REFERENCE_FRAME); // the thesis's mission example, 3.2.3.2
@@ -138,6 +145,36 @@ public class Waypoint extends GoalInformation {
 
   public Waypoint speed(double value) {
     return put(SPEED, value);
+  }
+
+  /** Distance flown between two images on the way to the waypoint [m]; empty: no images. */
+  public OptionalDouble photoDistance() {
+    return get(PHOTO_DISTANCE);
+  }
+
+  public Waypoint photoDistance(double metres) {
+    return put(PHOTO_DISTANCE, metres);
+  }
+
+  /**
+   * Point that the camera looks at on the way to the waypoint, coordinates as x, y and z of {@link
+   * #referenceFrame}; empty: none.
+   */
+  public Optional<Point> lookAt() {
+    return Optional.ofNullable(get(LOOK_AT));
+  }
+
+  public Waypoint lookAt(Point point) {
+    return put(LOOK_AT, point);
+  }
+
+  /** Whether returning and landing begin with this goal; defaults to false. */
+  public boolean landingStart() {
+    return Boolean.TRUE.equals(get(LANDING_START));
+  }
+
+  public Waypoint landingStart(boolean value) {
+    return put(LANDING_START, value);
   }
 
   @Override

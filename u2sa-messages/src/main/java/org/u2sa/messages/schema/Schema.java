@@ -290,6 +290,11 @@ public final class Schema<T extends U2SAData> {
     return added(new NumberField<>(outline, unit, Double.NaN, min, ANY_MORE));
   }
 
+  /** Optional flag, without a presence bit. */
+  public ValueField<T, Boolean> optionalFlagWithoutBit(String field) {
+    return value(field, "", ScalarKinds.FLAG, Presence.OPTIONAL, null);
+  }
+
   /** Optional enum constant, without a presence bit. */
   public <E extends Enum<E>> ValueField<T, E> optionalChoiceWithoutBit(
       String field, Class<E> type) {

@@ -13,6 +13,7 @@ import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.messages.shape.ImageFootprint;
 
@@ -55,6 +56,27 @@ final class GoldenPlans {
             .y(-33.5)
             .psi(1.5)
             .horizontalThreshold(0.25));
+    golden.add(
+        "Station-circle",
+        new Station()
+            .duration(30.0)
+            .radius(-120.0)
+            .turns(2.5)
+            .towardsNext(true)
+            .uid("9")
+            .z(150.0)
+            .horizontalThreshold(15.0));
+    golden.add(
+        "Waypoint-camera",
+        new Waypoint()
+            .uid("10")
+            .x(151.25)
+            .y(-33.5)
+            .z(80.0)
+            .horizontalThreshold(15.0)
+            .photoDistance(25.0)
+            .lookAt(Point.of(151.125, -33.5, 12.5))
+            .landingStart(true));
     golden.add(
         "TakeOff",
         new TakeOff().uid("9").z(80.0).psi(1.5).verticalThreshold(5.0).horizontalThreshold(15.0));

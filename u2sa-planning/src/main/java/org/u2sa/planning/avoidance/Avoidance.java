@@ -162,14 +162,13 @@ public final class Avoidance {
 
   /**
    * Whether something is in the way of a vehicle that flies straight on to a place: an obstacle
-   * near the line, or traffic that comes near within the horizon.
+   * near the line, or traffic.
    */
   public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
+    boolean hasTraffic = comesTraffic(vehicle, state, to);
     AvoidanceVariables now = settings.get();
-    lieOn(world.plane(state));
     Point at = vehicle.on(plane);
     Point way = vehicle.nedOf(to);
-    world.update(state, at.x(), at.y(), at.z(), at.z() + way.z());
     double keptM = body(now).circleM() + now.clearance();
     for (PlanarShape shape : world.shapes()) {
       double stepM = Math.max(1.0, 0.5 * keptM);
@@ -181,6 +180,19 @@ public final class Avoidance {
         }
       }
     }
+    return hasTraffic;
+  }
+
+  /**
+   * Whether traffic comes near within the horizon if the vehicle flies straight on.
+   *
+   * @param to place to which it climbs or descends
+   */
+  public boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
+    AvoidanceVariables now = settings.get();
+    lieOn(world.plane(state));
+    Point at = vehicle.on(plane);
+    world.update(state, at.x(), at.y(), at.z(), at.z() + vehicle.nedOf(to).z());
     return TrafficHold.comesNear(
         world.movers(),
         vehicle,

@@ -24,6 +24,15 @@ public final class LoiterCircle {
     sense = to.y() * Math.cos(course) - to.x() * Math.sin(course) >= 0.0 ? 1.0 : -1.0;
   }
 
+  /**
+   * Circle in a given direction.
+   *
+   * @param radiusM positive clockwise, negative counter-clockwise
+   */
+  public static LoiterCircle signed(Place centre, double radiusM) {
+    return new LoiterCircle(centre, Math.abs(radiusM), Math.signum(radiusM));
+  }
+
   private LoiterCircle(Place centre, double radiusM, double sense) {
     this.centre = centre;
     this.radiusM = radiusM;
@@ -47,6 +56,55 @@ public final class LoiterCircle {
                         state.number("CIRCLE RADIUS").getAsDouble(),
                         state.number("CIRCLE SENSE").orElse(1.0)))
         : Optional.empty();
+  }
+
+  public double radiusM() {
+    return radiusM;
+  }
+
+  /** 1 clockwise, -1 counter-clockwise. */
+  public double sense() {
+    return sense;
+  }
+
+  /** Distance from the circle's line [m], positive outside. */
+  public double outsideM(Vehicle vehicle) {
+    Point to = vehicle.nedOf(centre);
+    return Math.hypot(to.x(), to.y()) - radiusM;
+  }
+
+  /** Distance of another place from the circle's line [m], positive outside. */
+  public double outsideM(Place place, Vehicle vehicle) {
+    Point from = vehicle.nedOf(centre).minus(vehicle.nedOf(place));
+    return Math.hypot(from.x(), from.y()) - radiusM;
+  }
+
+  /** Direction of the vehicle from the centre [rad, clockwise from north]. */
+  public double bearingRad(Vehicle vehicle) {
+    Point to = vehicle.nedOf(centre);
+    return Math.atan2(-to.y(), -to.x());
+  }
+
+  /**
+   * Place on the circle.
+   *
+   * @param bearingRad its direction from the centre
+   */
+  public Place at(double bearingRad) {
+    return centre.moved(radiusM * Math.cos(bearingRad), radiusM * Math.sin(bearingRad));
+  }
+
+  /** Course along the circle at a direction from the centre [rad]. */
+  public double courseRad(double bearingRad) {
+    return bearingRad + sense * Math.PI / 2.0;
+  }
+
+  /** Like {@link #ahead}, but from outside along a tangent: north, east, down [m]. */
+  public Point tangentAhead(Vehicle vehicle, double lookAheadM) {
+    double away = outsideM(vehicle) + radiusM;
+    double tangent = away > radiusM ? Math.acos(radiusM / away) : 0.0;
+    double turn = Math.max(tangent, Math.min(lookAheadM / radiusM, FARTHEST_AHEAD_RAD));
+    return vehicle.nedOf(at(bearingRad(vehicle) + sense * turn));
   }
 
   /** Point on the circle, one look-ahead ahead: north, east, down from the vehicle [m]. */

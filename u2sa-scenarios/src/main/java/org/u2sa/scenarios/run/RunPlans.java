@@ -9,6 +9,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.mission.Home;
 import org.u2sa.mission.Mission;
@@ -66,11 +67,16 @@ public final class RunPlans {
                             place.x().orElseThrow(),
                             place.y().orElseThrow(),
                             waypoint.z().isPresent() ? place.z() : OptionalDouble.empty(),
-                            waypoint.horizontalThreshold(),
+                            waypoint.horizontalThreshold() + radiusM(waypoint),
                             waypoint.verticalThreshold())));
       }
     }
     return new RunPlan(domain, Optional.of(home), waypoints);
+  }
+
+  /** Radius of the circle that an aircraft flies around a station [m]; 0 if it gives none. */
+  private static double radiusM(Waypoint waypoint) {
+    return waypoint instanceof Station station ? Math.abs(station.radius().orElse(0.0)) : 0.0;
   }
 
   private static Optional<StateInformation> place(Waypoint waypoint, Geodetic origin) {

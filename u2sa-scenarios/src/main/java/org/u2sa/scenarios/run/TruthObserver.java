@@ -135,7 +135,8 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     if (record.isMissionOver()) {
       missionOverS = Math.min(missionOverS, timeS);
       boolean parked = timeS - Math.max(missionOverS, movedS) >= STOOD_S;
-      over = parked || timeS - missionOverS >= PARKED_WITHIN_S;
+      boolean lasts = timeS - missionOverS >= PARKED_WITHIN_S && !scorer.isWaiting();
+      over = parked || lasts;
     }
   }
 
@@ -189,6 +190,11 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
     /** Whether the rules end the run now. Thread-safe. */
     default boolean isOver() {
+      return false;
+    }
+
+    /** Whether a vehicle that moves after its last goal is not to end the run yet. */
+    default boolean isWaiting() {
       return false;
     }
 

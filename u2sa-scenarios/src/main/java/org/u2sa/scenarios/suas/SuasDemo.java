@@ -68,6 +68,12 @@ final class SuasDemo implements Callable<Integer>, Demo {
   private String down = "";
 
   @Option(
+      names = "--takeover",
+      paramLabel = "FROM-TO",
+      description = "A pilot takes over by radio for that time [s], then the mission goes on.")
+  private String takeover = "";
+
+  @Option(
       names = "--camera-fails",
       paramLabel = "S",
       description = "The camera fails at this time [s].")
@@ -154,22 +160,28 @@ final class SuasDemo implements Callable<Integer>, Demo {
   }
 
   private SuasStation.Script script(SuasField drawn) {
-    String[] times = down.isEmpty() ? new String[0] : down.split("-", -1);
+    double[] times = times("--station-fails", down);
     return new SuasStation.Script(
         Double.isNaN(toldHpa) ? drawn.qnhPa() : 100.0 * toldHpa,
         frame.isOwnMission() && laps == 1 ? Optional.of(SuasMission.area(drawn)) : Optional.empty(),
         SuasMission.DROP,
-        times.length > 0 ? seconds(times[0]) : Double.POSITIVE_INFINITY,
-        times.length > 1 ? seconds(times[1]) : Double.POSITIVE_INFINITY);
+        times[0],
+        times[1]);
   }
 
-  private double seconds(String text) {
-    try {
-      return Double.parseDouble(text);
-    } catch (NumberFormatException e) {
-      throw new BadInputException(
-          "--station-fails " + down + ": \"" + text + "\" is no time; expected such as 300-320", e);
+  /** Beginning and end of a span; infinite if it is not given. */
+  private static double[] times(String option, String span) {
+    double[] times = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    String[] texts = span.isEmpty() ? new String[0] : span.split("-", 2);
+    for (int i = 0; i < texts.length; i++) {
+      try {
+        times[i] = Double.parseDouble(texts[i]);
+      } catch (NumberFormatException e) {
+        throw new BadInputException(
+            option + " " + span + ": \"" + texts[i] + "\" is no time; expected such as 300-320", e);
+      }
     }
+    return times;
   }
 
   @Override
@@ -204,6 +216,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
             new FieldPainter(
                 drawn.targets(), SurveyPictures.USUAL, seed, mosaic.map(FieldMosaic::ground)),
             cells::see);
+    double[] byHand = times("--takeover", takeover);
+    SuasPilot pilot = new SuasPilot(drawn, placed.run(), byHand[0], byHand[1]);
     AtomicReference<SuasStation> station = new AtomicReference<>();
     SuasJudge.Aboard aboard =
         new SuasJudge.Aboard(
@@ -216,7 +230,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
         placed.name(),
         clock -> new SuasJudge(drawn, cells, aboard, directory),
         launch -> {
-          launch.devices(new SuasDevices(placed.devices(), camera, placed.run(), cameraFailsS));
+          launch.devices(
+              new SuasDevices(placed.devices(), camera, placed.run(), cameraFailsS, pilot));
           launch.beside(
               XmlConfiguration.inMemory("SuasStation", Map.of()),
               context -> {

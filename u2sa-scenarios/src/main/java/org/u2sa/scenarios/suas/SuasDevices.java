@@ -2,6 +2,9 @@ package org.u2sa.scenarios.suas;
 
 import java.util.Optional;
 import org.u2sa.device.port.Camera;
+import org.u2sa.device.port.RadioReceiver;
+import org.u2sa.device.port.Servo;
+import org.u2sa.device.port.Thruster;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.service.ServiceContext;
@@ -14,20 +17,34 @@ import org.u2sa.sim.vehicle.RunningVehicle;
  * @param camera under it
  * @param run the vehicle
  * @param cameraFailsS time at which the camera fails [s]; infinite for never
+ * @param pilot with the radio
  */
 record SuasDevices(
     ServiceContext.DeviceSource vehicle,
     SurveyPictures camera,
     RunningVehicle run,
-    double cameraFailsS)
+    double cameraFailsS,
+    SuasPilot pilot)
     implements ServiceContext.DeviceSource {
   @Override
   public <D> Optional<D> device(
       Class<D> port, String service, XmlConfiguration variables, Clock clock) {
+    if (port == RadioReceiver.class) {
+      return Optional.of(port.cast(pilot.receiver()));
+    }
     if (port != Camera.class) {
-      return vehicle.device(port, service, variables, clock);
+      return vehicle.device(port, service, variables, clock).map(own -> behindRadio(service, own));
     }
     camera.failAt(cameraFailsS, () -> run.at(clock.micros()).timeS());
     return Optional.of(port.cast(camera));
+  }
+
+  /** Servos and motor behind the radio's multiplexer; other devices as they are. */
+  @SuppressWarnings("unchecked") // each is wrapped by one of the same port
+  private <D> D behindRadio(String service, D own) {
+    if (own instanceof Servo servo) {
+      return (D) pilot.servo(service, servo);
+    }
+    return own instanceof Thruster motor ? (D) pilot.motor(motor) : own;
   }
 }

@@ -18,6 +18,9 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.ReportFile;
 import org.u2sa.report.score.RunOutcome;
@@ -63,6 +66,8 @@ final class SuasJudge implements TruthObserver.Scorer {
   private double dropM = Double.POSITIVE_INFINITY; // from its place
   private double longestGapS;
   private int corrections;
+  private int takeovers;
+  private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private double nowS;
   private VehicleTruth last;
   private double reportedS = Double.NEGATIVE_INFINITY;
@@ -94,7 +99,7 @@ final class SuasJudge implements TruthObserver.Scorer {
 
   @Override
   public List<Channel<?>> listensTo() {
-    return List.of(Channels.STATE, SurveyTarget.CHANNEL);
+    return List.of(Channels.STATE, Channels.MANUAL_STATE, Channels.FAILSAFE, SurveyTarget.CHANNEL);
   }
 
   @Override
@@ -105,6 +110,19 @@ final class SuasJudge implements TruthObserver.Scorer {
       boolean isNew = reports.put(report.uid(), sheet) == null;
       corrections += isNew ? 0 : 1;
       say((isNew ? "report: " : "correction: ") + String.join(", ", report.fields()));
+      return true;
+    }
+    if (data instanceof FailsafeState state) {
+      if (state.action() != failsafe) {
+        say("failsafe " + state.action() + ": " + String.join(", ", state.causes()));
+      }
+      failsafe = state.action();
+      return true;
+    }
+    if (data instanceof ManualState state) {
+      boolean isNew = state.active() && state.takeovers() > takeovers;
+      takeovers = (int) state.takeovers();
+      say(isNew ? "takeover " + takeovers : state.active() ? "by hand" : "automatic");
       return true;
     }
     if (!(data instanceof StateInformation state)) {
@@ -217,6 +235,12 @@ final class SuasJudge implements TruthObserver.Scorer {
     return over;
   }
 
+  /** Without a ground station it flies until it is terminated. */
+  @Override
+  public boolean isWaiting() {
+    return !aboard.hears().getAsBoolean();
+  }
+
   @Override
   public String phase(boolean moves) {
     return moves ? "FLIES" : "STANDS";
@@ -242,7 +266,7 @@ final class SuasJudge implements TruthObserver.Scorer {
             nowS < RUN_S ? 1.0 : 0.0,
             scores.stream().mapToDouble(Double::doubleValue).average().orElse(0.0),
             telemetry.meanGapS(),
-            0,
+            takeovers,
             boundary.count(),
             !landed && last != null && last.position().z() < 2.0,
             obstacles - hit.size(),
@@ -273,6 +297,9 @@ final class SuasJudge implements TruthObserver.Scorer {
     if (!isReleased) {
       violations.add("the bottle was not dropped");
     }
+    if (failsafe == FailsafeAction.STOP) {
+      violations.add("the flight was terminated");
+    }
     if (!landed) {
       violations.add("does not stand on the runway at the end");
     }
@@ -291,6 +318,7 @@ final class SuasJudge implements TruthObserver.Scorer {
     counts.put("boundaryLeft", boundary.count());
     counts.put("missionChanges", aboard.changes().getAsInt());
     counts.put("corrections", corrections);
+    counts.put("takeovers", takeovers);
     Map<String, Double> figures = new LinkedHashMap<>(sheet.figures());
     figures.put("areaSeen", cells.share());
     if (cells.highestM() > 0.0) {

@@ -9,6 +9,7 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.PeriodicService;
@@ -17,11 +18,13 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * The ground station of the demo, with a person at it: heartbeats, air pressure, and the search
- * area, which is told in flight. While it is down nothing goes out, and no telemetry gets through.
- * In: mission, goals. Out: operator, ground-pressure, mission.
+ * area, which is told in flight; after a takeover it resumes the mission. While it is down nothing
+ * goes out, and no telemetry gets through. In: mission, goals, manual-state. Out: operator,
+ * ground-pressure, mission.
  */
 final class SuasStation extends PeriodicService {
   private static final String NAME = "SuasStation";
+  private static final String RESUME = " resume";
   private static final double PRESSURE_S = 60.0;
   private static final double ANSWERED_S = 3.0; // else the order is sent again
 
@@ -40,6 +43,7 @@ final class SuasStation extends PeriodicService {
   private final Script script;
   private final Deque<String> toInsert = new ArrayDeque<>();
   private boolean flies;
+  private boolean resumes; // the mission, which a takeover has paused
   private double pressureDueS;
   private double orderDueS;
   private volatile int changes;
@@ -54,16 +58,28 @@ final class SuasStation extends PeriodicService {
     registerPublisher(Channels.MISSION);
     subscribe(Channels.GOALS, this::onGoals);
     subscribe(Channels.MISSION, this::onMission);
+    subscribe(Channels.MANUAL_STATE, this::onManual);
   }
 
   private void onGoals(GoalList goals) {
     flies |= goals.goals().stream().anyMatch(goal -> goal.uid().equals("1"));
   }
 
+  private void onManual(ManualState state) {
+    resumes = !state.active() && state.takeovers() > 0;
+    if (!state.active()) {
+      return;
+    }
+    log("taken over by \"" + state.operator() + "\"");
+  }
+
   private void onMission(U2SAData data) {
     if (data instanceof MissionOrderResult result && result.requestId().startsWith(NAME)) {
       log((result.accepted() ? "done: " : "refused: ") + result.outcome());
-      if (result.accepted() && !toInsert.isEmpty()) {
+      boolean isResumed = result.requestId().endsWith(RESUME);
+      if (isResumed) {
+        resumes &= !result.accepted();
+      } else if (result.accepted() && !toInsert.isEmpty()) {
         toInsert.remove();
         changes++;
       }
@@ -82,16 +98,18 @@ final class SuasStation extends PeriodicService {
       publish(
           Channels.GROUND_PRESSURE, new GroundPressure().operator("ann").pressure(script.toldPa()));
     }
-    if (flies && !toInsert.isEmpty() && nowS >= orderDueS) {
+    if (nowS >= orderDueS && (resumes || flies && !toInsert.isEmpty())) {
       orderDueS = nowS + ANSWERED_S;
-      publish(
-          Channels.MISSION,
-          new MissionOrder()
-              .requestId(NAME + " " + Math.round(nowS))
-              .action(MissionAction.INSERT)
-              .uid(script.after())
-              .goals(toInsert.peek())
-              .operator("ann"));
+      String id = NAME + " " + Math.round(nowS);
+      MissionOrder order =
+          resumes
+              ? new MissionOrder().requestId(id + RESUME).action(MissionAction.RESUME)
+              : new MissionOrder()
+                  .requestId(id)
+                  .action(MissionAction.INSERT)
+                  .uid(script.after())
+                  .goals(toInsert.peek());
+      publish(Channels.MISSION, order.operator("ann"));
     }
   }
 

@@ -16,6 +16,8 @@ import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ManualOrder;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.testkit.ServiceKit;
 
 class CessnaControlTest {
@@ -90,6 +92,29 @@ class CessnaControlTest {
     assertThat(kit.percent("RUDDER")).isGreaterThan(5.0);
     assertThat(kit.log("Control"))
         .anySatisfy(line -> assertThat(line).contains("ailerons lost: rolling by the rudder"));
+  }
+
+  @Test
+  void callback_pilotHasTakenOver_commandsNothingUntilGivenBackAndSaysSo() {
+    kit.start(CessnaControl::new);
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 5);
+    double throttle = kit.percent("THROTTLE");
+    kit.publish(
+        Channels.MANUAL_STATE, new ManualState().active(true).operator("pilot").takeovers(1));
+    kit.forget();
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 5);
+    assertThat(kit.published(Channels.ACTUATION)).isEmpty();
+    kit.publish(
+        Channels.MANUAL_ORDERS, new ManualOrder().active(true).operator("ann").requestId("q"));
+    ManualState answer = kit.latest(Channels.MANUAL_STATE).orElseThrow();
+    assertThat(answer.active()).isTrue();
+    assertThat(answer.takeovers()).isEqualTo(1);
+    assertThat(answer.reason().orElseThrow()).contains("cannot be driven by hand");
+    kit.publish(
+        Channels.MANUAL_STATE, new ManualState().active(false).operator("pilot").takeovers(1));
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 1);
+
+    assertThat(kit.percent("THROTTLE")).isCloseTo(throttle, within(5.0));
   }
 
   @Test

@@ -23,14 +23,17 @@ class SuasFlightTest {
 
   @TempDir private Path folder;
 
-  private record Row(Point ned, double altitudeM, double speedMps, int leg) {
+  private record Row(
+      double timeS, Point ned, double altitudeM, double headingRad, double speedMps, int leg) {
     static Row of(String line) {
       String[] fields = line.split(",", -1);
       Geodetic place =
           new Geodetic(Double.parseDouble(fields[1]), Double.parseDouble(fields[2]), 0.0);
       return new Row(
+          Double.parseDouble(fields[0]),
           FIELD.nedOf(place),
           Double.parseDouble(fields[3]),
+          Math.toRadians(Double.parseDouble(fields[4])),
           Double.parseDouble(fields[5]),
           Integer.parseInt(fields[7]));
     }
@@ -152,6 +155,66 @@ class SuasFlightTest {
     assertThat(end.fromM(0, 0)).isLessThan(200.0);
     assertThat(end.speedMps()).isLessThan(0.3);
     assertThat(end.altitudeM()).isLessThan(TAKES_OFF_M + 0.5);
+  }
+
+  /** Two turns counter-clockwise in mid-mission, then to the next waypoint; 8 s of calculation. */
+  @Test
+  void plane_circlesInWind_keepsToTheCircleAndLeavesTowardsTheNextGoal() throws IOException {
+    List<Row> rows =
+        fly(
+            "plane",
+            "vehicle.xml",
+            "<takeOff><z>83</z></takeOff>"
+                + place(
+                    "station",
+                    0,
+                    500,
+                    60,
+                    "<turns>1.5</turns><radius>-120</radius><towardsNext>true</towardsNext>")
+                + place("waypoint", 600, 500, 60, ""),
+            5.0,
+            24);
+
+    List<Double> offs =
+        rows.stream()
+            .filter(row -> row.timeS() > 45.0 && row.timeS() < 85.0)
+            .map(row -> row.fromM(0, 500) - 120.0)
+            .toList();
+    assertThat(Math.sqrt(offs.stream().mapToDouble(off -> off * off).average().orElseThrow()))
+        .isLessThan(5.0);
+    assertThat(rows.stream().mapToDouble(row -> row.fromM(600, 500)).min().orElseThrow())
+        .isLessThan(15.2);
+  }
+
+  /** Along 120 m, sideways, with its nose on a place 60 m beside. */
+  @Test
+  void hexacopter_lookAt_keepsItsNoseOnThePlace() throws IOException {
+    Geodetic view = FIELD.fromNed(Point.of(60.0, 120.0, 0.0));
+    String lookAt =
+        "<lookAt>"
+            + view.longitudeDeg()
+            + " "
+            + view.latitudeDeg()
+            + " "
+            + TAKES_OFF_M
+            + "</lookAt>";
+    List<Row> rows =
+        fly(
+            "hexacopter",
+            "vehicle.xml",
+            "<takeOff><z>83</z></takeOff>"
+                + place("waypoint", 0, 60, 40, lookAt)
+                + place("waypoint", 120, 60, 40, lookAt),
+            5.0,
+            43);
+
+    List<Double> offs =
+        rows.stream()
+            .filter(row -> row.leg() == 1)
+            .map(row -> Math.atan2(120.0 - row.ned().y(), 60.0 - row.ned().x()) - row.headingRad())
+            .map(off -> Math.abs(Math.toDegrees(Math.IEEEremainder(off, 2.0 * Math.PI))))
+            .toList();
+    assertThat(offs).hasSizeGreaterThan(100).allMatch(off -> off < 15.0);
   }
 
   @Test

@@ -12,8 +12,10 @@ import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
+import org.u2sa.messages.safety.ManualState;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.testkit.ServiceKit;
 
@@ -73,6 +75,29 @@ class SuasStationTest {
             kit.published(Channels.MISSION).stream().filter(MissionOrder.class::isInstance).count())
         .as("no further order")
         .isEqualTo(orders.size());
+  }
+
+  @Test
+  void step_pilotGaveBack_resumesTheMissionOnceAcknowledged() {
+    station(1e9, 1e9);
+    kit.publish(Channels.MANUAL_STATE, new ManualState().active(true).takeovers(1));
+    kit.advance(5.0);
+    assertThat(kit.published(Channels.MISSION)).isEmpty();
+    kit.publish(Channels.MANUAL_STATE, new ManualState().active(false).takeovers(1));
+    kit.advance(1.5);
+    MissionOrder order = (MissionOrder) kit.latest(Channels.MISSION).orElseThrow();
+    assertThat(order.action()).isEqualTo(MissionAction.RESUME);
+    kit.publish(
+        Channels.MISSION,
+        new MissionOrderResult()
+            .requestId(order.requestId())
+            .serviceName("MissionManager")
+            .accepted(true)
+            .outcome("resumed"));
+    kit.forget();
+    kit.advance(10.0);
+
+    assertThat(kit.published(Channels.MISSION)).isEmpty();
   }
 
   @Test

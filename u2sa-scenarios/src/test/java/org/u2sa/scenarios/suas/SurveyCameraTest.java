@@ -16,6 +16,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.report.mosaic.MosaicGrid;
 import org.u2sa.report.mosaic.SurveyMosaic;
@@ -157,6 +158,39 @@ class SurveyCameraTest {
     assertThat(figures.get("mosaicShown")).isEqualTo(1.0);
     assertThat(figures.get("mosaicTargetOffsetM")).isLessThan(0.1);
     assertThat(figures.get("mosaicColourError")).isLessThan(6.0);
+  }
+
+  /** Straight on at 20 m/s, an image each 0.5 s. */
+  @Test
+  void look_photoDistance_recordsAnImageAtOnceAndEachTimeItHasBeenFlown() {
+    try (ServiceKit kit = new ServiceKit().with("MOUNTED PITCH", -Math.PI / 2.0)) {
+      kit.with("GROUND ALTITUDE", SuasField.ORIGIN.altitudeM());
+      kit.start(context -> new SurveyCamera(context, camera()));
+      Waypoint goal = new Waypoint().uid("1").x(0).y(0).horizontalThreshold(15.0);
+      kit.publish(Channels.GOALS, new GoalList().goals(List.of(goal.copy().photoDistance(35.0))));
+      for (int i = 0; i <= 40; i++) {
+        frame =
+            new CameraFrame(
+                kit.clock().micros(),
+                OPTICS.width(),
+                OPTICS.height(),
+                CameraFrame.PixelFormat.JPEG,
+                new byte[] {1},
+                Optional.of(OPTICS.intrinsics()));
+        Geodetic place = SuasField.plane().at(10.0 * i, 0.0, UP_M);
+        StateInformation state = new StateInformation().phi(0.0).theta(0.0).psi(0.0);
+        state.x(place.longitudeDeg()).y(place.latitudeDeg()).z(place.altitudeM());
+        state.timestamp(kit.clock().micros());
+        kit.advance(0.25);
+        kit.publish(Channels.STATE, state.copy());
+        kit.advance(0.25);
+      }
+
+      // 400 m: the first at once, then after each 35 m, on average
+      assertThat(kit.published(Channels.SENSED_OBJECTS)).hasSize(12);
+      kit.publish(Channels.GOALS, new GoalList().goals(List.of(goal)));
+      assertThat(kit.published(SurveyTarget.CHANNEL)).isEmpty();
+    }
   }
 
   private static boolean isRight(SurveyTarget report, SuasTarget target) {

@@ -4,12 +4,14 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.device.CameraSensor;
 import org.u2sa.device.MountingPose;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectLevel;
@@ -19,6 +21,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.terrain.HeightGrid;
@@ -27,10 +30,11 @@ import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * A camera that looks down, while a search area is current: publishes which ground each image
- * shows, and, when the area has been searched, the targets that it found. In: state, goals. Out:
- * sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set. Thesis
- * 4.4.1.1, 4.4.1.3.
+ * A camera that looks down, while a search area or a goal with a photoDistance is current:
+ * publishes which ground each image shows, and afterwards the targets that it found. Of a search
+ * area all images count, otherwise one each time the distance has been flown. In: state, goals.
+ * Out: sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set.
+ * Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
   private record Variables(
@@ -43,7 +47,10 @@ public final class SurveyCamera extends CameraSensor {
       @Variable(ifAbsentText = "")
           @Description(
               "Height map of the ground, an Esri ASCII grid in degrees; without it search areas are level.")
-          String terrain) {}
+          String terrain,
+      @Variable(unit = "m", min = -500, max = 9000, ifAbsent = 0)
+          @Description("Altitude of the ground in images that no search area asks for.")
+          double groundAltitude) {}
 
   private static final int MAX_WAITING = 8; // images for the state of their time
   private static final double MIN_M = 0.7; // of a target
@@ -52,6 +59,8 @@ public final class SurveyCamera extends CameraSensor {
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   private static final long GAP_MICROS = Clock.micros(0.5);
 
+  private final Settings<Variables> variables = settings(Variables.class);
+  private final DistanceTrigger trigger = new DistanceTrigger();
   private final PoseHistory poses = new PoseHistory();
   private final Deque<CameraFrame> waiting = new ArrayDeque<>();
   private final CameraMount mount;
@@ -70,7 +79,7 @@ public final class SurveyCamera extends CameraSensor {
     pictures = pictures();
     terrain =
         HeightGrid.named(
-            settings(Variables.class).get().terrain(), context.configuration()::resolve);
+            variables.get().terrain(), context.configuration()::resolve);
   }
 
   /** Uses the given camera, e.g. a simulated one. */
@@ -80,7 +89,7 @@ public final class SurveyCamera extends CameraSensor {
     pictures = pictures();
     terrain =
         HeightGrid.named(
-            settings(Variables.class).get().terrain(), context.configuration()::resolve);
+            variables.get().terrain(), context.configuration()::resolve);
   }
 
   private CameraMount listen() {
@@ -91,7 +100,7 @@ public final class SurveyCamera extends CameraSensor {
   }
 
   private Optional<CameraImages> pictures() {
-    Variables showing = settings(Variables.class).get();
+    Variables showing = variables.get();
     if (showing.imageEvery() == 0.0) {
       return Optional.empty();
     }
@@ -100,14 +109,19 @@ public final class SurveyCamera extends CameraSensor {
   }
 
   private void onGoals(GoalList goals) {
-    boolean searched = area.isPresent();
+    boolean searched = area.isPresent() || trigger.isOn();
+    boolean ends = area.isPresent();
     area = Optional.empty();
+    OptionalDouble distance = OptionalDouble.empty();
     for (GoalInformation goal : goals.goals()) {
       if (goal instanceof SearchArea) {
         area = Optional.of((SearchArea) goal);
+      } else if (goal instanceof Waypoint waypoint && waypoint.photoDistance().isPresent()) {
+        distance = waypoint.photoDistance();
       }
     }
-    if (searched && area.isEmpty()) {
+    trigger.each(distance);
+    if (searched && area.isEmpty() && (ends || !trigger.isOn())) {
       report();
     }
   }
@@ -125,10 +139,13 @@ public final class SurveyCamera extends CameraSensor {
     while (!waiting.isEmpty() && waiting.peek().measuredAtMicros() <= poses.newestMicros()) {
       CameraFrame frame = waiting.remove();
       Optional<StateInformation> then = poses.at(frame.measuredAtMicros(), GAP_MICROS);
-      if (area.isPresent() && then.filter(SurveyCamera::isPlaced).isPresent()) {
-        see(frame, then.get(), area.get());
-      } else {
-        withoutState += area.isPresent() ? 1 : 0;
+      boolean isWanted = area.isPresent() || trigger.isOn();
+      if (!isWanted || then.filter(SurveyCamera::isPlaced).isEmpty()) {
+        withoutState += isWanted ? 1 : 0;
+      } else if (area.isPresent()) {
+        see(frame, then.get(), area.get().ground());
+      } else if (trigger.isDue(then.get())) {
+        see(frame, then.get(), variables.get().groundAltitude());
       }
     }
     remark("TARGETS", String.valueOf(targets.size()));
@@ -155,8 +172,8 @@ public final class SurveyCamera extends CameraSensor {
     waiting.add(frame);
   }
 
-  private void see(CameraFrame frame, StateInformation state, SearchArea current) {
-    AerialView view = new AerialView(frame, mount, state, current.ground(), terrain);
+  private void see(CameraFrame frame, StateInformation state, double groundM) {
+    AerialView view = new AerialView(frame, mount, state, groundM, terrain);
     Optional<ImageFootprint> shown = view.footprint(++images);
     if (shown.isEmpty()) {
       return;

@@ -37,7 +37,7 @@ final class PlanReader {
                     OptionalDouble.of(place.altitudeM())));
     for (int i = 0; i < uploaded.size(); i++) {
       PlanItem item = uploaded.get(i).planItem(i + 1, first);
-      items.add(suited(item, i == uploaded.size() - 1));
+      items.add(suited(item));
     }
     List<String> lost = new ArrayList<>();
     goals = goals(new StationPlan(this.home, items, List.of()), lost, details);
@@ -75,30 +75,18 @@ final class PlanReader {
     return details;
   }
 
-  private PlanItem suited(PlanItem item, boolean isLast) {
-    if (kind.isOnSurface()) {
-      if (item.command() == PlanItem.TAKE_OFF) {
-        throw refusal(item, "this vehicle does not take off");
-      }
-      return item.with(PlanItem.PARAMETERS, Double.NaN); // its altitude is that of the surface
-    }
-    if (kind != VehicleKind.PLANE) {
+  private PlanItem suited(PlanItem item) {
+    if (item.isOrder() || item.isView()) {
       return item;
     }
-    boolean stays = item.command() == PlanItem.WAYPOINT && item.parameter(1) > 0.0;
-    if (stays || item.command() == PlanItem.LOITER_TIME) {
-      throw refusal(item, "a plane cannot wait at a waypoint");
-    }
-    if (item.command() == PlanItem.LOITER_UNLIMITED) {
-      if (!isLast) {
-        throw refusal(item, "a plane circles only after the last item");
+    if (kind.isOnSurface()) {
+      if (item.command() == PlanItem.TAKE_OFF || item.command() == PlanItem.LAND) {
+        throw refusal(item, "this vehicle neither takes off nor lands");
       }
-      return new PlanItem(
-          PlanItem.WAYPOINT,
-          item.frame(),
-          item.with(1, 0.0).with(2, 0.0).parameters(),
-          item.goesOn(),
-          item.id());
+      item = item.with(PlanItem.PARAMETERS, Double.NaN); // its altitude is that of the surface
+    }
+    if (kind != VehicleKind.PLANE && item.command() == PlanItem.LOITER_TURNS) {
+      throw refusal(item, "this vehicle stays in place; it does not fly turns");
     }
     return item;
   }

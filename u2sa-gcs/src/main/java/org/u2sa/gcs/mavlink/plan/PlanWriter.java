@@ -76,7 +76,7 @@ final class PlanWriter {
 
   /** Stations expect an altitude also of vehicles on the ground. */
   private static PlanItem level(PlanItem item) {
-    return item.isOrder()
+    return item.isOrder() || item.isView()
         ? item
         : new PlanItem(
             item.command(),

@@ -11,6 +11,7 @@ import net.jqwik.api.Property;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.plan.PlanXml;
 import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
@@ -26,6 +27,15 @@ class PlanReaderProperties {
     goal.uid(Integer.toString(number)).horizontalThreshold(1 + random.nextInt(9));
     goal.x((random.nextInt(3_600_000) - 1_800_000) / 1e4).y(random.nextInt(900_000) / 1e4);
     goal.z(random.nextInt(1000) / 4.0);
+    if (random.nextInt(4) == 0) {
+      goal.photoDistance(1 + random.nextInt(50));
+    }
+    if (random.nextInt(4) == 0) {
+      goal.lookAt(Point.of(10.0 + random.nextInt(1000) / 1e4, 54.0, random.nextInt(100)));
+    }
+    if (random.nextInt(8) == 0) {
+      goal.landingStart(true);
+    }
     if (random.nextInt(3) == 0) {
       goal.speed(1 + random.nextInt(40) / 10.0);
     }
@@ -63,7 +73,9 @@ class PlanReaderProperties {
   @Property(tries = 300)
   void read_anyItems_isAMissionOrARefusal(@ForAll long seed) {
     Random random = new Random(seed);
-    int[] commands = {16, 17, 19, 20, 22, 177, 178, random.nextInt(65_536)};
+    int[] commands = {
+      16, 17, 18, 19, 20, 21, 22, 31, 93, 177, 178, 189, 195, 197, 201, 206, random.nextInt(65_536)
+    };
     List<MissionItem> items = new ArrayList<>();
     for (int i = random.nextInt(6); i >= 0; i--) {
       float[] p = new float[5];

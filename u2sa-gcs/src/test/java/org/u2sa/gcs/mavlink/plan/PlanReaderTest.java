@@ -76,7 +76,7 @@ class PlanReaderTest {
   @Test
   void read_takeOffHere_climbs() {
     assertThat(read(VehicleKind.COPTER, 0, item(22, false, 0, 0, 0), waypoint()).xml())
-        .contains("<z>70.0</z><verticalThreshold>10.0</verticalThreshold></waypoint>");
+        .contains("<takeOff><z>70.0</z></takeOff>");
   }
 
   @Test
@@ -86,22 +86,32 @@ class PlanReaderTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"ROVER, <station>, LOITER_UNLIM", "PLANE, <waypoint>, WAYPOINT"})
-  void read_loiterAtTheEnd_staysOrCircles(VehicleKind kind, String element, String command) {
-    PlanReader plan = read(kind, 0, item(17, true, 0, 0, 50));
+  @CsvSource({
+    "17, 0, 0, 50, <radius>50.0</radius>",
+    "18, 3, 1, -50, <radius>-50.0</radius><turns>3.0</turns><towardsNext>true</towardsNext>",
+    "19, 20, 0, 50, <duration>20.0</duration><radius>50.0</radius>",
+    "31, 1, 50, 0, <duration>0.0</duration><radius>50.0</radius><towardsNext>true</towardsNext>",
+    "16, 20, 0, 0, <duration>20.0</duration>",
+    "93, 20, 0, 0, <station><duration>20.0</duration></station>",
+  })
+  void read_loitersOfAPlaneInMidMission_areStations(
+      int command, float first, float second, float third, String fields) {
+    PlanReader plan =
+        read(VehicleKind.PLANE, 0, item(command, true, first, second, third), waypoint());
 
-    assertThat(plan.xml()).contains(element);
-    assertThat(plan.details())
-        .containsExactly(
-            "item 1 (MAV_CMD_NAV_" + command + "): a radius of 50.0 m to pass or to circle");
+    assertThat(plan.xml()).contains("<station>").contains(fields);
+    assertThat(plan.details()).isEmpty();
   }
 
   @ParameterizedTest
   @CsvSource({
-    "BOAT, 22, 0, item 1 (MAV_CMD_NAV_TAKEOFF): this vehicle does not take off",
-    "PLANE, 19, 5, item 1 (MAV_CMD_NAV_LOITER_TIME): a plane cannot wait at a waypoint",
-    "PLANE, 16, 5, item 1 (MAV_CMD_NAV_WAYPOINT): a plane cannot wait at a waypoint",
-    "PLANE, 17, 0, item 1 (MAV_CMD_NAV_LOITER_UNLIM): a plane circles only after the last item",
+    "BOAT, 22, 0, item 1 (MAV_CMD_NAV_TAKEOFF): this vehicle neither takes off nor lands",
+    "ROVER, 21, 0, item 1 (MAV_CMD_NAV_LAND): this vehicle neither takes off nor lands",
+    "COPTER, 18, 2, item 1 (MAV_CMD_NAV_LOITER_TURNS): this vehicle stays in place",
+    "PLANE, 18, 0, item 1 (MAV_CMD_NAV_LOITER_TURNS): 0.0 turns; expected more than 0",
+    "PLANE, 93, -1, item 1 (MAV_CMD_NAV_DELAY): until a time of day",
+    "PLANE, 206, -5, item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): a distance of -5.0 m",
+    "PLANE, 201, 4, item 1 (MAV_CMD_DO_SET_ROI): a view of mode 4.0",
     "COPTER, 178, 5, item 1 (MAV_CMD_DO_CHANGE_SPEED): a speed of type 5.0; expected 0 or 1",
     "COPTER, 16, Infinity, item 1 (MAV_CMD_NAV_WAYPOINT): has a parameter beyond 1000000.0",
     "ROVER, 20, 0, item 1 (MAV_CMD_NAV_RETURN_TO_LAUNCH): nothing comes before it",

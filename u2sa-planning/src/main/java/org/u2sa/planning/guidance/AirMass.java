@@ -1,17 +1,16 @@
-package org.u2sa.planning;
+package org.u2sa.planning.guidance;
 
 import java.util.Optional;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.planning.guidance.Vehicle;
 
 /** The wind that a state implies: velocity over ground minus velocity through the air. */
-final class AirMass {
+public final class AirMass {
   private AirMass() {}
 
   /** Wind, the direction to which it blows: north, east [m/s]; empty without an airspeed. */
-  static Optional<Point> wind(StateInformation state, Vehicle vehicle) {
+  public static Optional<Point> wind(StateInformation state, Vehicle vehicle) {
     if (state.fluidxDot().isEmpty()) {
       return Optional.empty();
     }

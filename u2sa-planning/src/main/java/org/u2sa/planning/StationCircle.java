@@ -1,0 +1,241 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.planning.avoidance.Avoidance;
+import org.u2sa.planning.guidance.Leg;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.LoiterCircle;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * A {@link Station} of a vehicle that cannot stop: a circle around it. Duration and turns count
+ * from the arrival on the circle at the altitude of the station, whatever the vehicle has to evade
+ * later. Where the circle is obstructed, the vehicle is led around to a later part of it.
+ */
+final class StationCircle {
+  private static final double LOOKS_AHEAD_RAD = 1.2; // along the circle, for what is in the way
+  private static final double NEXT_ENTRY_RAD = Math.toRadians(60.0);
+  private static final int ENTRIES = 5;
+  private static final double UNREACHABLE_S = 4.0; // without a route to an entry
+  private static final double ALONG_RAD = Math.toRadians(45.0); // course, at most off the circle's
+  private static final double LEAVES_RAD = Math.toRadians(12.0); // before its course to the next
+
+  private final Detour detour;
+  private final Supplier<LineSettings> lines;
+  private final Supplier<Double> radiusM; // of stations that specify none
+  private final Supplier<FlightVariables> settings;
+  private LoiterCircle circle; // null before the first plan
+  private Optional<Place> place = Optional.empty(); // its centre as the station has it
+  private int entry; // led around to, from 1; 0: on the circle or straight to it
+  private double entryRad; // its direction from the centre
+  private long lostSince; // without a route; MAX_VALUE with one
+  private long sinceMicros; // counting; MIN_VALUE before
+  private double turnedRad;
+  private double bearingRad;
+
+  StationCircle(
+      Detour detour,
+      Supplier<LineSettings> lines,
+      Supplier<Double> radius,
+      Supplier<FlightVariables> settings) {
+    this.detour = detour;
+    this.lines = lines;
+    this.radiusM = radius;
+    this.settings = settings;
+  }
+
+  /** Whether the vehicle circles rather than stays. */
+  boolean isCircling() {
+    return radiusM.get() > 0.0;
+  }
+
+  /** Discards the circle because another goal is pursued. */
+  void leave() {
+    circle = null;
+    place = Optional.empty();
+  }
+
+  private void begin(Station station, Place centre, Vehicle vehicle) {
+    double wanted = station.radius().orElse(0.0);
+    circle =
+        wanted == 0.0
+            ? new LoiterCircle(centre, radiusM.get(), vehicle)
+            : LoiterCircle.signed(centre, wanted);
+    sinceMicros = Long.MIN_VALUE;
+    turnedRad = 0.0;
+    entry = 0;
+    detour.begin();
+  }
+
+  void handOver(HandOver state) {
+    if (circle == null) {
+      return;
+    }
+    circle.handOver(state);
+    place.ifPresent(centre -> centre.handOver(state, "STATION CENTRE"));
+    state.number("STATION TURNED", turnedRad);
+    if (sinceMicros != Long.MIN_VALUE) {
+      state.number("STATION SINCE", Clock.seconds(sinceMicros));
+    }
+  }
+
+  void takeOver(HandOver state) {
+    place = Place.takenOver(state, "STATION CENTRE");
+    circle = LoiterCircle.takenOver(state).orElse(null);
+    turnedRad = state.number("STATION TURNED").orElse(0.0);
+    OptionalDouble since = state.number("STATION SINCE");
+    sinceMicros = since.isPresent() ? Clock.micros(since.getAsDouble()) : Long.MIN_VALUE;
+    bearingRad = Double.NaN;
+    entry = 0;
+    detour.begin();
+  }
+
+  /**
+   * Plans the next step.
+   *
+   * @param after the next goal
+   * @param centre of the circle, with altitude; another one than before begins a new circle
+   */
+  Plan plan(
+      Station station,
+      StateInformation state,
+      Vehicle vehicle,
+      Place centre,
+      Optional<GoalInformation> after) {
+    if (circle == null || !place.equals(Optional.of(centre))) {
+      place = Optional.of(centre);
+      begin(station, centre, vehicle);
+    }
+    count(station, vehicle);
+    NavigationPoint point =
+        NavigationPoint.at(
+            vehicle.body(circle.tangentAhead(vehicle, lines.get().lookAheadM(vehicle.speedMps()))));
+    station.speed().ifPresent(point::speed);
+    if (isOver(station, vehicle) && mayLeave(station, vehicle, after)) {
+      return new Plan(List.of(point), Plan.Progress.COMPLETED, counted(vehicle));
+    }
+    if (!detour.isPossible()) {
+      return Plan.underWay(List.of(point));
+    }
+    boolean isFree = !isHindered(vehicle, state);
+    if (entry > 0 && isFree && isAlong(vehicle)) {
+      entry = 0;
+    } else if (entry == 0 && !isFree) {
+      enter(1, vehicle);
+    }
+    return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
+  }
+
+  /** Something is in the way to the circle or along it. */
+  private boolean isHindered(Vehicle vehicle, StateInformation state) {
+    double away = circle.outsideM(vehicle) + circle.radiusM();
+    double tangent = away > circle.radiusM() ? Math.acos(circle.radiusM() / away) : 0.0;
+    double ahead = circle.sense() * Math.max(tangent, LOOKS_AHEAD_RAD);
+    return detour.isHindered(vehicle, state, circle.at(circle.bearingRad(vehicle) + ahead));
+  }
+
+  private boolean isAlong(Vehicle vehicle) {
+    double course = circle.courseRad(circle.bearingRad(vehicle));
+    return Math.abs(circle.outsideM(vehicle)) < settings.get().approachAccuracy()
+        && Math.abs(Leg.wrapped(vehicle.courseRad() - course)) < ALONG_RAD;
+  }
+
+  private void enter(int number, Vehicle vehicle) {
+    entry = number;
+    entryRad = circle.bearingRad(vehicle) + circle.sense() * (1 + number) * NEXT_ENTRY_RAD;
+    lostSince = Long.MAX_VALUE;
+    detour.begin();
+  }
+
+  private Plan around(
+      Station station, StateInformation state, Vehicle vehicle, NavigationPoint onCircle) {
+    double accuracyM = settings.get().approachAccuracy();
+    Plan plan =
+        detour.step(
+            vehicle,
+            state,
+            new Avoidance.Wanted(
+                station.uid(),
+                circle.at(entryRad),
+                accuracyM,
+                OptionalDouble.of(circle.courseRad(entryRad)),
+                station.speed()));
+    long micros = vehicle.timestampMicros();
+    lostSince = detour.hasRoute() ? Long.MAX_VALUE : Math.min(lostSince, micros);
+    boolean isLost =
+        plan.progress() == Plan.Progress.ABANDONED
+            || lostSince != Long.MAX_VALUE && micros - lostSince > Clock.micros(UNREACHABLE_S);
+    if (!isLost) {
+      return plan;
+    }
+    if (entry == ENTRIES) {
+      return new Plan(
+          plan.points(), Plan.Progress.ABANDONED, "given up: no part of the circle can be reached");
+    }
+    enter(entry + 1, vehicle);
+    return Plan.underWay(plan.points());
+  }
+
+  private void count(Station station, Vehicle vehicle) {
+    double now = circle.bearingRad(vehicle);
+    double downM = vehicle.nedOf(circle.at(now)).z();
+    double tolerance = station.verticalThreshold().orElse(settings.get().takeOffAccuracy());
+    if (sinceMicros != Long.MIN_VALUE) {
+      double turned = circle.sense() * Leg.wrapped(now - bearingRad);
+      turnedRad += Double.isNaN(turned) ? 0.0 : turned;
+    } else if (Math.abs(circle.outsideM(vehicle)) < settings.get().approachAccuracy()
+        && Math.abs(downM) <= tolerance) {
+      sinceMicros = vehicle.timestampMicros();
+    }
+    bearingRad = now;
+  }
+
+  private boolean isOver(Station station, Vehicle vehicle) {
+    boolean isLimited = station.duration().isPresent() || station.turns().isPresent();
+    return isLimited
+        && sinceMicros != Long.MIN_VALUE
+        && keptS(vehicle) >= station.duration().orElse(0.0)
+        && turns() >= station.turns().orElse(0.0);
+  }
+
+  private double keptS(Vehicle vehicle) {
+    return Clock.seconds(vehicle.timestampMicros() - sinceMicros);
+  }
+
+  private double turns() {
+    return turnedRad / (2.0 * Math.PI);
+  }
+
+  /** On its course to the next goal, if the station asks for that; anywhere if it is inside. */
+  private boolean mayLeave(Station station, Vehicle vehicle, Optional<GoalInformation> after) {
+    Optional<Place> next =
+        after
+            .filter(goal -> station.towardsNext() && goal instanceof Waypoint)
+            .map(goal -> Place.of((Waypoint) goal))
+            .filter(Place::isHorizontal)
+            .filter(place -> circle.outsideM(place, vehicle) > 0.0);
+    if (next.isEmpty()) {
+      return true;
+    }
+    Point to = vehicle.nedOf(next.get());
+    double turn = circle.sense() * Leg.wrapped(Math.atan2(to.y(), to.x()) - vehicle.courseRad());
+    return turn >= 0.0 && turn <= LEAVES_RAD;
+  }
+
+  private String counted(Vehicle vehicle) {
+    return String.format(Locale.ROOT, "circled for %.1f s, %.1f turns", keptS(vehicle), turns());
+  }
+}

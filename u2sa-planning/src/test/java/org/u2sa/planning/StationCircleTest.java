@@ -1,0 +1,169 @@
+package org.u2sa.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.ObjectList;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Station;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.Sphere;
+import org.u2sa.planning.guidance.Leg;
+
+/** Stations of an aircraft at 46 m/s, 3 km north of it on a local plane. */
+class StationCircleTest extends PlannedVehicle {
+  private static final double NORTH_M = 3000.0;
+  private static final double RADIUS_M = 800.0;
+
+  private final TestAircraft aircraft = new TestAircraft(0.0, 0.0, 500.0, 0.0);
+  private final List<double[]> track = new ArrayList<>(); // from the station: north, east
+  private final List<Sphere> towers = new ArrayList<>();
+
+  private PathPlanner start(String planner) {
+    aircraft.onEarth = false;
+    kit.with("LOOK AHEAD", 150.0).with("LOOK AHEAD TIME", 3.0).with("TURN ACCELERATION", 4.2);
+    kit.with("LOITER RADIUS", RADIUS_M).with("TURN LAG", 0.7).with("PLANNER", planner);
+    kit.with("VEHICLE WIDTH", 11.0).with("CLEARANCE", 30.0).with("INFLATION", 100.0);
+    kit.with("PLANNING CELL", 25.0).with("PLANNING SPAN", 8000.0).with("STUCK AFTER", 20.0);
+    kit.with("PLANNED SPEED", 46.0).with("MIN SPEED", 40.0).with("MAX SPEED", 60.0);
+    return kit.start(PathPlanner::new);
+  }
+
+  private static Station station() {
+    Station station = new Station();
+    station.uid("S").referenceFrame(ReferenceFrame.LOCAL_NED).x(NORTH_M).y(0.0);
+    station.horizontalThreshold(50.0);
+    return station;
+  }
+
+  private void tower(double north, double east) {
+    Sphere tower = new Sphere().radius(100.0);
+    tower.uid("tower" + towers.size()).objectType("tower").referenceFrame(ReferenceFrame.LOCAL_NED);
+    tower.x(NORTH_M + north).y(east).z(-500.0);
+    towers.add(tower);
+  }
+
+  /** Flies until the goal is reported, or for so long. */
+  private boolean fly(double limitS) {
+    while (kit.nowS() < limitS && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      kit.publish(Channels.OBJECTS, new ObjectList().objects(List.copyOf(towers)));
+      kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      track.add(new double[] {aircraft.north - NORTH_M, aircraft.east});
+    }
+    return kit.latest(Channels.GOAL_REPORTS).filter(report -> report.completed()).isPresent();
+  }
+
+  /** Angle flown around the station while near the circle [turns], clockwise positive. */
+  private double turns() {
+    double turned = 0.0;
+    for (int i = 1; i < track.size(); i++) {
+      double[] from = track.get(i - 1);
+      double[] to = track.get(i);
+      if (Math.abs(Math.hypot(to[0], to[1]) - RADIUS_M) < 50.0) {
+        turned += Leg.wrapped(Math.atan2(to[1], to[0]) - Math.atan2(from[1], from[0]));
+      }
+    }
+    return turned / (2.0 * Math.PI);
+  }
+
+  private List<Double> offs() {
+    return track.stream()
+        .map(each -> Math.abs(Math.hypot(each[0], each[1]) - RADIUS_M))
+        .collect(Collectors.toList());
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {RADIUS_M, -RADIUS_M})
+  void plan_turnsWithRadius_fliesThemInItsDirectionOnTheCircle(double radiusM) {
+    start("NONE");
+    goals(station().turns(2.0).radius(radiusM));
+
+    assertThat(fly(600.0)).isTrue();
+    assertThat(turns()).isCloseTo(Math.signum(radiusM) * 2.0, within(0.1));
+    List<Double> last = offs().subList(offs().size() / 2, offs().size());
+    assertThat(last).allMatch(off -> off < 10.0);
+  }
+
+  @Test
+  void plan_durationZeroWithAltitude_endsWhenItIsReached() {
+    start("NONE");
+    Station climb = (Station) station().duration(0.0).z(-800.0);
+    goals(climb);
+
+    assertThat(fly(600.0)).isTrue();
+    assertThat(aircraft.altitude).isBetween(796.0, 801.0);
+    assertThat(offs().get(offs().size() - 1)).isLessThan(15.0);
+  }
+
+  @Test
+  void plan_towardsNext_leavesOnTheCourseToTheNextGoal() {
+    start("NONE");
+    Waypoint next = waypoint("N", NORTH_M + 2000.0, 3000.0);
+    kit.publish(
+        Channels.GOALS,
+        new GoalList()
+            .goals(List.of(station().duration(10.0).towardsNext(true)))
+            .upcoming(List.of(next)));
+
+    assertThat(fly(600.0)).isTrue();
+    double wanted = Math.atan2(3000.0 - aircraft.east, NORTH_M + 2000.0 - aircraft.north);
+    assertThat(Math.toDegrees(Leg.wrapped(aircraft.heading - wanted))).isCloseTo(0.0, within(13.0));
+  }
+
+  @Test
+  void plan_withoutPlace_circlesWhereItBegan() {
+    start("NONE");
+    aircraft.north = NORTH_M;
+    Station here = new Station();
+    here.uid("S").horizontalThreshold(50.0);
+    goals(here.duration(300.0));
+
+    assertThat(fly(600.0)).isTrue();
+    assertThat(offs().subList(1000, offs().size())).allMatch(off -> off < 15.0);
+  }
+
+  @Test
+  void takeOver_onTheCircle_turnsGoOn() {
+    PathPlanner planner = start("NONE");
+    goals(station().turns(2.0).radius(RADIUS_M));
+    fly(200.0);
+    kit.swap(planner, PathPlanner::new);
+
+    assertThat(fly(600.0)).isTrue();
+    assertThat(turns()).isCloseTo(2.0, within(0.1));
+  }
+
+  @Test
+  void plan_neitherDurationNorTurns_circlesOn() {
+    start("NONE");
+    goals(station());
+
+    assertThat(fly(600.0)).isFalse();
+    assertThat(Math.abs(turns())).isGreaterThan(4.0);
+  }
+
+  @Test
+  void plan_towersOnTheCircle_fliesAroundThemAndItsTurns() {
+    start("AIR");
+    tower(0.0, RADIUS_M - 20.0);
+    tower(60.0, -RADIUS_M - 50.0);
+    goals(station().turns(2.0));
+
+    assertThat(fly(900.0)).isTrue();
+    assertThat(Math.abs(turns())).isGreaterThan(0.8); // the rest was flown beside the circle
+    for (Sphere tower : towers) {
+      assertThat(track)
+          .allMatch(at -> Math.hypot(at[0] - tower.x() + NORTH_M, at[1] - tower.y()) > 110.0);
+    }
+  }
+}
