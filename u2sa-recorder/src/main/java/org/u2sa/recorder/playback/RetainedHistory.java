@@ -52,9 +52,7 @@ public final class RetainedHistory {
     for (Optional<McapMessage> m = cursor.next();
         m.isPresent() && count < MAX_MESSAGES;
         m = cursor.next()) {
-      byTopic
-          .computeIfAbsent(m.get().channelId(), id -> new Times())
-          .add(m.get().logTimeNanos());
+      byTopic.computeIfAbsent(m.get().channelId(), id -> new Times()).add(m.get().logTimeNanos());
       count++;
     }
   }

@@ -72,8 +72,7 @@ public final class StickInput {
   }
 
   private boolean isDriver(Sender from) {
-    boolean isDriver =
-        vehicle.driver().filter(drivers.apply(from.system())::equals).isPresent();
+    boolean isDriver = vehicle.driver().filter(drivers.apply(from.system())::equals).isPresent();
     if (!isDriver) {
       throttle = new ThrottleStick();
     }
