@@ -222,13 +222,18 @@ public final class RangeScan extends U2SAData {
     return put(RETURNS, returns);
   }
 
+  /** Number of beams that are complete; a faulty writer may leave lists of different lengths. */
+  public int beamCount() {
+    int count = Math.min(ranges().size(), returns().size());
+    return angles().isEmpty() ? count : Math.min(count, angles().size());
+  }
+
   /** All beams, in measuring order. */
   public List<Beam> beams() {
     List<Double> angles = angles();
     List<Double> ranges = ranges();
     List<Boolean> returns = returns();
-    int count = Math.min(ranges.size(), returns.size()); // the counts of a faulty writer may differ
-    count = angles.isEmpty() ? count : Math.min(count, angles.size());
+    int count = beamCount();
     List<Beam> beams = new ArrayList<>(count);
     for (int i = 0; i < count; i++) {
       double angle = angles.isEmpty() ? startAngle() + i * angleIncrement() : angles.get(i);

@@ -138,7 +138,7 @@ final class StraightApproach implements LandingState.Descent {
     if (phase == Phase.LEVEL && remainingM <= lengthM) {
       double most = settings.get().approachAccuracy();
       if (Math.abs(acrossM) > most || Math.abs(toEntry.z()) > most) {
-        return again(acrossM, -toEntry.z(), vehicle.body(toEntry));
+        return again(acrossM, toEntry.z(), vehicle.body(toEntry));
       }
       phase = Phase.DOWN;
     }

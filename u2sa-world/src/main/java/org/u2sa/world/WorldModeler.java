@@ -48,6 +48,7 @@ import org.u2sa.world.xml.WorldFile;
 public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
   private static final long FUTURE_MICROS = Clock.MICROS_PER_SECOND; // tolerated clock difference
+  private static final double LONGEST_SCAN_S = 10.0; // beyond it, the time of its end means nothing
 
   private final ServiceContext context;
   private final Settings<WorldVariables> settings = settings(WorldVariables.class);
@@ -308,7 +309,12 @@ public final class WorldModeler extends PeriodicService {
       count.stateless++;
       return;
     }
-    long span = Clock.micros(scan.timeIncrement() * Math.max(0, scan.ranges().size() - 1));
+    double spanS = scan.timeIncrement() * Math.max(0, scan.beamCount() - 1);
+    if (scan.beamCount() == 0 || spanS > LONGEST_SCAN_S) {
+      count.badScans++;
+      return;
+    }
+    long span = Clock.micros(spanS);
     Optional<StateInformation> last =
         span == 0 || frame.frame().isBody()
             ? Optional.empty()

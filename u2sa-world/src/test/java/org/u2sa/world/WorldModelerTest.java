@@ -206,4 +206,17 @@ class WorldModelerTest {
       return this;
     }
   }
+
+  @Test
+  void scans_withoutBeamsOrLongerThanAScanTakes_areCountedAndTheMapGoesOn() {
+    world.kit.with("MODELLERS", "GRID,OBJECTS").start(WorldModeler::new);
+    for (int i = 0; i < 5; i++) {
+      world.kit.send(Channels.SCANS, new RangeScan().sensorName("Lidar").maxRange(10.0));
+      world.kit.send(Channels.SCANS, wallAhead(4.0).sensorName("Other").timeIncrement(1e6));
+      world.tick(local(0.0, 0.0, 0.0), seen("barrel", 3.0, 0.0));
+    }
+    assertThat(world.objects()).hasSize(1);
+    assertThat(world.kit.latest(Channels.HEALTH).orElseThrow().lastError()).isEmpty();
+    assertThat(world.remarks()).contains("8 scans without beams or too long");
+  }
 }

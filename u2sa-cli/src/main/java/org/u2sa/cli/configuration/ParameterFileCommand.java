@@ -42,6 +42,12 @@ abstract class ParameterFileCommand extends BaseCommand {
       if (all.isEmpty()) {
         throw remote.unanswered(link, "no service of system \"" + link.systemId() + "\" answered");
       }
+      if (!configuration.silent().isEmpty()) {
+        throw new RunFailedException(
+            String.format(
+                "no answer within %s s from %s; expected one of each service, try --timeout",
+                link.timeoutS(), String.join(", ", configuration.silent())));
+      }
       run(configuration, all);
       return ExitCode.DONE;
     } catch (RunFailedException e) {
@@ -108,7 +114,7 @@ abstract class ParameterFileCommand extends BaseCommand {
         if (!Files.isRegularFile(file()) || Files.size(file()) > LONGEST) {
           throw new BadInputException(file() + ": expected a file of at most 4 MiB");
         }
-        return Files.readString(file());
+        return Files.readString(file()).replaceFirst("^\uFEFF", ""); // as Windows' editors begin
       } catch (CharacterCodingException e) {
         throw new BadInputException(file() + ": expected a text in UTF-8", e);
       } catch (IOException e) {

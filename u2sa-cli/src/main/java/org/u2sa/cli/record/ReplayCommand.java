@@ -154,7 +154,7 @@ public final class ReplayCommand extends BaseCommand {
             }
 
             @Override
-            public void sought(long nanos) {
+            public void sought(long nanos) throws IOException {
               history.before(nanos).forEach(this::play);
             }
           },

@@ -29,6 +29,7 @@ import org.u2sa.messages.schema.U2SAData;
 /** Reads and changes the configuration of a running system's services over its link. */
 public final class RemoteConfiguration {
   private final RemoteLink link;
+  private List<String> silent = List.of();
 
   public RemoteConfiguration(RemoteLink link) {
     this.link = link;
@@ -86,7 +87,14 @@ public final class RemoteConfiguration {
         () ->
             !these.isEmpty() && answers.keySet().containsAll(these)
                 || heard.areAmong(answers.keySet()));
+    silent = new ArrayList<>(heard.names());
+    silent.removeAll(answers.keySet());
     return new ArrayList<>(answers.values());
+  }
+
+  /** Services that are there and did not answer the newest question. */
+  public List<String> silent() {
+    return List.copyOf(silent);
   }
 
   /**

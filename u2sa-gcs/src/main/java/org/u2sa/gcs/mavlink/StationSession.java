@@ -8,6 +8,8 @@ import io.dronefleet.mavlink.common.Timesync;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.UUID;
+import java.util.function.IntFunction;
 import org.u2sa.gcs.mavlink.command.CommandService;
 import org.u2sa.gcs.mavlink.command.MessageCommands;
 import org.u2sa.gcs.mavlink.command.StickInput;
@@ -62,15 +64,27 @@ final class StationSession implements GroundStation {
     transfer = new FileTransfer(vehicle.files, this);
     logs = new LogDownload(vehicle.files, this);
     events = new EventTransfer(vehicle.events, this);
+    String connection = UUID.randomUUID().toString();
+    IntFunction<String> drivers = station -> vehicle.orders.driver(connection, station);
     sticks =
         new StickInput(
-            vehicle.model, vehicle.orders, vehicle.mavlinkId, vehicle.uptime::unixMicros);
+            vehicle.model,
+            vehicle.orders,
+            drivers,
+            vehicle.mavlinkId,
+            vehicle.uptime::unixMicros,
+            this);
     commands =
         new CommandService(
             this,
             new MessageCommands(vehicle.telemetry, rates, vehicle.identity, vehicle.systemId, this),
             new VehicleCommands(
-                vehicle.model, vehicle.orders, vehicle.identity, vehicle.placement, vehicle.book));
+                vehicle.model,
+                vehicle.orders,
+                vehicle.identity,
+                vehicle.placement,
+                vehicle.book,
+                drivers));
   }
 
   /** Number of bytes that may be received at present. */

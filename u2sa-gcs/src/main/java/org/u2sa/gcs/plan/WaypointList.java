@@ -57,13 +57,26 @@ public final class WaypointList {
     if (items.isEmpty()) {
       throw wrong("no items; expected the home as item 0");
     }
-    PlanItem first = items.get(0);
-    boolean isPlace = first.parameter(5) != 0.0 || first.parameter(6) != 0.0;
-    StationPlan.Place home =
+    return new StationPlan(home(items.get(0)), items.subList(1, items.size()), List.of());
+  }
+
+  private Optional<StationPlan.Place> home(PlanItem item) {
+    double latitude = item.parameter(5);
+    double longitude = item.parameter(6);
+    double altitude = item.parameter(7);
+    if (latitude == 0.0 && longitude == 0.0) {
+      return Optional.empty();
+    }
+    if (!(Math.abs(latitude) <= 90.0 && Math.abs(longitude) <= 180.0)) {
+      throw new BadInputException(
+          origin + ": item 0: " + latitude + ", " + longitude + " is no latitude and longitude");
+    }
+    boolean hasAltitude = Double.isFinite(altitude);
+    return Optional.of(
         new StationPlan.Place(
-            first.parameter(6), first.parameter(5), OptionalDouble.of(first.parameter(7)));
-    return new StationPlan(
-        isPlace ? Optional.of(home) : Optional.empty(), items.subList(1, items.size()), List.of());
+            longitude,
+            latitude,
+            hasAltitude ? OptionalDouble.of(altitude) : OptionalDouble.empty()));
   }
 
   private PlanItem item(String[] columns) {

@@ -9,8 +9,10 @@ import io.dronefleet.mavlink.common.MavResult;
 import io.dronefleet.mavlink.common.RcChannelsOverride;
 import io.dronefleet.mavlink.minimal.Heartbeat;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
+import org.u2sa.mavlink.MavlinkStream;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.safety.ManualDrive;
@@ -69,6 +71,8 @@ class StationDrivingTest {
     begin();
     assertThat(kit.vehicle.model.mode()).isEqualTo(VehicleMode.MANUAL);
 
+    kit.send(sticks(0, 0, 0, 0));
+    assertThat(drive().speedShare().orElseThrow()).isZero();
     kit.send(sticks(0, 250, -500, 0));
     ManualDrive drive = drive();
     assertThat(drive.speedShare().orElseThrow()).isEqualTo(-0.5);
@@ -106,12 +110,53 @@ class StationDrivingTest {
   @Test
   void sticks_ofAnotherStationOrForAnotherVehicle_doNothing() {
     begin();
-    kit.says(new ManualState().active(true).operator("tester station 254"));
-    kit.send(sticks(0, 0, 500, 0));
-    kit.says(new ManualState().active(true).operator("tester station 255"));
-    kit.send(ManualControl.builder().target(2).z(500).build());
+    kit.send(ManualControl.builder().target(2).x(500).build());
+    kit.station = new MavlinkStream(254, 190);
+    kit.send(sticks(500, 0, 0, 0));
 
     assertThat(kit.orders(ManualDrive.class)).isEmpty();
+  }
+
+  @Test
+  void sticks_ofAStationWithTheSameIdOnAnotherConnection_doNothing() {
+    begin();
+    StationSession other = new StationSession(kit.vehicle, Optional.empty());
+    byte[] packet = kit.station.encode(sticks(500, 0, 0, 0));
+    other.receive(packet, packet.length, kit.clock.get());
+    RcChannelsOverride channels =
+        RcChannelsOverride.builder().targetSystem(1).chan3Raw(2000).build();
+    byte[] override = kit.station.encode(channels);
+    other.receive(override, override.length, kit.clock.get());
+    assertThat(kit.orders(ManualDrive.class)).isEmpty();
+
+    kit.send(sticks(500, 0, 0, 0));
+    assertThat(drive().speedShare().orElseThrow()).isEqualTo(0.5);
+  }
+
+  @Test
+  void throttle_thatRestsAt500_drivesBothWaysFromThere() {
+    begin();
+    kit.send(sticks(0, 0, 500, 0));
+    assertThat(drive().speedShare().orElseThrow()).as("a released stick").isZero();
+    kit.send(sticks(0, 0, 750, 0));
+    assertThat(drive().speedShare().orElseThrow()).isEqualTo(0.5);
+    kit.send(sticks(0, 0, 0, 0));
+    assertThat(drive().speedShare().orElseThrow()).isEqualTo(-1.0);
+  }
+
+  @Test
+  void throttle_notAtRestWhenTheModeBegins_isIgnoredUntilTheModeBeginsAgain() {
+    begin();
+    kit.send(sticks(100, 0, 800, 0));
+    assertThat(drive().speedShare().orElseThrow()).isEqualTo(0.1);
+    assertThat(kit.texts()).contains("throttle ignored");
+    kit.says(new ManualState().active(false));
+    kit.send(sticks(0, 0, 0, 0));
+    begin();
+    kit.send(sticks(0, 0, 0, 0));
+    assertThat(drive().speedShare().orElseThrow()).isZero();
+    kit.send(sticks(0, 0, 800, 0));
+    assertThat(drive().speedShare().orElseThrow()).isEqualTo(0.8);
   }
 
   @Test

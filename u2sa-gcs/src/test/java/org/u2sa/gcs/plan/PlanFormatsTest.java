@@ -326,4 +326,18 @@ class PlanFormatsTest {
     assertThat(PlanXml.fence("", List.of(), plan.rally(), lost)).contains("<z>160.5</z>");
     assertThat(lost).isEmpty();
   }
+
+  @Test
+  void list_homeThatIsNoPlaceOrHasNoAltitude_isRefusedOrWithout() {
+    String item = "\n1\t0\t0\t16\t0\t0\t0\tNaN\t45\t10\t5\t1\n";
+    for (String place : List.of("95\t10", "45\t-180.5", "NaN\t10")) {
+      String text = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t" + place + "\t3\t1" + item;
+      assertThatThrownBy(() -> WaypointList.read("a.waypoints", text))
+          .isInstanceOf(BadInputException.class)
+          .hasMessageContaining("a.waypoints: item 0: ");
+    }
+    String flat = "QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t45\t10\tNaN\t1" + item;
+    StationPlan plan = WaypointList.read("a.waypoints", flat);
+    assertThat(plan.home().orElseThrow().altitudeM()).isEmpty();
+  }
 }

@@ -71,8 +71,7 @@ public final class ScanEntry {
   int enter(RangeScan scan, ScanPoses poses, Band band, double up) {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
-    int beams = Math.min(ranges.size(), returns.size()); // the message may be faulty
-    beams = scan.angles().isEmpty() ? beams : Math.min(beams, scan.angles().size());
+    int beams = scan.beamCount();
     if (beams == 0) {
       return 0;
     }

@@ -35,8 +35,7 @@ public final class HiddenGround {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
     List<Double> angles = scan.angles();
-    int beams = Math.min(ranges.size(), returns.size()); // the message may be faulty
-    beams = angles.isEmpty() ? beams : Math.min(beams, angles.size());
+    int beams = scan.beamCount();
     if (beams > x.length) {
       x = Arrays.copyOf(x, 2 * beams);
       y = Arrays.copyOf(y, 2 * beams);

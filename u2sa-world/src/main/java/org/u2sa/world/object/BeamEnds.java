@@ -26,8 +26,7 @@ final class BeamEnds {
   void take(RangeScan scan, ScanPoses poses, ScanEntry.Band band, double up) {
     List<Double> ranges = scan.ranges();
     List<Boolean> returns = scan.returns();
-    count = Math.min(ranges.size(), returns.size()); // the message may be faulty
-    count = scan.angles().isEmpty() ? count : Math.min(count, scan.angles().size());
+    count = scan.beamCount();
     if (count > x.length) {
       x = new double[count];
       y = new double[count];

@@ -29,7 +29,9 @@ final class Panorama {
     for (int i = 1; i < ends.count(); i++) {
       fill(ends, i - 1, i);
     }
-    fill(ends, ends.count() - 1, 0); // closes a full-circle scan
+    if (ends.count() > 0) {
+      fill(ends, ends.count() - 1, 0); // closes a full-circle scan
+    }
     for (int i = 0; i < SECTORS; i++) {
       free[i] = Float.isInfinite(free[i]) ? 0.0f : free[i];
     }

@@ -117,10 +117,12 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
             && response.status().code() < HttpResponseStatus.BAD_REQUEST.code();
     HttpUtil.setKeepAlive(response, isKept);
     isAnswering = true;
+    int bytes = response.content().readableBytes();
     ctx.writeAndFlush(response)
         .addListener(
             done -> {
               isAnswering = false;
+              responses.sent(response.status(), bytes);
               if (!isKept) {
                 ctx.close();
               }

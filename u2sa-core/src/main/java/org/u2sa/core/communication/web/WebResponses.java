@@ -95,6 +95,13 @@ public final class WebResponses {
     return response;
   }
 
+  /** A response was sent, or its connection is closed. */
+  void sent(HttpResponseStatus status, int bytes) {
+    if (status.equals(HttpResponseStatus.PARTIAL_CONTENT)) {
+      tiles.sent(bytes);
+    }
+  }
+
   /** An error, with its name as text. */
   static FullHttpResponse error(HttpResponseStatus status) {
     ByteBuf text = Unpooled.copiedBuffer(status + "\n", StandardCharsets.US_ASCII);

@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
@@ -30,8 +31,13 @@ public final class WebTiles {
   private static final Pattern RANGE = Pattern.compile("bytes=([0-9]{1,18})-([0-9]{1,18})");
   private static final byte[] MAGIC = {'P', 'M', 'T', 'i', 'l', 'e', 's', 3};
 
+  /** Bytes of ranges that are being sent: nobody who asks for tiles has logged in. */
+  private static final long MOST_UNDER_WAY =
+      Math.min(16L << 20, Runtime.getRuntime().maxMemory() / 16);
+
   private final FileChannel file;
   private final long size;
+  private final AtomicLong underWay = new AtomicLong();
 
   private WebTiles(FileChannel file, long size) {
     this.file = file;
@@ -61,7 +67,10 @@ public final class WebTiles {
     }
   }
 
-  /** The range that a request names; exactly one, within the file, of at most 1 MiB. */
+  /**
+   * The range that a request names; exactly one, within the file, of at most 1 MiB. Whoever sends
+   * it calls {@link #sent}.
+   */
   FullHttpResponse answer(HttpRequest request) {
     Matcher range = RANGE.matcher(request.headers().get(HttpHeaderNames.RANGE, ""));
     if (!range.matches()) {
@@ -72,14 +81,20 @@ public final class WebTiles {
     if (length < 1 || length > LONGEST_RANGE) {
       return WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE);
     }
+    if (underWay.addAndGet(length) > Math.max(LONGEST_RANGE, MOST_UNDER_WAY)) {
+      underWay.addAndGet(-length);
+      return WebResponses.error(HttpResponseStatus.SERVICE_UNAVAILABLE);
+    }
     ByteBuffer content = ByteBuffer.allocate((int) length);
     try {
       while (content.hasRemaining() && file.read(content, from + content.position()) >= 0) {
         // a read may be short
       }
     } catch (IOException e) {
+      underWay.addAndGet(-length);
       return WebResponses.error(HttpResponseStatus.INTERNAL_SERVER_ERROR); // the card was removed
     }
+    underWay.addAndGet(content.position() - length);
     FullHttpResponse response =
         WebResponses.response(
             HttpResponseStatus.PARTIAL_CONTENT,
@@ -93,5 +108,10 @@ public final class WebTiles {
             "bytes " + from + "-" + (from + content.position() - 1) + "/" + size)
         .setInt(HttpHeaderNames.CONTENT_LENGTH, content.position());
     return response;
+  }
+
+  /** A range was sent, or its connection is closed. */
+  void sent(int bytes) {
+    underWay.addAndGet(-bytes);
   }
 }

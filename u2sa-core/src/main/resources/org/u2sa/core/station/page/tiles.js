@@ -9,6 +9,7 @@ const MAX_SHOWN = 80;
 const MAX_PENDING = 6;
 const MAX_DIRECTORY = 1 << 20; // bytes, also uncompressed
 const TILE_PX = 256;
+const AGAIN_MS = 5000; // after a failure, such as a busy vehicle
 const CIRCUMFERENCE_M = 40075016.69;
 const DEG = Math.PI / 180;
 
@@ -34,7 +35,10 @@ async function open() {
 
 function directory(offset, length) {
   if (length > MAX_DIRECTORY) throw new Error('a directory is too long');
-  if (!directories.has(offset)) directories.set(offset, range(offset, length).then(unzipped).then(entries));
+  if (!directories.has(offset)) {
+    directories.set(offset, range(offset, length).then(unzipped).then(entries));
+    directories.get(offset).catch(() => directories.delete(offset));
+  }
   return directories.get(offset);
 }
 
@@ -113,7 +117,7 @@ function tile(id, changed) {
     load(id).then(picture => {
       tiles.set(id, picture);
       changed();
-    }, () => undefined).finally(() => { pending--; });
+    }, () => setTimeout(() => tiles.delete(id), AGAIN_MS)).finally(() => { pending--; });
   }
   return tiles.get(id);
 }

@@ -74,6 +74,19 @@ class WebTilesTest {
   }
 
   @Test
+  void answer_manyRangesThatNobodyReads_takeBoundedMemory() {
+    int sent = 0;
+    while (sent < 100 && answer("bytes=0-1048575").status().code() == 206) {
+      sent++;
+    }
+    assertThat(sent).isBetween(1, 16);
+    assertThat(answer("bytes=0-1048575").status().code()).isEqualTo(503);
+
+    tiles.sent(WebTiles.LONGEST_RANGE);
+    assertThat(answer("bytes=0-1048575").status().code()).isEqualTo(206);
+  }
+
+  @Test
   void open_anotherFile_isRefusedByName() throws IOException {
     Path other = Files.write(folder.resolve("map.mbtiles"), Arrays.copyOf(new byte[0], 20));
 

@@ -1,8 +1,11 @@
 package org.u2sa.gcs.mavlink.command;
 
 import io.dronefleet.mavlink.common.ManualControl;
+import io.dronefleet.mavlink.common.MavSeverity;
 import io.dronefleet.mavlink.common.RcChannelsOverride;
+import java.util.function.IntFunction;
 import java.util.function.LongSupplier;
+import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
@@ -11,7 +14,7 @@ import org.u2sa.messages.safety.ManualDrive;
 
 /**
  * Sticks of one station: MANUAL_CONTROL and RC_CHANNELS_OVERRIDE. They count in the mode Manual
- * only, and of the station that chose it.
+ * only, and on the connection on which the station chose it.
  */
 public final class StickInput {
   private static final double FULL = 1000.0;
@@ -25,34 +28,64 @@ public final class StickInput {
 
   private final VehicleStatus vehicle;
   private final VehicleOrders orders;
+  private final IntFunction<String> drivers;
   private final int mavlinkId;
   private final LongSupplier micros;
+  private final GroundStation station;
+  private ThrottleStick throttle = new ThrottleStick();
   private long saidMicros;
 
   /**
+   * @param drivers name of who drives at the station, by MAVLink system ID
    * @param mavlinkId the vehicle's MAVLink system ID
    * @param micros real time [µs]
    */
   public StickInput(
-      VehicleStatus vehicle, VehicleOrders orders, int mavlinkId, LongSupplier micros) {
+      VehicleStatus vehicle,
+      VehicleOrders orders,
+      IntFunction<String> drivers,
+      int mavlinkId,
+      LongSupplier micros,
+      GroundStation station) {
     this.vehicle = vehicle;
     this.orders = orders;
+    this.drivers = drivers;
     this.mavlinkId = mavlinkId;
     this.micros = micros;
+    this.station = station;
   }
 
   /** Handles a message; false if it is not about sticks. */
   public boolean handle(Object message, Sender from) {
     if (message instanceof ManualControl sticks) {
-      if (sticks.target() == mavlinkId) { // either stick drives, as stations differ in that
-        drive(axis(sticks.x()) + axis(sticks.z()), axis(sticks.y()) + axis(sticks.r()), from);
+      if (sticks.target() == mavlinkId && isDriver(from)) {
+        drive(sticks, from);
       }
     } else if (message instanceof RcChannelsOverride channels) {
-      drive(pulse(channels.chan3Raw()), pulse(channels.chan1Raw()), from);
+      if (isDriver(from)) {
+        drive(pulse(channels.chan3Raw()), pulse(channels.chan1Raw()), from);
+      }
     } else {
       return false;
     }
     return true;
+  }
+
+  private boolean isDriver(Sender from) {
+    boolean isDriver = vehicle.driver().filter(drivers.apply(from.system())::equals).isPresent();
+    if (!isDriver) {
+      throttle = new ThrottleStick();
+    }
+    return isDriver;
+  }
+
+  /** Either stick drives, as stations differ in that. */
+  private void drive(ManualControl sticks, Sender from) {
+    if (sticks.z() != NO_AXIS && throttle.see(sticks.z())) {
+      station.text(MavSeverity.MAV_SEVERITY_WARNING, ThrottleStick.NOT_AT_REST);
+    }
+    double forward = sticks.z() == NO_AXIS ? 0.0 : throttle.share(sticks.z());
+    drive(axis(sticks.x()) + forward, axis(sticks.y()) + axis(sticks.r()), from);
   }
 
   private static double axis(int value) {
@@ -67,16 +100,17 @@ public final class StickInput {
   }
 
   private void drive(double forward, double right, Sender from) {
-    String driver = orders.driver(from.system());
     long now = micros.getAsLong();
-    if (!vehicle.driver().filter(driver::equals).isPresent()
-        || now - saidMicros < SHORTEST_INTERVAL_MICROS) {
+    if (now - saidMicros < SHORTEST_INTERVAL_MICROS) {
       return;
     }
     saidMicros = now;
     orders.tell(
         Channels.MANUAL_DRIVE,
-        new ManualDrive().operator(driver).speedShare(share(forward)).turnShare(share(-right)));
+        new ManualDrive()
+            .operator(drivers.apply(from.system()))
+            .speedShare(share(forward))
+            .turnShare(share(-right)));
   }
 
   private static double share(double value) {

@@ -3,6 +3,7 @@ package org.u2sa.gcs.mavlink.command;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.IntFunction;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
 import org.u2sa.gcs.mavlink.telemetry.Placement;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
@@ -39,18 +40,24 @@ public final class VehicleCommands {
   private final Placement placement;
   private final PlanBook book;
   private final ModeOrders modes;
+  private final IntFunction<String> drivers;
 
+  /**
+   * @param drivers name of who drives by hand at a station, by its MAVLink system ID
+   */
   public VehicleCommands(
       VehicleStatus vehicle,
       VehicleOrders orders,
       Identity identity,
       Placement placement,
-      PlanBook book) {
+      PlanBook book,
+      IntFunction<String> drivers) {
     this.vehicle = vehicle;
     this.orders = orders;
     this.identity = identity;
     this.placement = placement;
     this.book = book;
+    this.drivers = drivers;
     modes = new ModeOrders(vehicle, orders, book);
   }
 
@@ -67,7 +74,7 @@ public final class VehicleCommands {
     } else if (mode.isEmpty()) {
       answer.done(false, "the vehicle has no mode " + custom);
     } else if (mode.get() == VehicleMode.MANUAL) {
-      orders.manual(true, orders.driver(station), answer);
+      orders.manual(true, drivers.apply(station), answer);
     } else {
       byNavigation(() -> modes.change(mode.get(), answer), answer);
     }

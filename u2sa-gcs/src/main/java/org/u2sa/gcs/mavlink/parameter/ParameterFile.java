@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.NearestNames;
 import org.u2sa.messages.contract.ConfigurationAssignment;
@@ -26,6 +27,10 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 public final class ParameterFile {
   private static final int QGC_COLUMNS = 5;
   private static final int MAX_REFUSALS = 10;
+  private static final int LONGEST_REFUSAL = 300; // characters
+  private static final int LONGEST_NUMBER = 60; // characters
+  private static final Pattern NUMBER =
+      Pattern.compile("[-+]?([0-9]*\\.?[0-9]+|[0-9]+\\.)([eE][-+]?[0-9]+)?");
 
   private final ParameterTable table;
 
@@ -102,7 +107,7 @@ public final class ParameterFile {
                         .computeIfAbsent(parameter.service(), key -> new ArrayList<>())
                         .add(each));
       } catch (IllegalArgumentException e) {
-        refusals.add(origin + ", line " + (i + 1) + ": " + e.getMessage());
+        refusals.add(origin + ", line " + (i + 1) + ": " + shortened(e.getMessage()));
       }
     }
     if (!refusals.isEmpty()) {
@@ -114,6 +119,10 @@ public final class ParameterFile {
             changes.add(
                 new ConfigurationTransaction().serviceName(service).assignments(assignments)));
     return changes;
+  }
+
+  private static String shortened(String text) {
+    return text.length() <= LONGEST_REFUSAL ? text : text.substring(0, LONGEST_REFUSAL) + "…";
   }
 
   private static String[] pair(String line) {
@@ -149,13 +158,11 @@ public final class ParameterFile {
   }
 
   private static Optional<ConfigurationAssignment> change(Parameter parameter, String text) {
-    double number;
-    try {
-      number = Double.parseDouble(text);
-    } catch (NumberFormatException e) {
+    if (text.length() > LONGEST_NUMBER || !NUMBER.matcher(text).matches()) {
       throw new IllegalArgumentException(
-          parameter.name() + " \"" + text + "\": expected " + parameter.expectation(), e);
+          parameter.name() + " \"" + text + "\": expected " + parameter.expectation());
     }
+    double number = Double.parseDouble(text);
     Optional<String> value = parameter.text(number);
     if (value.isEmpty()) {
       throw new IllegalArgumentException(

@@ -153,9 +153,13 @@ public final class VehicleOrders {
         answer);
   }
 
-  /** Name of a person at a station, as the vehicle logs it. */
-  public String driver(int station) {
-    return operator + " station " + station;
+  /**
+   * Name of a person at a station, as the vehicle logs it.
+   *
+   * @param connection the station's own: most stations have the same MAVLink system ID
+   */
+  public String driver(String connection, int station) {
+    return operator + " station " + station + " " + connection;
   }
 
   /** Changes the fence. */

@@ -72,10 +72,20 @@ class ParameterFileTest {
             "line 2: SAFM_BRAKING 9.0: expected 0.0…5.0",
             "line 3: CON_LIMIT 1.5: expected a whole number",
             "line 4: CON_MODE 2: expected 0 = A, 1 = B",
-            "line 5: CON_GAIN NaN: expected a finite number",
+            "line 5: CON_GAIN \"NaN\": expected a finite number",
             "line 6: \"CON_GAIN\" is given twice",
             "line 7: component \"42\": expected 1, the autopilot",
             "line 8: \"just words here\": expected NAME,VALUE",
             "line 9: \"CON_LIMIT\" is given twice");
+  }
+
+  @Test
+  void changes_numbersThatOnlyJavaHasAndLongLines_areRefusedShortly() {
+    for (String value : List.of("0x1p-1", "1d", "1f", "Infinity", "9".repeat(100_000))) {
+      assertThatThrownBy(() -> changed("CON_GAIN," + value))
+          .isInstanceOf(BadInputException.class)
+          .hasMessageContaining("line 1: CON_GAIN \"")
+          .satisfies(refused -> assertThat(refused.getMessage()).hasSizeLessThan(400));
+    }
   }
 }
