@@ -7,6 +7,7 @@ import java.util.function.Function;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
@@ -36,7 +37,6 @@ import org.u2sa.service.FirstFailsafe;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
-import org.u2sa.terrain.HeightGrid;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of

@@ -14,6 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.recorder.execution.ExecutionStart;
 
 /**
  * Attaches the files of a run to its recording: the system file, its configurations, the XML files
@@ -54,14 +55,9 @@ public final class RunFiles {
     }
   }
 
-  /** Whether a variable may name a file to record: XML, or a height map; no passwords or keys. */
-  public static boolean isRecorded(String value) {
-    return value.endsWith(".xml") || value.endsWith(".asc");
-  }
-
   /** Attaches the file that a variable names, if it is one to record. */
   public void attachIfFile(Path folder, String value) {
-    if (!isRecorded(value)) {
+    if (!ExecutionStart.isRecorded(value)) {
       return;
     }
     try {

@@ -1,12 +1,12 @@
 package org.u2sa.planning.survey;
 
 import java.util.Optional;
+import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanningPlane;
-import org.u2sa.terrain.HeightGrid;
 
 /**
  * Altitudes at which an area is flown over: constant, or above the ground of a height map, no

@@ -10,13 +10,13 @@ import java.util.Optional;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanningPlane;
-import org.u2sa.terrain.HeightGrid;
 
 /** Over a plain of 100 m with a step to 130 m in the north: 48 m above it by the camera. */
 class SurveyHeightsTest {

@@ -13,7 +13,6 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
-import org.u2sa.recorder.RunFiles;
 import org.u2sa.recorder.mcap.McapReader;
 import org.u2sa.recorder.mcap.McapWriter;
 import org.u2sa.recorder.mcap.record.McapAttachment;
@@ -152,8 +151,13 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return new ExecutionStart(moreTexts, moreFiles);
   }
 
+  /** Whether a variable may name a file to record: XML, or a height map; no passwords or keys. */
+  public static boolean isRecorded(String value) {
+    return value.endsWith(".xml") || value.endsWith(".asc");
+  }
+
   private static boolean isFile(ServiceContext context, String value) throws IOException {
-    if (!RunFiles.isRecorded(value)) {
+    if (!isRecorded(value)) {
       return false;
     }
     try {
@@ -256,7 +260,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
         String name = variable.attribute("name");
         String value = variable.optionalAttribute("value").orElse("");
         Path named = file.toAbsolutePath().resolveSibling(value);
-        boolean isNew = !texts.containsKey(OVERRIDE + name) && RunFiles.isRecorded(value);
+        boolean isNew = !texts.containsKey(OVERRIDE + name) && isRecorded(value);
         if (isNew && Files.isRegularFile(named)) {
           otherTexts.put(OF_VARIABLE + name, value);
           otherFiles.put(OF_VARIABLE + name, Files.readAllBytes(named));

@@ -6,13 +6,13 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.Intrinsics;
+import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.shape.ImageFootprint;
-import org.u2sa.terrain.HeightGrid;
 import org.u2sa.vision.ground.CameraMount;
 
 /**

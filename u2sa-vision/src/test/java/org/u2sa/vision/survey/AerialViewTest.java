@@ -12,13 +12,13 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.device.port.CameraFrame.Intrinsics;
 import org.u2sa.device.port.CameraFrame.PixelFormat;
+import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.shape.ImageFootprint;
-import org.u2sa.terrain.HeightGrid;
 import org.u2sa.vision.ground.CameraMount;
 
 /** From 50 m above a slope that rises by 0.2 towards the east. */

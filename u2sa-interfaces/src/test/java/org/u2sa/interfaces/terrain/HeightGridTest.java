@@ -1,4 +1,4 @@
-package org.u2sa.terrain;
+package org.u2sa.interfaces.terrain;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,4 +1,4 @@
-package org.u2sa.terrain;
+package org.u2sa.interfaces.terrain;
 
 import java.io.BufferedReader;
 import java.io.IOException;
