@@ -3,6 +3,10 @@ package org.u2sa.gcs.mavlink;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.dronefleet.mavlink.common.FileTransferProtocol;
+import io.dronefleet.mavlink.common.MavCmd;
+import io.dronefleet.mavlink.common.MissionCount;
+import io.dronefleet.mavlink.common.MissionItemInt;
+import io.dronefleet.mavlink.common.MissionRequestInt;
 import io.dronefleet.mavlink.common.ParamRequestList;
 import io.dronefleet.mavlink.common.ParamRequestRead;
 import io.dronefleet.mavlink.common.ParamValue;
@@ -20,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationVariable;
+import org.u2sa.messages.mission.MissionOrder;
 
 /** 1,000 parameters and their metadata over a round trip of 200 ± 40 ms with 5 % loss each way. */
 class LossyStationTest {
@@ -34,10 +39,12 @@ class LossyStationTest {
   private final PriorityQueue<Datagram> air =
       new PriorityQueue<>((a, b) -> Long.compare(a.dueMicros(), b.dueMicros()));
   private Random dice;
+  private double stalls; // share of datagrams that take half a second more
 
   private void send(boolean toStation, byte[] bytes) {
     if (dice.nextDouble() >= 0.05) {
       long delay = 80_000 + dice.nextInt(40_001); // half of 200 ± 40 ms
+      delay += stalls > 0.0 && dice.nextDouble() < stalls ? 500_000 : 0;
       air.add(new Datagram(kit.clock.get() + delay, toStation, bytes));
     }
   }
@@ -121,6 +128,72 @@ class LossyStationTest {
       assertThat(kit.clock.get() - began)
           .as("of 1000: %s", heard.cardinality())
           .isLessThan(PATIENCE_MICROS);
+    }
+  }
+
+  /** A station that answers requests as MAVSDK 4.1.0 does: one beyond its next item is ignored. */
+  private final class Uploader {
+    private static final int COUNT = 200;
+    private int next;
+    private int retries;
+    private boolean isAsked;
+    private long sinceMicros;
+
+    void begin() {
+      sinceMicros = kit.clock.get();
+      send(MissionCount.builder().targetSystem(1).targetComponent(1).count(COUNT).build());
+    }
+
+    void hear(Object message) {
+      if (!(message instanceof MissionRequestInt request) || request.seq() > next) {
+        return;
+      }
+      isAsked = true;
+      retries = request.seq() == next ? 0 : retries;
+      requirePatience();
+      sinceMicros = kit.clock.get();
+      next = request.seq() + 1;
+      retries++;
+      send(
+          MissionItemInt.builder()
+              .targetSystem(1)
+              .targetComponent(1)
+              .seq(request.seq())
+              .command(MavCmd.MAV_CMD_NAV_WAYPOINT)
+              .x(540_000_000 + request.seq())
+              .y(100_000_000)
+              .build());
+    }
+
+    void pass() {
+      if (kit.clock.get() - sinceMicros > 500_000) {
+        requirePatience();
+        sinceMicros = kit.clock.get();
+        retries++;
+        if (!isAsked) {
+          begin();
+        }
+      }
+    }
+
+    private void requirePatience() {
+      assertThat(retries).as("retries at item %s", next).isLessThan(5);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {3, 4, 11, 25})
+  void mission_twoHundredItemsOverALinkThatAlsoStalls_areUploaded(long seed) {
+    dice = new Random(seed);
+    stalls = 0.02;
+    kit.ready();
+    Uploader uploader = new Uploader();
+    uploader.begin();
+    long began = kit.clock.get();
+    while (kit.orders(MissionOrder.class).isEmpty()) {
+      turn(uploader::hear);
+      uploader.pass();
+      assertThat(kit.clock.get() - began).isLessThan(2 * PATIENCE_MICROS);
     }
   }
 

@@ -211,7 +211,7 @@ class StationFileTest {
     }
     assertThat(station.one(FileStation.OPEN, 0, "general.json").code()).isEqualTo(5);
     assertThat(station.ask(1, 4, 0, 0, new byte[0]).get(0).ack()).isTrue();
-    assertThat(station.one(FileStation.OPEN, 0, "general.json").session()).isEqualTo(4);
+    assertThat(station.one(FileStation.OPEN, 0, "general.json").session()).isEqualTo(8);
     kit.advance(31.0);
     assertThat(station.one(FileStation.OPEN, 0, "general.json").ack()).isTrue();
   }
@@ -240,5 +240,15 @@ class StationFileTest {
     assertThat(station.repeat(FileStation.OPEN, 0, 0, path.length, path).get(0).session())
         .isEqualTo(session);
     assertThat(station.one(FileStation.OPEN, 0, "general.json").session()).isNotEqualTo(session);
+  }
+
+  @Test
+  void terminate_comesAgainLate_nextSessionStaysOpen() {
+    int first = station.one(FileStation.OPEN, 0, "general.json").session();
+    assertThat(station.ask(1, first, 0, 0, new byte[0]).get(0).ack()).isTrue();
+    int second = station.one(FileStation.OPEN, 0, "parameter.json").session();
+    assertThat(station.ask(1, first, 0, 0, new byte[0]).get(0).ack()).isFalse();
+
+    assertThat(station.ask(FileStation.READ, second, 0, 10, new byte[0]).get(0).data()).hasSize(10);
   }
 }

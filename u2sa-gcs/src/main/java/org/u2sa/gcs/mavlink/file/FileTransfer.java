@@ -22,6 +22,7 @@ import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 public final class FileTransfer {
   private static final int MAX_SESSIONS = 8;
   private static final int PACKETS_PER_STEP = 64;
+  private static final int SESSION_IDS = 256;
   private static final long IDLE_MICROS = 30_000_000; // then another may have the session
 
   /** A request that is repeated if its answer is lost, and must not open another session then. */
@@ -32,6 +33,7 @@ public final class FileTransfer {
   private final ChecksumJob checksum = new ChecksumJob();
   private final Map<Integer, FileSession> sessions = new TreeMap<>();
   private Optional<Opening> opening = Optional.empty(); // the newest request, if it opened a file
+  private int newest = SESSION_IDS - 1; // ID of a session
   private long nowMicros;
 
   /** Serves a station. */
@@ -160,15 +162,19 @@ public final class FileTransfer {
     return answer;
   }
 
-  /** A session that is free, or that has not been used for a while. */
+  /**
+   * ID of a new session, after those that have not been used for a while are closed. Not one that
+   * was just in use: a late request to close that must not close the new one.
+   */
   private Optional<Integer> free() {
     sessions.values().removeIf(each -> nowMicros - each.usedMicros > IDLE_MICROS);
-    for (int i = 0; i < MAX_SESSIONS; i++) {
-      if (!sessions.containsKey(i)) {
-        return Optional.of(i);
-      }
+    if (sessions.size() >= MAX_SESSIONS) {
+      return Optional.empty();
     }
-    return Optional.empty();
+    do {
+      newest = (newest + 1) % SESSION_IDS;
+    } while (sessions.containsKey(newest));
+    return Optional.of(newest);
   }
 
   /** Sends the next part of bursts and checksums. */

@@ -21,6 +21,7 @@ final class MissionUpload {
   private static final int MAX_ITEMS = 1000;
   private static final long RETRY_MICROS = 400_000; // MAVSDK gives up after 2.5 s without a request
   private static final int MAX_RETRIES = 40;
+  private static final int BACK = 3; // items: what a request can be late at a round trip of 0.2 s
 
   /** An upload under way. */
   private static final class Incoming {
@@ -29,6 +30,7 @@ final class MissionUpload {
     private final List<MissionItem> items = new ArrayList<>();
     private long askedMicros;
     private int retries;
+    private int asked; // sequence number
 
     Incoming(Sender from, int count) {
       this.from = from;
@@ -75,19 +77,20 @@ final class MissionUpload {
       answers.forget(type);
       finished = Optional.empty();
       incoming = Optional.of(new Incoming(from, count));
-      ask(incoming.get());
+      ask(incoming.get(), incoming.get().items.size());
     }
   }
 
-  private void ask(Incoming upload) {
+  private void ask(Incoming upload, int seq) {
     upload.askedMicros = nowMicros;
+    upload.asked = seq;
     answers
         .station()
         .send(
             MissionRequestInt.builder()
                 .targetSystem(upload.from.system())
                 .targetComponent(upload.from.component())
-                .seq(upload.items.size())
+                .seq(seq)
                 .missionType(EnumValue.create(MavMissionType.class, type))
                 .build());
   }
@@ -101,12 +104,15 @@ final class MissionUpload {
     }
     Incoming upload = incoming.get();
     if (item.seq() != upload.items.size()) {
+      if (item.seq() == upload.asked) {
+        ask(upload, upload.asked + 1);
+      }
       return; // a repetition: the item asked for is on its way, or is asked for again
     }
     upload.items.add(MissionItem.of(item));
     upload.retries = 0;
     if (upload.items.size() < upload.count) {
-      ask(upload);
+      ask(upload, upload.items.size());
     } else {
       incoming = Optional.empty();
       finished = Optional.of(upload);
@@ -114,7 +120,10 @@ final class MissionUpload {
     }
   }
 
-  /** Asks again for what did not arrive. */
+  /**
+   * Asks again for what did not arrive, then for an item before it and from there on: MAVSDK goes
+   * back when a late request reaches it, and ignores those beyond its next item from then on.
+   */
   void step(long micros) {
     nowMicros = micros;
     if (incoming.isEmpty() || micros - incoming.get().askedMicros < RETRY_MICROS) {
@@ -122,7 +131,9 @@ final class MissionUpload {
     }
     Incoming upload = incoming.get();
     if (upload.retries++ < MAX_RETRIES) {
-      ask(upload);
+      boolean isOdd = upload.retries % 2 == 1;
+      int back = BACK * (upload.retries / 2) - (isOdd && upload.retries > 1 ? 1 : 0);
+      ask(upload, Math.max(0, upload.items.size() - back)); // each, and then the one after it
     } else {
       incoming = Optional.empty();
       answers.acknowledge(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, type, upload.from);
