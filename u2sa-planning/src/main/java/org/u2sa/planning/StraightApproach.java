@@ -23,7 +23,7 @@ import org.u2sa.planning.guidance.Vehicle;
  * avoids them, circling there down or up to the altitude of the approach, level along the line,
  * then down the slope and along the runway. Control flares. An approach that is off at the start of
  * the descent, that something is in the way of before, or that traffic comes near to above
- * LEAST_BREAK_OFF_M is flown again.
+ * MIN_BREAK_OFF_M is flown again.
  */
 final class StraightApproach implements LandingState.Descent {
   /** Level part of the line, in radii of turns downwind; the others if no route leads to it. */
@@ -35,7 +35,7 @@ final class StraightApproach implements LandingState.Descent {
   private static final double ALONG_RAD = Math.toRadians(30.0); // course on the line, at most off
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
-  private static final double LEAST_BREAK_OFF_M = 20.0; // above the position
+  private static final double MIN_BREAK_OFF_M = 20.0; // above the position
 
   private enum Phase {
     /** To the place on the extended centreline. */
@@ -130,7 +130,7 @@ final class StraightApproach implements LandingState.Descent {
     boolean isBlocked =
         phase == Phase.LEVEL
             ? detour.isHindered(vehicle, state, ahead(place, remainingM, lengthM).at(highM))
-            : to.z() > LEAST_BREAK_OFF_M && detour.comesTraffic(vehicle, state, place);
+            : to.z() > MIN_BREAK_OFF_M && detour.comesTraffic(vehicle, state, place);
     if (isBlocked) {
       return breakOff(vehicle.body(toEntry));
     }

@@ -176,7 +176,7 @@ class PlanFormatsTest {
 
   @Test
   void export_stationThatNoItemSays_isNamed() {
-    Station both = (Station) new Station().turns(2.0).duration(5.0).radius(50.0).uid("1");
+    Station both = new Station().turns(2.0).duration(5.0).radius(50.0).uid("1");
     GoalItems.of(List.of(both.x(8.0).y(50.0).psi(0.5).horizontalThreshold(3.0)), lost, lost);
 
     assertThat(lost)
