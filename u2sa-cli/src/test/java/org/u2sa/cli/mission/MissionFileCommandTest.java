@@ -81,7 +81,7 @@ class MissionFileCommandTest extends CommandFixture {
     u2sa("mission", "export", mission.toString(), "--fence", fence.toString());
     assertThat(u2sa("mission", "import", plan, "--out", folder.resolve("m2.xml").toString()))
         .isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("--fence names the file for it");
+    assertThat(err.toString()).contains("--fence names the file for them");
     assertThat(
             u2sa(
                 "mission",
