@@ -65,7 +65,9 @@ public final class ConfigCommand extends BaseCommand.Group {
                 "no service of system \"%s\" answered within %s s",
                 link.systemId(), link.timeoutS()));
       }
-      configuration.silent().forEach(each -> tell("no answer from " + each));
+      if (service == null) {
+        configuration.silent().forEach(each -> tell("no answer from " + each));
+      }
       format.print(
           () -> ConfigurationJson.text(link.systemId(), answers),
           () -> ConfigurationTable.lines(answers));

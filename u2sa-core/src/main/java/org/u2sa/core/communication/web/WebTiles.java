@@ -32,7 +32,7 @@ public final class WebTiles {
   private static final byte[] MAGIC = {'P', 'M', 'T', 'i', 'l', 'e', 's', 3};
 
   /** Bytes of ranges that are being sent: nobody who asks for tiles has logged in. */
-  private static final long MOST_UNDER_WAY =
+  private static final long LARGEST_UNSENT =
       Math.min(16L << 20, Runtime.getRuntime().maxMemory() / 16);
 
   private final FileChannel file;
@@ -81,7 +81,7 @@ public final class WebTiles {
     if (length < 1 || length > LONGEST_RANGE) {
       return WebResponses.error(HttpResponseStatus.REQUESTED_RANGE_NOT_SATISFIABLE);
     }
-    if (underWay.addAndGet(length) > Math.max(LONGEST_RANGE, MOST_UNDER_WAY)) {
+    if (underWay.addAndGet(length) > Math.max(LONGEST_RANGE, LARGEST_UNSENT)) {
       underWay.addAndGet(-length);
       return WebResponses.error(HttpResponseStatus.SERVICE_UNAVAILABLE);
     }
