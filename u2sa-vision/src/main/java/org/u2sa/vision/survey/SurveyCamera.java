@@ -77,9 +77,7 @@ public final class SurveyCamera extends CameraSensor {
     super(context, "SurveyCamera");
     mount = listen();
     pictures = pictures();
-    terrain =
-        HeightGrid.named(
-            variables.get().terrain(), context.configuration()::resolve);
+    terrain = HeightGrid.named(variables.get().terrain(), context.configuration()::resolve);
   }
 
   /** Uses the given camera, e.g. a simulated one. */
@@ -87,9 +85,7 @@ public final class SurveyCamera extends CameraSensor {
     super(context, "SurveyCamera", camera);
     mount = listen();
     pictures = pictures();
-    terrain =
-        HeightGrid.named(
-            variables.get().terrain(), context.configuration()::resolve);
+    terrain = HeightGrid.named(variables.get().terrain(), context.configuration()::resolve);
   }
 
   private CameraMount listen() {

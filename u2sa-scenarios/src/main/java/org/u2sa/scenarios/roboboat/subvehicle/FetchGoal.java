@@ -7,8 +7,9 @@ import org.u2sa.messages.schema.Schema;
 
 /**
  * An object to be fetched by a hovering aircraft: fly there, grip it, and land where the aircraft
- * stood, or where its deck is since (thesis 4.2.1.3). The position is the one of the aircraft when it grips, z included; both
- * thresholds apply to it. {@link #arrivedAt} is when the gripper was first at the object.
+ * stood, or where its deck is since (thesis 4.2.1.3). The position is the one of the aircraft when
+ * it grips, z included; both thresholds apply to it. {@link #arrivedAt} is when the gripper was
+ * first at the object.
  */
 public final class FetchGoal extends Waypoint {
   private static final Schema<FetchGoal> SCHEMA =

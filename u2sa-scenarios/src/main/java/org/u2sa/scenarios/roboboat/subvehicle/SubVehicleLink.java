@@ -29,8 +29,8 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Carries the Mission Manager's goal for the sub-vehicle to its system, at the place where the
- * world model has the object, and its report back (thesis 4.2.1.3). While the sub-vehicle is away, it
- * hears how far the carrier has moved. In: goals, objects, state. Out: goal-reports.
+ * world model has the object, and its report back (thesis 4.2.1.3). While the sub-vehicle is away,
+ * it hears how far the carrier has moved. In: goals, objects, state. Out: goal-reports.
  */
 public final class SubVehicleLink extends PeriodicService {
   private static final double STEPS_PER_S = 5.0;
