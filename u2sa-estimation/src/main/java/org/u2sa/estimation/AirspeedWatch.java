@@ -86,7 +86,7 @@ final class AirspeedWatch {
     double off = airspeed.getAsDouble() - expected;
     judge(sensed, off, isContradicted ? limit / 2.0 : limit);
     return isContradicted
-        ? ((StateInformation) sensed.copy()).fluidxDot(expected).fluidxDotSigma(SIGMA_MPS)
+        ? sensed.copy().fluidxDot(expected).fluidxDotSigma(SIGMA_MPS)
         : sensed;
   }
 
