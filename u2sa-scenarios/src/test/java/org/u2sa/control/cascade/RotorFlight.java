@@ -80,7 +80,7 @@ final class RotorFlight implements AutoCloseable {
   }
 
   private static LandingLeg leg(double x, double y) {
-    return new LandingLeg(Point.of(x, y, STANDS_M), false);
+    return LandingLeg.straight(Point.of(x, y, STANDS_M), false);
   }
 
   private static Rotor rotor(String name, Point hub, int spin) {

@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.LandingLeg;
@@ -14,6 +15,7 @@ import org.u2sa.sim.flight.MassProperties;
 final class AircraftParts {
   private static final double FAR_M = 100.0;
   private static final int MAX_LEGS = 32;
+  private static final double STEEPEST = 2.0; // angle of a wheel per angle of the rudder
 
   private AircraftParts() {}
 
@@ -34,11 +36,20 @@ final class AircraftParts {
     }
   }
 
-  static List<LandingLeg> legs(FileElement file) {
+  /**
+   * What it stands on.
+   *
+   * @param hasRudder whether wheels can be linked to a rudder
+   */
+  static List<LandingLeg> legs(FileElement file, boolean hasRudder) {
     List<LandingLeg> legs = new ArrayList<>();
     for (String kind : List.of("skid", "wheel")) {
       for (FileElement each : file.parts(kind)) {
-        legs.add(new LandingLeg(each.vector("position", "m", -FAR_M, FAR_M), kind.equals("wheel")));
+        Point position = each.vector("position", "m", -FAR_M, FAR_M);
+        boolean rolls = kind.equals("wheel");
+        boolean steers = hasRudder && rolls;
+        double steering = steers ? each.number("steering", "1", -STEEPEST, STEEPEST, 0.0) : 0.0;
+        legs.add(new LandingLeg(position, rolls, steering));
         each.end();
       }
     }

@@ -33,7 +33,7 @@ record FixedWingModel(
   private static final int MAX_SURFACES = 32;
 
   static FixedWingModel read(FileElement file, Body body) {
-    List<LandingLeg> legs = AircraftParts.legs(file);
+    List<LandingLeg> legs = AircraftParts.legs(file, true);
     Optional<Catapult> catapult = AircraftParts.catapult(file);
     if (legs.isEmpty() && catapult.isEmpty()) {
       throw file.xml().error("has neither <skid>, <wheel> nor <catapult>; expected how it starts");

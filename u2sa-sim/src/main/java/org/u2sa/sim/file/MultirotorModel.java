@@ -56,7 +56,7 @@ record MultirotorModel(
         List.copyOf(rotors),
         Map.copyOf(failures),
         file.vector("frameDrag", "N s^2/m^2", 0.0, 1e3, Point.ORIGIN),
-        AircraftParts.legs(file),
+        AircraftParts.legs(file, false),
         body.footprint());
   }
 

@@ -110,8 +110,8 @@ public final class UnmannedAircraft implements SimulatedVehicle {
       World world,
       Point start,
       double headingRad) {
-    AirLoads loads = new Wings(wing, surfaces, propeller);
     List<Wheel> wheels = LandingLeg.wheels(legs, mass.massKg());
+    AirLoads loads = new Wings(wing, surfaces, propeller, wheels);
     return new UnmannedAircraft(
         mass, loads, wheels, LandingLeg.BREAKS_AT_M, footprint, world, start, headingRad);
   }

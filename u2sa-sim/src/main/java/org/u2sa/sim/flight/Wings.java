@@ -3,6 +3,7 @@ package org.u2sa.sim.flight;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.u2sa.sim.gear.Wheel;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.vehicle.BodyState;
 
@@ -13,12 +14,21 @@ final class Wings implements AirLoads {
   private final WingCoefficients wing;
   private final List<ControlSurface> surfaces;
   private final ElectricPropeller propeller;
+  private final List<Wheel> wheels;
   private final List<String> names = new ArrayList<>();
   private final double[] target;
   private final double[] kept;
 
-  Wings(WingCoefficients wing, List<ControlSurface> surfaces, ElectricPropeller propeller) {
+  /**
+   * @param wheels linked to the rudder, as far as they are steered
+   */
+  Wings(
+      WingCoefficients wing,
+      List<ControlSurface> surfaces,
+      ElectricPropeller propeller,
+      List<Wheel> wheels) {
     this.wing = wing;
+    this.wheels = List.copyOf(wheels);
     this.surfaces = List.copyOf(surfaces);
     this.propeller = propeller;
     surfaces.forEach(each -> names.add(each.name()));
@@ -75,6 +85,9 @@ final class Wings implements AirLoads {
       elevator += kept[i] * surface.elevator() * deflection;
       aileron += kept[i] * surface.aileron() * deflection;
       rudder += kept[i] * surface.rudder() * deflection;
+    }
+    for (Wheel wheel : wheels) {
+      wheel.set(-rudder, 0.0); // a positive rudder yaws left
     }
     int last = surfaces.size();
     double throttle = s[first + last];

@@ -74,7 +74,7 @@ final class Aerosonde {
   }
 
   private static LandingLeg leg(double x, double y) {
-    return new LandingLeg(Point.of(x, y, STANDS_M), true);
+    return LandingLeg.straight(Point.of(x, y, STANDS_M), true);
   }
 
   /** Deflections [rad] and throttle 0…1. */

@@ -50,7 +50,8 @@ class FixedWingTest {
   }
 
   private static FreeBody aerosonde() {
-    Wings wings = new Wings(Aerosonde.wing(), Aerosonde.surfaces(), Aerosonde.propeller());
+    Wings wings =
+        new Wings(Aerosonde.wing(), Aerosonde.surfaces(), Aerosonde.propeller(), List.of());
     return new FreeBody(Aerosonde.MASS, wings, List.of(), MAVSIM_GRAVITY);
   }
 

@@ -60,7 +60,7 @@ final class Hummingbird {
   }
 
   private static LandingLeg leg(double x, double y) {
-    return new LandingLeg(Point.of(x, y, STANDS_M), false);
+    return LandingLeg.straight(Point.of(x, y, STANDS_M), false);
   }
 
   private static Rotor rotor(int number, double x, double y, int spin) {
