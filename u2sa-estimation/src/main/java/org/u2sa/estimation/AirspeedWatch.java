@@ -85,9 +85,7 @@ final class AirspeedWatch {
     double limit = Math.max(MIN_OFF_MPS, OFF_SHARE * expected);
     double off = airspeed.getAsDouble() - expected;
     judge(sensed, off, isContradicted ? limit / 2.0 : limit);
-    return isContradicted
-        ? sensed.copy().fluidxDot(expected).fluidxDotSigma(SIGMA_MPS)
-        : sensed;
+    return isContradicted ? sensed.copy().fluidxDot(expected).fluidxDotSigma(SIGMA_MPS) : sensed;
   }
 
   private void judge(StateInformation sensed, double offMps, double limitMps) {
