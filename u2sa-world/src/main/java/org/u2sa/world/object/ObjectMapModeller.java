@@ -232,7 +232,8 @@ public final class ObjectMapModeller implements Modeller {
       return false;
     }
     if (a.isFromFile()) {
-      return a.template().distanceTo(b.template().center()) < tuning.mergeWithin();
+      return !b.filter().isMoving()
+          && a.template().distanceTo(b.template().center()) < tuning.mergeWithin();
     }
     Point way = a.place().minus(b.place());
     return way.distance() < tuning.mergeWithin()

@@ -12,6 +12,8 @@ import java.util.List;
 record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
   static final int NONE = -1;
 
+  private static final double SURELY_MOVES = 3.0; // speed in its sigmas
+
   /** Index of each sighting's object in the list of tracks, or {@link #NONE}. */
   int[] of(List<Detection> detections) {
     double limit = settings.gate() * settings.gate();
@@ -22,8 +24,9 @@ record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
     for (int i = 0; i < detections.size(); i++) {
       group[i] = i;
       distance[i] = new double[tracks.size()];
+      boolean isTracked = isTracked(detections.get(i));
       for (int k = 0; k < tracks.size(); k++) {
-        distance[i][k] = distance(detections.get(i), tracks.get(k), limit);
+        distance[i][k] = distance(detections.get(i), isTracked, tracks.get(k), limit);
         if (distance[i][k] <= limit) {
           if (claimed[k] == NONE) {
             claimed[k] = i;
@@ -43,21 +46,39 @@ record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
     return match;
   }
 
-  private double distance(Detection detection, MappedObject track, double limit) {
-    if (!track.isLike(detection.object(), settings.trustUids())) {
+  /** Whether an object that was not read from a file is known by the sighting's UID. */
+  private boolean isTracked(Detection detection) {
+    return settings.trustUids()
+        && tracks.stream()
+            .anyMatch(track -> !track.isFromFile() && track.isCalled(detection.object()));
+  }
+
+  private double distance(
+      Detection detection, boolean isTracked, MappedObject track, double limit) {
+    boolean called = track.isCalled(detection.object());
+    if (!track.isLike(detection.object(), settings.trustUids()) || isTracked && !called) {
       return Double.POSITIVE_INFINITY;
     }
-    boolean called = track.isCalled(detection.object());
-    if (called && settings.trustUids()) {
+    if (called && settings.trustUids() && !track.isFromFile()) {
       return 0.0; // a UID in the wrong place is rejected later
     }
     if (track.isFromFile()) { // a large object may be seen anywhere on its surface
+      if (isTracked || moves(detection)) {
+        return Double.POSITIVE_INFINITY; // an aircraft above a mast is not the mast
+      }
       double sigma = Math.max(1e-6, detection.sigma().distance());
       double off = track.template().distanceTo(detection.object().center()) / sigma;
       return off * off;
     }
     double distance = track.filter().cost(detection.place(), detection.sigma());
     return called && distance <= limit ? distance / 2.0 : distance; // the UID supports the match
+  }
+
+  private static boolean moves(Detection detection) {
+    return detection
+        .velocity()
+        .filter(each -> each.distance() > SURELY_MOVES * detection.velocitySigma().orElse(0.0))
+        .isPresent();
   }
 
   private static int root(int[] group, int i) {
