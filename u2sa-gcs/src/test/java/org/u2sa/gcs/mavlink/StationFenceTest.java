@@ -8,18 +8,13 @@ import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionClearAll;
-import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionItemInt;
-import io.dronefleet.mavlink.common.MissionRequestInt;
-import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.util.EnumValue;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.safety.FenceAction;
 import org.u2sa.messages.safety.FenceOrder;
-import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
 
 /** Fences between a station and the Safety Manager. */
@@ -33,6 +28,7 @@ class StationFenceTest {
           + "<corner><x>10</x><y>54.1</y></corner></keepOut></fence>";
 
   private final BridgeKit kit = BridgeKit.rover().ready();
+  private final FenceStation station = new FenceStation(() -> kit, FENCE);
 
   private static MissionItemInt item(int seq, int command, float first, double east, double north) {
     return MissionItemInt.builder()
@@ -57,58 +53,6 @@ class StationFenceTest {
         item(3, CIRCLE_OUT, 12.3f, 0.0005, 0.0));
   }
 
-  private void upload(List<MissionItemInt> items) {
-    kit.send(
-        MissionCount.builder()
-            .targetSystem(1)
-            .targetComponent(1)
-            .count(items.size())
-            .missionType(FENCE)
-            .build());
-    for (int i = 0; i < items.size(); i++) {
-      MissionRequestInt asked = kit.received(MissionRequestInt.class).get(0);
-      assertThat(asked.seq()).isEqualTo(i);
-      assertThat(asked.missionType().entry()).isEqualTo(FENCE);
-      kit.send(items.get(i));
-    }
-  }
-
-  private List<MissionItemInt> downloaded() {
-    kit.send(
-        MissionRequestList.builder().targetSystem(1).targetComponent(1).missionType(FENCE).build());
-    MissionCount count = kit.received(MissionCount.class).get(0);
-    assertThat(count.missionType().entry()).isEqualTo(FENCE);
-    List<MissionItemInt> items = new ArrayList<>();
-    for (int i = 0; i < count.count(); i++) {
-      kit.send(
-          MissionRequestInt.builder()
-              .targetSystem(1)
-              .targetComponent(1)
-              .seq(i)
-              .missionType(FENCE)
-              .build());
-      items.addAll(kit.received(MissionItemInt.class));
-    }
-    return items;
-  }
-
-  private FenceOrder answer(boolean accepted, String outcome) {
-    FenceOrder order = kit.orders(FenceOrder.class).get(0);
-    if (accepted) {
-      FenceState now = new FenceState();
-      order.fence().ifPresent(xml -> now.fence(xml).file(order.file().orElseThrow()));
-      kit.says(now);
-    }
-    kit.says(
-        new FenceOrderResult()
-            .requestId(order.requestId())
-            .serviceName("SafetyManager")
-            .accepted(accepted)
-            .outcome(outcome));
-    kit.step();
-    return order;
-  }
-
   private MissionAck acknowledgement() {
     List<MissionAck> answers = kit.received(MissionAck.class);
     assertThat(answers).hasSize(1);
@@ -117,10 +61,10 @@ class StationFenceTest {
 
   @Test
   void upload_polygonAndCircle_isOrderedAcknowledgedAndReadBackEqual() {
-    upload(field());
+    station.upload(field());
     assertThat(kit.received(MissionAck.class)).as("before the vehicle has answered").isEmpty();
 
-    FenceOrder order = answer(true, "in force");
+    FenceOrder order = station.answer(true, "in force");
 
     assertThat(order.action()).isEqualTo(FenceAction.REPLACE);
     assertThat(order.fence().orElseThrow())
@@ -129,7 +73,7 @@ class StationFenceTest {
     MissionAck answer = acknowledgement();
     assertThat(answer.type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
     assertThat(answer.missionType().entry()).isEqualTo(FENCE);
-    assertThat(downloaded().toString())
+    assertThat(station.downloaded().toString())
         .isEqualTo(
             field()
                 .toString()
@@ -139,9 +83,9 @@ class StationFenceTest {
 
   @Test
   void upload_refusedBySafetyManager_isAnErrorWithItsReason() {
-    upload(field());
+    station.upload(field());
 
-    answer(false, "the vehicle is armed, and to this fence it is: outside");
+    station.answer(false, "the vehicle is armed, and to this fence it is: outside");
 
     assertThat(acknowledgement().type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_ERROR);
     assertThat(kit.texts()).contains("to this fence it is: outside");
@@ -151,19 +95,21 @@ class StationFenceTest {
   void upload_overAFenceWithACeiling_keepsTheCeiling() {
     kit.says(new FenceState().fence(FILE).file("fence.xml"));
 
-    upload(field());
+    station.upload(field());
 
-    assertThat(answer(true, "in force").fence().orElseThrow()).contains("<ceiling>300.0</ceiling>");
+    assertThat(station.answer(true, "in force").fence().orElseThrow())
+        .contains("<ceiling>300.0</ceiling>");
   }
 
   @Test
   void upload_tornPolygonOrReturnPoint_isRefusedByName() {
-    upload(List.of(item(0, IN, 3, 0, 0), item(1, IN, 3, 0, 1), item(2, CIRCLE_OUT, 3, 1, 1)));
+    station.upload(
+        List.of(item(0, IN, 3, 0, 0), item(1, IN, 3, 0, 1), item(2, CIRCLE_OUT, 3, 1, 1)));
     assertThat(acknowledgement().type().entry())
         .isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
     assertThat(kit.texts()).contains("fence item 3: is not of the polygon that item 1 begins");
 
-    upload(List.of(item(0, 5000, 0, 0, 0)));
+    station.upload(List.of(item(0, 5000, 0, 0, 0)));
     assertThat(acknowledgement().type().entry())
         .isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
     assertThat(kit.texts()).contains("fence item 1: is a command 5000");
@@ -174,7 +120,7 @@ class StationFenceTest {
   void download_ofAFile_isItsAreasAndNamesWhatItemsLack() {
     kit.says(new FenceState().fence(FILE).file("fence.xml"));
 
-    List<MissionItemInt> items = downloaded();
+    List<MissionItemInt> items = station.downloaded();
 
     assertThat(items)
         .extracting(each -> each.command().value())
@@ -190,7 +136,7 @@ class StationFenceTest {
             .file("fence.xml")
             .fence("<fence><reference>Local ENU</reference><keepOut/></fence>"));
 
-    assertThat(downloaded()).isEmpty();
+    assertThat(station.downloaded()).isEmpty();
     assertThat(kit.texts()).contains("fence not shown").contains("Local ENU");
   }
 
@@ -198,7 +144,7 @@ class StationFenceTest {
   void clear_ofTheFence_removesItAndClearOfAllTheMissionToo() {
     kit.send(
         MissionClearAll.builder().targetSystem(1).targetComponent(1).missionType(FENCE).build());
-    assertThat(answer(true, "none").action()).isEqualTo(FenceAction.REMOVE);
+    assertThat(station.answer(true, "none").action()).isEqualTo(FenceAction.REMOVE);
     assertThat(acknowledgement().type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
 
     kit.send(
@@ -207,7 +153,7 @@ class StationFenceTest {
             .targetComponent(1)
             .missionType(MavMissionType.MAV_MISSION_TYPE_ALL)
             .build());
-    answer(true, "none");
+    station.answer(true, "none");
     assertThat(kit.orders(MissionOrder.class)).hasSize(1);
   }
 }

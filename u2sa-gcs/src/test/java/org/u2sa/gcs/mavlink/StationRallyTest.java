@@ -8,12 +8,8 @@ import io.dronefleet.mavlink.common.MavMissionResult;
 import io.dronefleet.mavlink.common.MavMissionType;
 import io.dronefleet.mavlink.common.MissionAck;
 import io.dronefleet.mavlink.common.MissionClearAll;
-import io.dronefleet.mavlink.common.MissionCount;
 import io.dronefleet.mavlink.common.MissionItemInt;
-import io.dronefleet.mavlink.common.MissionRequestInt;
-import io.dronefleet.mavlink.common.MissionRequestList;
 import io.dronefleet.mavlink.util.EnumValue;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,7 +18,6 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.messages.safety.FenceAction;
 import org.u2sa.messages.safety.FenceOrder;
-import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
 
 /** Rally points from stations and back; the Safety Manager's side is scripted. */
@@ -34,6 +29,7 @@ class StationRallyTest {
       "<keepOut><centre><x>10.01</x><y>54</y></centre><radius>5</radius></keepOut>";
 
   private BridgeKit kit = new BridgeKit(Identity.PX4, VehicleKind.PLANE).ready(); // home at 3 m
+  private final FenceStation station = new FenceStation(() -> kit, RALLY);
 
   private static MissionItemInt item(int seq, int command, int frame, double z) {
     return MissionItemInt.builder()
@@ -50,55 +46,6 @@ class StationRallyTest {
         .build();
   }
 
-  private void upload(List<MissionItemInt> items) {
-    kit.send(
-        MissionCount.builder()
-            .targetSystem(1)
-            .targetComponent(1)
-            .count(items.size())
-            .missionType(RALLY)
-            .build());
-    for (MissionItemInt item : items) {
-      assertThat(kit.received(MissionRequestInt.class)).hasSize(1);
-      kit.send(item);
-    }
-  }
-
-  private List<MissionItemInt> downloaded() {
-    kit.send(
-        MissionRequestList.builder().targetSystem(1).targetComponent(1).missionType(RALLY).build());
-    MissionCount count = kit.received(MissionCount.class).get(0);
-    List<MissionItemInt> items = new ArrayList<>();
-    for (int i = 0; i < count.count(); i++) {
-      kit.send(
-          MissionRequestInt.builder()
-              .targetSystem(1)
-              .targetComponent(1)
-              .seq(i)
-              .missionType(RALLY)
-              .build());
-      items.addAll(kit.received(MissionItemInt.class));
-    }
-    return items;
-  }
-
-  private FenceOrder answer(boolean accepted, String outcome) {
-    FenceOrder order = kit.orders(FenceOrder.class).get(0);
-    if (accepted) {
-      FenceState now = new FenceState();
-      order.fence().ifPresent(xml -> now.fence(xml).file(order.file().orElseThrow()));
-      kit.says(now);
-    }
-    kit.says(
-        new FenceOrderResult()
-            .requestId(order.requestId())
-            .serviceName("SafetyManager")
-            .accepted(accepted)
-            .outcome(outcome));
-    kit.step();
-    return order;
-  }
-
   private MavMissionResult acknowledged() {
     List<MissionAck> answers = kit.received(MissionAck.class);
     assertThat(answers).hasSize(1);
@@ -112,13 +59,13 @@ class StationRallyTest {
     List<MissionItemInt> items =
         List.of(item(0, 5100, ABOVE_HOME, 47.1), item(1, 5100, ABOVE_SEA, 60.3));
 
-    upload(items);
+    station.upload(items);
     assertThat(kit.received(MissionAck.class)).as("before the vehicle has answered").isEmpty();
-    String fence = answer(true, "in force").fence().orElseThrow();
+    String fence = station.answer(true, "in force").fence().orElseThrow();
 
     assertThat(fence).contains("<keepOut>").contains("<z>50.1</z>").contains("<z>60.3</z>");
     assertThat(acknowledged()).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
-    assertThat(downloaded().toString())
+    assertThat(station.downloaded().toString())
         .isEqualTo(
             items
                 .toString()
@@ -130,9 +77,9 @@ class StationRallyTest {
   void upload_toARover_hasNoAltitudes() {
     kit = BridgeKit.rover().ready();
     kit.says(new FenceState());
-    upload(List.of(item(0, 5100, ABOVE_HOME, 0.0)));
+    station.upload(List.of(item(0, 5100, ABOVE_HOME, 0.0)));
 
-    assertThat(answer(true, "in force").fence().orElseThrow())
+    assertThat(station.answer(true, "in force").fence().orElseThrow())
         .contains("<rally>")
         .doesNotContain("<z>");
   }
@@ -140,9 +87,9 @@ class StationRallyTest {
   @Test
   void upload_outsideTheFence_isAnErrorWithTheSafetyManagersReason() {
     kit.says(new FenceState());
-    upload(List.of(item(0, 5100, ABOVE_SEA, 50.0)));
+    station.upload(List.of(item(0, 5100, ABOVE_SEA, 50.0)));
 
-    answer(false, "rally 1 at x 10, y 54: outside the keep-in area");
+    station.answer(false, "rally 1 at x 10, y 54: outside the keep-in area");
 
     assertThat(acknowledged()).isEqualTo(MavMissionResult.MAV_MISSION_ERROR);
     assertThat(kit.texts()).contains("rally points refused: rally 1 at x 10, y 54: outside");
@@ -157,7 +104,7 @@ class StationRallyTest {
   })
   void upload_unusableItem_isRefusedByName(int command, int frame, double z, String why) {
     kit.says(new FenceState());
-    upload(List.of(item(0, command, frame, z)));
+    station.upload(List.of(item(0, command, frame, z)));
 
     assertThat(acknowledged()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
     assertThat(kit.texts()).contains("rally point 1: " + why);
@@ -167,7 +114,7 @@ class StationRallyTest {
   @Test
   void upload_overAFenceTooLongToBeSeen_isRefusedAndTheFenceStays() {
     kit.says(new FenceState().file("long.xml"));
-    upload(List.of(item(0, 5100, ABOVE_SEA, 50.0)));
+    station.upload(List.of(item(0, 5100, ABOVE_SEA, 50.0)));
 
     assertThat(acknowledged()).isEqualTo(MavMissionResult.MAV_MISSION_ERROR);
     assertThat(kit.orders(FenceOrder.class)).isEmpty();
@@ -179,15 +126,15 @@ class StationRallyTest {
     MissionClearAll clear =
         MissionClearAll.builder().targetSystem(1).targetComponent(1).missionType(RALLY).build();
     kit.says(new FenceState().fence("<fence>" + AREA + rally + "</fence>").file("fence.xml"));
-    assertThat(downloaded()).hasSize(1);
+    assertThat(station.downloaded()).hasSize(1);
     kit.send(clear);
-    assertThat(answer(true, "in force").fence().orElseThrow())
+    assertThat(station.answer(true, "in force").fence().orElseThrow())
         .contains("<keepOut>")
         .doesNotContain("<rally>");
     assertThat(acknowledged()).isEqualTo(MavMissionResult.MAV_MISSION_ACCEPTED);
 
     kit.says(new FenceState().fence("<fence>" + rally + "</fence>").file("fence.xml"));
     kit.send(clear);
-    assertThat(answer(true, "none").action()).isEqualTo(FenceAction.REMOVE);
+    assertThat(station.answer(true, "none").action()).isEqualTo(FenceAction.REMOVE);
   }
 }
