@@ -27,10 +27,9 @@ final class DockState extends StationTaskState {
   private static final double OFF_M = 0.6; // from the line
   private static final double BACK_M = 2.0; // from the station, to try again
   private static final double IN_M = 0.6; // from the berth
-  private static final double STILL_MPS = 0.1;
   private static final double STILL_S = 5.0; // in one place, where the quadrotor will look for it
-  private static final double SLIDES_M = 0.15;
-  private static final double TURNS_RAD = Math.toRadians(4.0);
+  private static final double SLIDES_M = 0.15; // more than waves move it to and fro
+  private static final double TURNS_RAD = Math.toRadians(8.0);
   private static final double LEFT_M = 3.5; // from the berth
   private static final double BACK_MPS = 0.7;
   private static final double LEAVE_MPS = 1.6; // before a current carries it to the fingers
@@ -114,7 +113,7 @@ final class DockState extends StationTaskState {
 
   private boolean isStill(double toGoM, Point off, StateInformation state) {
     double psi = state.psi().orElseThrow();
-    boolean isStill = phase == Phase.ENTER && Math.abs(toGoM) < IN_M && speed(state) < STILL_MPS;
+    boolean isStill = phase == Phase.ENTER && Math.abs(toGoM) < IN_M;
     if (!isStill) {
       stillMicros = Long.MIN_VALUE;
     } else if (stillMicros == Long.MIN_VALUE
@@ -125,9 +124,5 @@ final class DockState extends StationTaskState {
       layPsi = psi;
     }
     return isStill;
-  }
-
-  private static double speed(StateInformation state) {
-    return Math.hypot(state.xDot().orElse(1.0), state.yDot().orElse(1.0));
   }
 }
