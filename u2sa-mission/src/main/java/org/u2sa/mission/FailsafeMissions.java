@@ -17,6 +17,8 @@ import org.u2sa.messages.safety.FailsafeAction;
 
 /** The goals for the failsafes RETURN and LAND. */
 final class FailsafeMissions {
+  private static final int MAX_CHARS = 1_000; // of a UID
+
   private final MissionRun run;
   private final Logger logger;
   private final MissionFiles files;
@@ -90,12 +92,12 @@ final class FailsafeMissions {
   /** Renames goals, because names equal to the mission's would hide the change from planners. */
   private static GoalInformation renamed(GoalInformation goal, String prefix) {
     GoalInformation copy = goal.copy();
-    copy.uid(prefix + goal.uid());
+    copy.uid(name(prefix, goal.uid()));
     copy.next(renamed(goal.next(), prefix));
     for (GoalResult result : List.of(GoalResult.DONE, GoalResult.FAILED, GoalResult.TIMED_OUT)) {
       goal.nextIf(result).ifPresent(next -> copy.nextIf(result, renamed(next, prefix)));
     }
-    goal.repeatFrom().ifPresent(from -> copy.repeatFrom(prefix + from));
+    goal.repeatFrom().ifPresent(from -> copy.repeatFrom(name(prefix, from)));
     copy.freeze();
     return copy;
   }
@@ -105,8 +107,14 @@ final class FailsafeMissions {
     return renamed(place, FailsafeAction.RETURN + " ");
   }
 
+  /** The new name of a goal; of one that would be too long, its hash. */
+  private static String name(String prefix, String uid) {
+    boolean isShort = prefix.length() + uid.length() <= MAX_CHARS;
+    return prefix + (isShort ? uid : Integer.toHexString(uid.hashCode()));
+  }
+
   private static List<String> renamed(List<String> names, String prefix) {
-    return names.stream().map(name -> prefix + name).collect(Collectors.toList());
+    return names.stream().map(each -> name(prefix, each)).collect(Collectors.toList());
   }
 
   /**
