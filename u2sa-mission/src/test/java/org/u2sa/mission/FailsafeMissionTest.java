@@ -144,6 +144,27 @@ class FailsafeMissionTest {
   }
 
   @Test
+  void land_goalsWithTheLongestNames_arePursuedInTheirOrder() throws IOException {
+    String first = "a".repeat(1_000);
+    String second = "b".repeat(1_000);
+    String mission =
+        "<mission><waypoint><name>"
+            + first
+            + "</name><next>"
+            + second
+            + "</next><landingStart>true</landingStart><x>1</x><y>2</y></waypoint><waypoint><name>"
+            + second
+            + "</name><x>1</x><y>3</y></waypoint></mission>";
+    kit.with("MISSION", Files.writeString(directory.resolve("m.xml"), mission).toString());
+    kit.start(MissionManager::new);
+    failsafe(FailsafeAction.LAND);
+    assertThat(goals()).hasSize(1);
+    complete(goals().get(0));
+
+    assertThat(goals()).containsExactly("LAND " + Integer.toHexString(second.hashCode()));
+  }
+
+  @Test
   void hold_leavesTheGoalsAlone() {
     kit.start(MissionManager::new);
     kit.forget();

@@ -89,13 +89,16 @@ public class Dock extends ShapeDescription implements Coloured {
     return put(COLOUR, colour);
   }
 
-  /** The back wall, the finger left of psi seen from above in a z-up frame, and the other one. */
+  /**
+   * The back wall, the finger left of psi seen from above in a z-up frame, and the other one. They
+   * have the UID of the dock.
+   */
   public List<Box> walls() {
     double half = thickness() / 2.0;
     double side = width() / 2.0 - half;
-    Box back = wall("back", half - length() / 2.0, 0.0, thickness(), width());
-    Box left = wall("left", 0.0, side, length(), thickness());
-    return List.of(back, left, wall("right", 0.0, -side, length(), thickness()));
+    Box back = wall(half - length() / 2.0, 0.0, thickness(), width());
+    Box left = wall(0.0, side, length(), thickness());
+    return List.of(back, left, wall(0.0, -side, length(), thickness()));
   }
 
   /** Centre line of the walls, from the end of one finger to that of the other. */
@@ -107,10 +110,10 @@ public class Dock extends ShapeDescription implements Coloured {
     return List.of(at(end, side), at(back, side), at(back, -side), at(end, -side));
   }
 
-  private Box wall(String name, double ahead, double aside, double length, double width) {
+  private Box wall(double ahead, double aside, double length, double width) {
     Point at = at(ahead, aside);
     Box box = new Box().length(length).width(width).height(height()).psi(psi());
-    box.uid(uid() + " " + name).referenceFrame(referenceFrame());
+    box.uid(uid()).referenceFrame(referenceFrame());
     box.x(at.x()).y(at.y()).z(at.z());
     return box;
   }

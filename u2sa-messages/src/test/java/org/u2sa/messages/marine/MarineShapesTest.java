@@ -62,6 +62,14 @@ class MarineShapesTest {
   }
 
   @Test
+  void distanceTo_dockWithTheLongestUid_isThatOfAnyDock() {
+    Dock dock = dock();
+    dock.uid("d".repeat(1_000));
+
+    assertThat(dock.distanceTo(Point.of(10.0, 20.0, 2.0))).isEqualTo(1.0, within(TINY));
+  }
+
+  @Test
   void in_bodyOfAVehicle_dockKeepsItsDistances() {
     StateInformation vehicle =
         new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(15.0).y(12.0).psi(0.6);
