@@ -197,6 +197,11 @@ final class MappedObject {
     return old || existence < GONE;
   }
 
+  /** Whether a file names it, without a velocity. */
+  boolean isFixture() {
+    return fromFile && template.motion().velocity().isEmpty();
+  }
+
   /** Whether type and UID allow a sighting to be of this object. */
   boolean isLike(ObjectDescription other, boolean trustUids) {
     String mine = template.objectType();

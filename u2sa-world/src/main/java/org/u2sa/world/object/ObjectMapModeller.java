@@ -232,7 +232,7 @@ public final class ObjectMapModeller implements Modeller {
       return false;
     }
     if (a.isFromFile()) {
-      return !b.filter().isMoving()
+      return !(a.isFixture() && b.filter().isMoving())
           && a.template().distanceTo(b.template().center()) < tuning.mergeWithin();
     }
     Point way = a.place().minus(b.place());

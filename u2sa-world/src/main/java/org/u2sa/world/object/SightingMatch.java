@@ -63,7 +63,7 @@ record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
       return 0.0; // a UID in the wrong place is rejected later
     }
     if (track.isFromFile()) { // a large object may be seen anywhere on its surface
-      if (isTracked || moves(detection)) {
+      if (isTracked || track.isFixture() && moves(detection)) {
         return Double.POSITIVE_INFINITY; // an aircraft above a mast is not the mast
       }
       double sigma = Math.max(1e-6, detection.sigma().distance());

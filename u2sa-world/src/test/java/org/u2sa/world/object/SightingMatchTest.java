@@ -52,6 +52,13 @@ class SightingMatchTest {
     assertThat(match(List.of(mast), aircraft(0.0, 20.0))).isEqualTo(SightingMatch.NONE);
   }
 
+  @Test
+  void of_movingSightingOfAMoverOfTheFile_isThatMover() {
+    MappedObject cart = new MappedObject("cart", aircraft(0.0, 20.0), 0, settings, Source.FILE);
+
+    assertThat(match(List.of(cart), aircraft(0.0, 20.0))).isZero();
+  }
+
   /** Slow, it may be the mast itself; once it is elsewhere, it is not. */
   @Test
   void of_slowAircraftTakenForTheMast_isNewWhenItIsElsewhere() {
