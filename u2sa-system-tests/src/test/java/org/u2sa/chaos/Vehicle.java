@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.u2sa.cli.Main;
 import org.u2sa.flightgear.link.EmbeddedStart;
@@ -20,6 +19,7 @@ import org.u2sa.mission.Mission;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.atmosphere.Wind;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.ProcessTree;
 
 /**
  * A Cessna in the stand-in simulator, flown by {@code u2sa run --separate}: one process a service,
@@ -132,16 +132,7 @@ final class Vehicle implements AutoCloseable {
   public void close() {
     List<ProcessHandle> children = supervisor.toHandle().descendants().toList();
     children.forEach(process -> Signal.CONT.send(process)); // one that is stopped cannot end
-    supervisor.destroy();
-    try {
-      if (!supervisor.waitFor(15, TimeUnit.SECONDS)) {
-        supervisor.destroyForcibly();
-      }
-    } catch (InterruptedException e) {
-      supervisor.destroyForcibly();
-      Thread.currentThread().interrupt();
-    }
-    children.forEach(ProcessHandle::destroyForcibly);
+    ProcessTree.end(supervisor);
     aircraft.close();
   }
 

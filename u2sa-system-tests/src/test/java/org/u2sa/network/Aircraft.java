@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.u2sa.testkit.ProcessTree;
 
 /** Watches the true flight of an {@link AircraftMain}: whatever breaks, it must stay in the air. */
 final class Aircraft implements AutoCloseable {
@@ -87,6 +88,6 @@ final class Aircraft implements AutoCloseable {
 
   @Override
   public void close() {
-    process.destroyForcibly();
+    ProcessTree.kill(process);
   }
 }

@@ -17,6 +17,7 @@ import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.schema.MessageCodec;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.testkit.ProcessTree;
 
 /**
  * Ticks off what a {@link NumberedMain} on another host sends: each number must arrive or be
@@ -87,7 +88,7 @@ final class Numbers implements Receiver, AutoCloseable {
     Awaitility.await("later numbers arrive")
         .atMost(ARRIVES_WITHIN)
         .until(() -> ticks.keySet().stream().allMatch(name -> newest(name) > sent));
-    sender.destroyForcibly();
+    ProcessTree.kill(sender);
     Map<String, Balance> balances = new TreeMap<>();
     connections.forEach((name, connection) -> balances.put(name, balance(name, connection)));
     return balances;
@@ -126,7 +127,7 @@ final class Numbers implements Receiver, AutoCloseable {
 
   @Override
   public void close() {
-    sender.destroyForcibly();
+    ProcessTree.kill(sender);
     connections.values().forEach(Connection::close);
   }
 }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.cli.Main;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.ProcessTree;
 
 /** A system that runs in a Java process of its own, started by {@code u2sa run}. */
 public final class ForeignSystem implements AutoCloseable {
@@ -104,14 +105,6 @@ public final class ForeignSystem implements AutoCloseable {
 
   @Override
   public void close() {
-    process.destroy();
-    try {
-      if (!awaitEnd()) {
-        process.destroyForcibly();
-      }
-    } catch (InterruptedException e) {
-      process.destroyForcibly();
-      Thread.currentThread().interrupt();
-    }
+    ProcessTree.end(process);
   }
 }

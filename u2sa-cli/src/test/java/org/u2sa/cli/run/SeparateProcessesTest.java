@@ -24,6 +24,7 @@ import org.u2sa.cli.services.Lidar;
 import org.u2sa.core.health.HealthMonitor;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.ProcessTree;
 
 /**
  * Processes of {@code --separate}: how they end with the one that started them, and it with them.
@@ -79,8 +80,7 @@ class SeparateProcessesTest {
       assertThat(run.waitFor()).as(said).isEqualTo(ExitCode.BAD_INPUT);
       assertThat(said).contains("NO SUCH VARIABLE").contains("The system ends");
     } finally {
-      run.descendants().forEach(ProcessHandle::destroyForcibly);
-      run.destroyForcibly();
+      ProcessTree.kill(run);
     }
   }
 
@@ -98,7 +98,7 @@ class SeparateProcessesTest {
 
       services.get(0).onExit().get(90, TimeUnit.SECONDS);
     } finally {
-      supervisor.destroyForcibly().waitFor();
+      ProcessTree.kill(supervisor);
       services.forEach(ProcessHandle::destroyForcibly);
     }
 
@@ -106,8 +106,7 @@ class SeparateProcessesTest {
     try {
       awaitLine(next, "System boat runs: Lidar");
     } finally {
-      next.destroy(); // ends its services first
-      next.waitFor();
+      ProcessTree.end(next); // ends its services first
     }
   }
 
@@ -120,8 +119,7 @@ class SeparateProcessesTest {
 
       awaitLine(supervisor, line -> line.matches("Service \\w+ was restarted\\."));
     } finally {
-      supervisor.destroy(); // ends its services first
-      supervisor.waitFor();
+      ProcessTree.end(supervisor); // ends its services first
     }
   }
 
@@ -142,8 +140,7 @@ class SeparateProcessesTest {
             return !restarted.isEmpty() && line.startsWith("System boat runs: Lidar");
           });
     } finally {
-      supervisor.destroy(); // ends its services first
-      supervisor.waitFor();
+      ProcessTree.end(supervisor); // ends its services first
     }
   }
 
@@ -161,8 +158,7 @@ class SeparateProcessesTest {
       assertThat(exitCode).as(said.toString()).isEqualTo(ExitCode.DONE);
       assertThat(folder.resolve("logs").resolve(Winch.RELEASED)).hasContent("released");
     } finally {
-      supervisor.destroy(); // ends its services first
-      supervisor.waitFor();
+      ProcessTree.end(supervisor); // ends its services first
     }
   }
 
@@ -192,8 +188,7 @@ class SeparateProcessesTest {
       assertThat(said.toString()).contains("fence.xml");
       assertThat(supervisor.descendants()).containsExactly(before);
     } finally {
-      supervisor.destroy(); // ends its services first
-      supervisor.waitFor();
+      ProcessTree.end(supervisor); // ends its services first
     }
   }
 

@@ -11,6 +11,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.registry.StandardTypes;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.ProcessTree;
 
 /** A broker in a process of its own, with little memory or few file descriptors. */
 final class SmallBroker implements AutoCloseable {
@@ -32,7 +33,7 @@ final class SmallBroker implements AutoCloseable {
     process = new ProcessBuilder(command).redirectErrorStream(true).start();
     String first = line(process.getInputStream());
     if (!first.equals("listening")) {
-      process.destroyForcibly();
+      ProcessTree.kill(process);
       throw new IOException("the broker's process: " + first);
     }
   }
@@ -57,7 +58,7 @@ final class SmallBroker implements AutoCloseable {
 
   @Override
   public void close() {
-    process.destroyForcibly();
+    ProcessTree.kill(process);
   }
 
   /** The process: ends with its input. Argument: the port. */

@@ -26,6 +26,7 @@ import org.u2sa.messages.safety.StopCommand;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 
 /**
  * User story 1: a sensor written in Python feeds the State Estimator of a Java system, and answers
@@ -96,7 +97,7 @@ class PythonServiceTest {
             .noneMatch(ConnectionLost.class::isInstance);
         assertThat(system.isRunning()).isTrue();
       } finally {
-        compass.destroyForcibly();
+        ProcessTree.kill(compass);
       }
     }
   }

@@ -11,8 +11,8 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.u2sa.testkit.ForeignPrograms;
+import org.u2sa.testkit.ProcessTree;
 
 /** A vehicle that pymavlink plays in a process of its own: src/test/python/vehicle.py. */
 final class PymavlinkVehicle implements AutoCloseable {
@@ -88,13 +88,6 @@ final class PymavlinkVehicle implements AutoCloseable {
   @Override
   public void close() throws IOException {
     process.getOutputStream().close(); // the end of its input ends it
-    try {
-      if (!process.waitFor(10, TimeUnit.SECONDS)) {
-        process.destroyForcibly();
-      }
-    } catch (InterruptedException e) {
-      process.destroyForcibly();
-      Thread.currentThread().interrupt();
-    }
+    ProcessTree.end(process);
   }
 }

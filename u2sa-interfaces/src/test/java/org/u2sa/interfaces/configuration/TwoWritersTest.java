@@ -94,7 +94,7 @@ class TwoWritersTest {
         assertThat(process.exitValue()).as("refused").isZero();
       }
     } finally {
-      processes.forEach(Process::destroyForcibly);
+      processes.forEach(process -> process.destroyForcibly().onExit().join());
     }
     assertAllThere();
   }

@@ -25,6 +25,7 @@ import org.u2sa.cli.command.ExitCode;
 import org.u2sa.scenarios.run.CommandLineRun;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 import org.u2sa.testkit.Repository;
 
 /** {@code u2sa board} as a user runs it, driven by a program in Python and attacked by others. */
@@ -95,7 +96,7 @@ class BoardCommandTest {
 
       board.awaitSaid("has left: it was silent for too long");
       board.awaitSaid("LEFT MOTOR no signal, RIGHT MOTOR no signal; contacts 0; host none");
-      client.destroy();
+      ProcessTree.end(client);
     }
   }
 
@@ -225,7 +226,7 @@ class BoardCommandTest {
       command("security", "user", "remove", "pilot", "--dir", security.toString());
       board.awaitSaid("its user is not admitted any more");
       board.awaitSaid("no signal; contacts 0; host none");
-      client.destroy();
+      ProcessTree.end(client);
     }
   }
 

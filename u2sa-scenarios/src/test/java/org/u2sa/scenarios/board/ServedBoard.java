@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.scenarios.run.ForeignProgram;
+import org.u2sa.testkit.ProcessTree;
 import org.u2sa.testkit.Repository;
 
 /** {@code u2sa board} in a virtual machine of its own, at any free port. */
@@ -82,6 +83,6 @@ final class ServedBoard implements AutoCloseable {
 
   @Override
   public void close() {
-    process.destroyForcibly();
+    ProcessTree.kill(process);
   }
 }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 import org.u2sa.testkit.Repository;
 
 /**
@@ -56,7 +57,7 @@ class ForeignEyesTest {
             .contains("ended: STOPPED");
       }
     } finally {
-      demo.destroyForcibly();
+      ProcessTree.kill(demo);
     }
   }
 

@@ -22,6 +22,7 @@ import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.Mosquitto;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 import org.u2sa.testkit.Repository;
 
 /**
@@ -44,7 +45,7 @@ class PlainClientTest {
   void end() {
     for (Process process : new Process[] {check, system}) {
       if (process != null) {
-        process.destroyForcibly();
+        ProcessTree.kill(process);
       }
     }
     if (broker != null) {
@@ -99,7 +100,7 @@ class PlainClientTest {
 
     check = check(python, port, "--seconds", "2", "--wills", "8");
     await().atMost(LONG).until(() -> output("check.txt").contains("kill now") || !check.isAlive());
-    system.destroyForcibly();
+    ProcessTree.kill(system);
 
     assertThat(check.waitFor(LONG.toSeconds(), TimeUnit.SECONDS)).isTrue();
     assertSeen("wills: Control, HealthMonitor, Launcher, MissionManager, PathPlanner,");

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 
 /**
  * The outside judge of the MAVLink bridge: pymavlink connects to a rover as QGroundControl does.
@@ -53,7 +54,7 @@ class PymavlinkStationTest {
       assertThat(demo.client(python, "qgc_connect.py", "tcp:127.0.0.1:" + port))
           .contains("mission MISSION_COUNT 24", "rally MISSION_COUNT 0", "done");
     } finally {
-      socat.destroyForcibly();
+      ProcessTree.kill(socat);
     }
   }
 }

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
+import org.u2sa.testkit.ProcessTree;
 import org.u2sa.testkit.Repository;
 
 /** A demo in a process of its own, and clients of it in Python. */
@@ -64,7 +65,7 @@ final class RunningDemo implements AutoCloseable {
     try {
       assertThat(client.waitFor(40, TimeUnit.MINUTES)).as(script + " ends").isTrue();
     } finally {
-      client.destroyForcibly();
+      ProcessTree.kill(client);
     }
     String text = Files.readString(printed, UTF_8);
     assertThat(client.exitValue()).as(text).isZero();
@@ -85,6 +86,6 @@ final class RunningDemo implements AutoCloseable {
 
   @Override
   public void close() {
-    process.destroyForcibly();
+    ProcessTree.kill(process);
   }
 }

@@ -15,6 +15,7 @@ import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.ForeignPrograms;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 
 /** Ground stations and ROS tools as users have them operate demos in real time. */
 @Tag("long")
@@ -67,7 +68,7 @@ class StationClientsTest {
       try {
         demo.client(python, "mavsdk_operate.py", "udpin://127.0.0.1:" + station, "--lossy");
       } finally {
-        radio.destroyForcibly();
+        ProcessTree.kill(radio);
       }
     }
   }

@@ -21,6 +21,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.awaitility.Awaitility;
+import org.u2sa.testkit.ProcessTree;
 
 /** One page in Chromium without a screen, driven by the DevTools protocol. */
 final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
@@ -226,7 +227,6 @@ final class HeadlessBrowser implements AutoCloseable, WebSocket.Listener {
   @Override
   public void close() {
     socket.abort();
-    process.destroy();
-    process.onExit().orTimeout(LONG.toSeconds(), TimeUnit.SECONDS).join();
+    ProcessTree.end(process);
   }
 }

@@ -19,6 +19,7 @@ import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 import org.u2sa.testkit.TcpRelay;
 
 /** An operator at the page of a ground vehicle that drives, in Chromium. */
@@ -61,7 +62,7 @@ class StationPageTest {
   @AfterEach
   void end() {
     browser.close();
-    vehicle.destroyForcibly();
+    ProcessTree.kill(vehicle);
   }
 
   private String token() {
@@ -99,7 +100,7 @@ class StationPageTest {
     browser.key("Escape");
     browser.awaitText("alert", "Emergency stop confirmed by");
 
-    vehicle.destroyForcibly();
+    ProcessTree.kill(vehicle);
     browser.awaitText("link", "LINK LOST");
     assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
     assertThat(browser.errors).filteredOn(error -> !error.contains("ERR_CONNECTION")).isEmpty();

@@ -16,6 +16,7 @@ import org.u2sa.interfaces.mqtt.LocalToken;
 import org.u2sa.scenarios.run.ForeignProgram;
 import org.u2sa.testkit.FreePort;
 import org.u2sa.testkit.NeedsProgram;
+import org.u2sa.testkit.ProcessTree;
 
 /** A recorded drive in the operator's page, in Chromium. */
 @Tag("browser")
@@ -78,7 +79,7 @@ class StationPlaybackTest {
         assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + port + "/"));
       }
     } finally {
-      replay.destroyForcibly();
+      ProcessTree.kill(replay);
     }
   }
 }
