@@ -118,6 +118,22 @@ class KnownWorldTest {
   }
 
   @Test
+  void world_somethingPassesAFixture_staysAnObjectOfItsOwn() throws IOException {
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
+    world.kit.start(WorldModeler::new);
+    for (int i = 0; i <= 80; i++) {
+      double x = 0.1 * i; // passes the mast at 5 m
+      world.tick(local(0.0, 0.0, 0.0), seen("bird", x, 1.0));
+      if (i >= 30) {
+        assertThat(world.objects())
+            .as("bird at %.1f m", x)
+            .extracting(ObjectDescription::uid)
+            .contains("mast", "bird");
+      }
+    }
+  }
+
+  @Test
   void world_neverSeenWhereItIsSaidToBe_isAsCertainAsBefore() throws IOException {
     world.kit.with("MODELLERS", "OBJECTS").with("WORLD", mastAndCart().toString());
     world.kit.with("FIELDS OF VIEW", "Camera: 120 deg, 8 m").start(WorldModeler::new);

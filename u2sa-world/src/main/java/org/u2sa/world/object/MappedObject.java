@@ -1,7 +1,7 @@
 package org.u2sa.world.object;
 
+import java.util.HashMap;
 import java.util.Map;
-import java.util.TreeMap;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
@@ -26,7 +26,7 @@ final class MappedObject {
 
   private final String uid;
   private final boolean fromFile;
-  private final Map<String, String> sensorUids = new TreeMap<>(); // UID given by each sensor
+  private final Map<String, String> sensorUids = new HashMap<>(); // UID given by each sensor
   private TrackFilter filter;
   private ObjectDescription template; // newest sighting, in the map's frame
   private double radius;

@@ -225,18 +225,17 @@ public final class ObjectMapModeller implements Modeller {
   }
 
   private static boolean areOne(MappedObject a, MappedObject b, ObjectMapVariables tuning) {
-    if (a.isFromFile() && b.isFromFile()
-        || !a.isConfirmed()
-        || !b.isConfirmed()
-        || !a.isLike(b.template(), tuning.trustUids())) {
+    if (!a.isConfirmed() || !b.isConfirmed()) {
       return false;
     }
     if (a.isFromFile()) {
-      return !(a.isFixture() && b.filter().isMoving())
+      return !b.isFromFile()
+          && a.isLike(b.template(), tuning.trustUids())
+          && !(a.isFixture() && b.filter().isMoving())
           && a.template().distanceTo(b.template().center()) < tuning.mergeWithin();
     }
-    Point way = a.place().minus(b.place());
-    return way.distance() < tuning.mergeWithin()
+    return a.place().minus(b.place()).distance() < tuning.mergeWithin() // rules most pairs out
+        && a.isLike(b.template(), tuning.trustUids())
         && a.filter().distance(b.place(), b.filter().sigma()) < tuning.gate() * tuning.gate();
   }
 
