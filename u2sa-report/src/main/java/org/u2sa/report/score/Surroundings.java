@@ -65,9 +65,16 @@ public record Surroundings(List<ObjectDescription> objects, double reachM, List<
         : there;
   }
 
-  /** Object at a time of the run [s]. */
+  /** Object at a time of the run [s], without its further way. */
   public static ObjectDescription after(ObjectDescription object, double seconds) {
-    return moves(object) ? object.movedTo(centreAfter(object, seconds)) : object;
+    if (!moves(object)) {
+      return object;
+    }
+    ObjectDescription alone =
+        object instanceof MovingSphere sphere
+            ? ((MovingSphere) sphere.copy()).trajectory(List.of())
+            : object;
+    return alone.movedTo(centreAfter(object, seconds));
   }
 
   /** Converts a position to an object's frame, for {@link ObjectDescription#distanceTo}. */
