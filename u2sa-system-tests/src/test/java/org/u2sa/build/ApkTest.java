@@ -121,7 +121,10 @@ class ApkTest {
         .isEqualTo("rwx------");
     try (ZipFile archive = new ZipFile(one.toFile())) {
       assertThat(archive.stream().map(ZipEntry::getName))
-          .contains("classes.dex", "META-INF/services/javax.xml.stream.XMLInputFactory")
+          .contains(
+              "classes.dex",
+              "META-INF/services/javax.xml.stream.XMLInputFactory",
+              "org/u2sa/core/station/page/index.html")
           .noneMatch(name -> name.endsWith(".class") || name.startsWith("META-INF/maven/"));
     }
 

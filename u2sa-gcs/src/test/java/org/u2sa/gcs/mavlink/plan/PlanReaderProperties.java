@@ -31,7 +31,7 @@ class PlanReaderProperties {
       goal.photoDistance(1 + random.nextInt(50));
     }
     if (random.nextInt(4) == 0) {
-      goal.lookAt(Point.of(10.0 + random.nextInt(1000) / 1e4, 54.0, random.nextInt(100)));
+      goal.lookAt(Point.of((100_000 + random.nextInt(1000)) / 1e4, 54.0, random.nextInt(100)));
     }
     if (random.nextInt(8) == 0) {
       goal.landingStart(true);
