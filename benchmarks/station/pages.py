@@ -15,10 +15,14 @@ Needs paho-mqtt 1, cbor2, playwright and Debian's chromium. Start a vehicle firs
 import math
 import os
 import pathlib
+import select
+import socket
 import statistics
+import struct
 import sys
 import threading
 import time
+import uuid
 
 import cbor2
 import paho.mqtt.client as mqtt
@@ -49,12 +53,10 @@ let last = 0;
 """
 
 
-def client(web_port, broker_port, user, token, over_web=False):
-    made = mqtt.Client(transport="websockets" if over_web else "tcp")
+def client(broker_port, user, token):
+    made = mqtt.Client()
     made.username_pw_set(user, token)
-    if over_web:
-        made.ws_set_options(path="/mqtt", headers={"Origin": f"http://127.0.0.1:{web_port}", "Host": f"127.0.0.1:{web_port}"})
-    made.connect("127.0.0.1", web_port if over_web else broker_port, keepalive=60)
+    made.connect("127.0.0.1", broker_port, keepalive=60)
     made.loop_start()
     return made
 
@@ -85,7 +87,7 @@ def busy(inspector):
 def vehicles(web_port, broker_port, user, token, count=50, seconds=60):
     from playwright.sync_api import sync_playwright
 
-    publisher = client(web_port, broker_port, user, token)
+    publisher = client(broker_port, user, token)
     stop = threading.Event()
     threading.Thread(target=play, args=(publisher, count, stop), daemon=True).start()
     with sync_playwright() as p:
@@ -115,7 +117,7 @@ def vehicles(web_port, broker_port, user, token, count=50, seconds=60):
 def soak(web_port, broker_port, user, token, count=10, minutes=30):
     from playwright.sync_api import sync_playwright
 
-    publisher = client(web_port, broker_port, user, token)
+    publisher = client(broker_port, user, token)
     threading.Thread(target=play, args=(publisher, count, threading.Event()), daemon=True).start()
     with sync_playwright() as p:
         browser = p.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox", "--disable-gpu", "--enable-precise-memory-info"])
@@ -144,9 +146,53 @@ CHANNELS = ["mission", "service-orders", "arming-state", "failsafe", "emergency-
             "discovery", "functionality", "state", "objects", "grid", "plans", "navigation", "power", "health", "goal-reports"]
 
 
+def text(value):
+    encoded = value.encode()
+    return struct.pack(">H", len(encoded)) + encoded
+
+
+def packet(kind, body):
+    """An MQTT packet shorter than 16 KiB."""
+    size = bytes([len(body)]) if len(body) < 128 else bytes([len(body) % 128 | 128, len(body) // 128])
+    return bytes([kind]) + size + body
+
+
+def frame(payload):
+    """A WebSocket frame of a client, under the mask 0."""
+    size = bytes([128 | len(payload)]) if len(payload) < 126 else b"\xfe" + struct.pack(">H", len(payload))
+    return b"\x82" + size + bytes(4) + payload
+
+
+def reader(web_port, user, token):
+    """A connection that subscribes to what the page subscribes to; whatever arrives need only be read and dropped."""
+    made = socket.create_connection(("127.0.0.1", web_port), timeout=10)
+    own = f"127.0.0.1:{web_port}"
+    made.sendall(f"GET /mqtt HTTP/1.1\r\nHost: {own}\r\nOrigin: http://{own}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                 f"Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: mqtt\r\n\r\n".encode())
+    answer = made.recv(4096)
+    assert answer.startswith(b"HTTP/1.1 101"), answer
+    connect = text("MQTT") + bytes([4, 0xC2]) + struct.pack(">H", 600) + text(f"reader-{uuid.uuid4().hex[:12]}") + text(user) + text(token)
+    made.sendall(frame(packet(0x10, connect)))
+    filters = b"".join(text(f"u2sa/+/{channel}/#") + b"\0" for channel in CHANNELS)
+    made.sendall(frame(packet(0x82, struct.pack(">H", 1) + filters)))
+    return made
+
+
+def drain(connections, seconds):
+    """Reads what arrives and drops it; returns the number of bytes."""
+    end = time.monotonic() + seconds
+    count = 0
+    while (left := end - time.monotonic()) > 0:
+        for ready in select.select(connections, [], [], left)[0]:
+            received = len(ready.recv(1 << 16))
+            assert received > 0, "the vehicle ended a connection"
+            count += received
+    return count
+
+
 def readers(web_port, broker_port, user, token, count=20, seconds=20):
     heard = {}
-    watcher = client(web_port, broker_port, user, token)
+    watcher = client(broker_port, user, token)
 
     def health(_, __, message):
         report = cbor2.loads(message.payload)
@@ -157,20 +203,14 @@ def readers(web_port, broker_port, user, token, count=20, seconds=20):
     watcher.subscribe("u2sa/+/health/#")
     for _ in range(3):
         for pages in (0, count):
-            opened = [client(web_port, broker_port, user, token, True) for _ in range(pages)]
-            bytes_read = [0]
-            for each in opened:
-                each.on_message = lambda _, __, message: bytes_read.__setitem__(0, bytes_read[0] + len(message.payload))
-                each.subscribe([(f"u2sa/+/{channel}/#", 0) for channel in CHANNELS])
-            time.sleep(5)
+            opened = [reader(web_port, user, token) for _ in range(pages)]
+            drain(opened, 5)
             heard.clear()
-            bytes_read[0] = 0
-            time.sleep(seconds)
+            arrived = drain(opened, seconds)
             medians = ", ".join(f"{name} {statistics.median(values):.2f}" for name, values in sorted(heard.items()))
-            print(f"{pages} pages, {bytes_read[0] / seconds / 1000:.0f} kB/s read, load {os.getloadavg()[0]:.1f}: p99 of callbacks [ms]: {medians}", flush=True)
+            print(f"{pages} pages, {arrived / seconds / 1000:.0f} kB/s read, load {os.getloadavg()[0]:.1f}: p99 of callbacks [ms]: {medians}", flush=True)
             for each in opened:
-                each.disconnect()
-                each.loop_stop()
+                each.close()
 
 
 if __name__ == "__main__":
