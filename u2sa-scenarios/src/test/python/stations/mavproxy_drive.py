@@ -80,8 +80,8 @@ def parameter(proxy, name, good, bad):
 
 
 def fly(proxy, items, patience):
-    """From the first to the last item; MAVProxy announces each that the vehicle turns to."""
-    proxy.ask("mode AUTO", "Mode AUTO")
+    """From the first to the last item; MAVProxy announces each that the vehicle turns to, the second perhaps before the mode."""
+    proxy.say("mode AUTO")
     for number in range(2, items + 1):
         proxy.expect(r"waypoint %d$" % number, patience)
 
@@ -107,10 +107,10 @@ def rover(proxy):
     mission(proxy, "HOLD", 6)
     proxy.ask("disarm", "DISARMED")
     proxy.ask("arm throttle", "(?<!DIS)ARMED")
-    fly(proxy, 6, 300.0)
-    until(proxy, "status MISSION_ITEM_REACHED", r"MISSION_ITEM_REACHED \{seq : (\d+)\}", 6)
     proxy.ask("mode RTL", "Mode RTL")
     proxy.ask("mode HOLD", "Mode HOLD")
+    fly(proxy, 6, 300.0)
+    until(proxy, "status MISSION_ITEM_REACHED", r"MISSION_ITEM_REACHED \{seq : (\d+)\}", 6)  # the demo ends soon
 
 
 def plane(proxy):

@@ -58,6 +58,15 @@ final class FileStation {
     return answers();
   }
 
+  /** A request with the sequence number of some requests ago. */
+  List<Answer> late(int requests, int opcode, int session) {
+    int newest = sequence;
+    sequence = newest - requests & 0xFFFF;
+    List<Answer> answers = repeat(opcode, session, 0, 10, new byte[0]);
+    sequence = newest;
+    return answers;
+  }
+
   List<Answer> answers() {
     List<Answer> answers = new ArrayList<>();
     for (FileTransferProtocol each : kit.received(FileTransferProtocol.class)) {

@@ -211,7 +211,7 @@ class StationFileTest {
     }
     assertThat(station.one(FileStation.OPEN, 0, "general.json").code()).isEqualTo(5);
     assertThat(station.ask(1, 4, 0, 0, new byte[0]).get(0).ack()).isTrue();
-    assertThat(station.one(FileStation.OPEN, 0, "general.json").session()).isEqualTo(8);
+    assertThat(station.one(FileStation.OPEN, 0, "general.json").session()).isEqualTo(4);
     kit.advance(31.0);
     assertThat(station.one(FileStation.OPEN, 0, "general.json").ack()).isTrue();
   }
@@ -243,12 +243,26 @@ class StationFileTest {
   }
 
   @Test
-  void terminate_comesAgainLate_nextSessionStaysOpen() {
+  void terminateAndReads_comeAgainLate_nextSessionStaysOpenAndNothingIsSaid() {
     int first = station.one(FileStation.OPEN, 0, "general.json").session();
+    station.ask(FileStation.BURST, first, 0, 10, new byte[0]);
     assertThat(station.ask(1, first, 0, 0, new byte[0]).get(0).ack()).isTrue();
     int second = station.one(FileStation.OPEN, 0, "parameter.json").session();
-    assertThat(station.ask(1, first, 0, 0, new byte[0]).get(0).ack()).isFalse();
+    assertThat(second).isEqualTo(first).isZero(); // whatever the answer, MAVSDK uses 0
+    assertThat(station.late(2, 1, first)).isEmpty();
+    assertThat(station.late(3, FileStation.BURST, first)).isEmpty();
 
     assertThat(station.ask(FileStation.READ, second, 0, 10, new byte[0]).get(0).data()).hasSize(10);
+  }
+
+  @Test
+  void open_twoSenders_eachHasTheSessionZero() {
+    assertThat(station.one(FileStation.OPEN, 0, "general.json").session()).isZero();
+    FileStation other = new FileStation(kit.sendingAs(191));
+    assertThat(other.one(FileStation.OPEN, 0, "parameter.json").session()).isZero();
+    byte[] parameters = other.ask(FileStation.READ, 0, 0, 100, new byte[0]).get(0).data();
+    kit.sendingAs(190);
+    assertThat(station.ask(FileStation.READ, 0, 0, 100, new byte[0]).get(0).data())
+        .isNotEqualTo(parameters);
   }
 }

@@ -8,17 +8,32 @@ import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 /** A file that a station has open, and the burst that it is being sent. */
 final class FileSession {
   private static final int BURST_PACKETS = 256;
+  private static final int LATE_REQUESTS = 16;
+  private static final long LATE_MICROS = 5_000_000;
 
   final Sender owner;
   final ReadableFile file;
   long usedMicros;
+  private final int opening; // sequence number of the request
+  private final long openedMicros;
   private Optional<FilePacket> burst = Optional.empty();
   private int sent;
 
-  FileSession(Sender owner, ReadableFile file, long nowMicros) {
+  FileSession(FilePacket opening, Sender owner, ReadableFile file, long nowMicros) {
+    this.opening = opening.sequence();
+    openedMicros = nowMicros;
     this.owner = owner;
     this.file = file;
     usedMicros = nowMicros;
+  }
+
+  /**
+   * Whether a request is a late repetition, from shortly before this session was opened, and meant
+   * for the one that had its number then. Sequence numbers wrap around: at 65536, MAVProxy's at 256.
+   */
+  boolean isAfter(FilePacket request, long nowMicros) {
+    int requestsAgo = opening - request.sequence() & 0xFFFF;
+    return requestsAgo < LATE_REQUESTS && nowMicros - openedMicros < LATE_MICROS;
   }
 
   /** Answers a read. */

@@ -7,23 +7,24 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.u2sa.gcs.mavlink.file.FilePacket.Refusal;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
 /**
- * MAVLink FTP towards one station (mavlink.io/en/services/ftp), read-only. Sessions belong to the
- * sender that opened them.
+ * MAVLink FTP towards one station (mavlink.io/en/services/ftp), read-only. Each sender has sessions
+ * of its own, from number 0 on: MAVSDK 4.1 uses 0 whatever the answer to its request said.
  */
 public final class FileTransfer {
   private static final int MAX_SESSIONS = 8;
   private static final int PACKETS_PER_STEP = 64;
-  private static final int SESSION_IDS = 256;
   private static final long IDLE_MICROS = 30_000_000; // then another may have the session
+
+  private record SessionKey(Sender owner, int number) {}
 
   /** A request that is repeated if its answer is lost, and must not open another session then. */
   private record Opening(byte[] request, Sender from, FilePacket answer) {}
@@ -31,9 +32,8 @@ public final class FileTransfer {
   private final OfferedFiles files;
   private final GroundStation station;
   private final ChecksumJob checksum = new ChecksumJob();
-  private final Map<Integer, FileSession> sessions = new TreeMap<>();
+  private final Map<SessionKey, FileSession> sessions = new LinkedHashMap<>();
   private Optional<Opening> opening = Optional.empty(); // the newest request, if it opened a file
-  private int newest = SESSION_IDS - 1; // ID of a session
   private long nowMicros;
 
   /** Serves a station. */
@@ -64,31 +64,14 @@ public final class FileTransfer {
   private Optional<FilePacket> answer(FilePacket request, Sender from) throws IOException {
     return switch (request.opcode()) {
       case 0 -> Optional.of(request.ack(new byte[0]));
-      case FilePacket.TERMINATE_SESSION -> {
-        Optional<FileSession> session = session(request, from);
-        session.ifPresent(each -> sessions.remove(request.session()));
-        yield Optional.of(
-            session.isPresent() ? request.ack(new byte[0]) : request.nak(Refusal.INVALID_SESSION));
-      }
       case FilePacket.RESET_SESSIONS -> {
-        sessions.values().removeIf(each -> each.owner.equals(from));
+        sessions.keySet().removeIf(each -> each.owner().equals(from));
         yield Optional.of(request.ack(new byte[0]));
       }
       case FilePacket.LIST_DIRECTORY -> Optional.of(list(request));
       case FilePacket.OPEN_FILE -> Optional.of(open(request, from));
-      case FilePacket.READ_FILE -> {
-        Optional<FileSession> session = session(request, from);
-        yield Optional.of(
-            session.isPresent()
-                ? session.get().read(request)
-                : request.nak(Refusal.INVALID_SESSION));
-      }
-      case FilePacket.BURST_READ -> {
-        Optional<FileSession> session = session(request, from);
-        yield session.isPresent()
-            ? session.get().begin(request)
-            : Optional.of(request.nak(Refusal.INVALID_SESSION));
-      }
+      case FilePacket.TERMINATE_SESSION, FilePacket.READ_FILE, FilePacket.BURST_READ ->
+          ofSession(request, from);
       case FilePacket.CHECKSUM -> {
         Optional<ReadableFile> file = named(request);
         file.ifPresent(each -> checksum.begin(request, from, each));
@@ -104,12 +87,24 @@ public final class FileTransfer {
     return request.opcode() >= FilePacket.CREATE_FILE && request.opcode() <= FilePacket.RENAME;
   }
 
-  private Optional<FileSession> session(FilePacket request, Sender from) {
-    Optional<FileSession> session =
-        Optional.ofNullable(sessions.get(request.session()))
-            .filter(each -> each.owner.equals(from));
-    session.ifPresent(each -> each.usedMicros = nowMicros);
-    return session;
+  private Optional<FilePacket> ofSession(FilePacket request, Sender from) throws IOException {
+    SessionKey key = new SessionKey(from, request.session());
+    FileSession session = sessions.get(key);
+    if (session == null) {
+      return Optional.of(request.nak(Refusal.INVALID_SESSION));
+    }
+    if (session.isAfter(request, nowMicros)) {
+      return Optional.empty(); // its first answer has arrived
+    }
+    session.usedMicros = nowMicros;
+    return switch (request.opcode()) {
+      case FilePacket.READ_FILE -> Optional.of(session.read(request));
+      case FilePacket.BURST_READ -> session.begin(request);
+      default -> {
+        sessions.remove(key);
+        yield Optional.of(request.ack(new byte[0]));
+      }
+    };
   }
 
   private Optional<ReadableFile> named(FilePacket request) throws IOException {
@@ -147,34 +142,24 @@ public final class FileTransfer {
     if (file.isEmpty()) {
       return request.nak(notFound(request));
     }
-    Optional<Integer> free = free();
-    if (free.isEmpty()) {
+    sessions.values().removeIf(each -> nowMicros - each.usedMicros > IDLE_MICROS);
+    if (sessions.size() >= MAX_SESSIONS) {
       return request.nak(Refusal.NO_SESSIONS_AVAILABLE);
     }
-    sessions.put(free.get(), new FileSession(from, file.get(), nowMicros));
+    int number = 0;
+    while (sessions.containsKey(new SessionKey(from, number))) {
+      number++;
+    }
+    sessions.put(
+        new SessionKey(from, number), new FileSession(request, from, file.get(), nowMicros));
     byte[] size =
         ByteBuffer.allocate(Integer.BYTES)
             .order(ByteOrder.LITTLE_ENDIAN)
             .putInt((int) file.get().size())
             .array();
-    FilePacket answer = request.ack(free.get(), 0, size);
+    FilePacket answer = request.ack(number, 0, size);
     opening = Optional.of(new Opening(request.payload(), from, answer));
     return answer;
-  }
-
-  /**
-   * ID of a new session, after those that have not been used for a while are closed. Not one that
-   * was just in use: a late request to close that must not close the new one.
-   */
-  private Optional<Integer> free() {
-    sessions.values().removeIf(each -> nowMicros - each.usedMicros > IDLE_MICROS);
-    if (sessions.size() >= MAX_SESSIONS) {
-      return Optional.empty();
-    }
-    do {
-      newest = (newest + 1) % SESSION_IDS;
-    } while (sessions.containsKey(newest));
-    return Optional.of(newest);
   }
 
   /** Sends the next part of bursts and checksums. */
