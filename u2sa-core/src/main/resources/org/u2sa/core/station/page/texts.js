@@ -34,7 +34,7 @@ export const texts = {
   play: 'Play',
   pause: 'Pause',
   of: 'of',
-  noAnswer: 'no answer from the vehicle within 5 s: this user may lack the role operator, or nobody there handles it',
+  noAnswer: 'no answer from the vehicle in time: this user may lack the role operator, or nobody there handles it',
   nothingChanged: 'no value was changed',
   anotherChannel: 'another channel…',
   remove: name => `Remove ${name}`,
