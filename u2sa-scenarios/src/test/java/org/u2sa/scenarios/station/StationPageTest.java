@@ -95,6 +95,9 @@ class StationPageTest {
     browser.awaitText("doing", "held at");
     browser.press("resume");
     browser.awaitText("doing", "to ");
+    browser.press("return");
+    browser.awaitText("doing", "to home");
+    assertThat(browser.attribute("land", "hidden")).isEmpty(); // present: no aircraft
 
     browser.key("Escape");
     browser.key("Escape");

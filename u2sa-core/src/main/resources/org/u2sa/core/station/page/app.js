@@ -105,7 +105,8 @@ onClick('disarm', async vehicle => {
 });
 onClick('hold', vehicle => order(orders.mission(vehicle, 'PAUSE')));
 onClick('resume', vehicle => order(orders.mission(vehicle, 'RESUME')));
-onClick('return', vehicle => order(orders.mission(vehicle, 'GOTO', {uid: 'home'})));
+onClick('return', vehicle => order(orders.mission(vehicle, 'RETURN')));
+onClick('land', vehicle => order(orders.mission(vehicle, 'LAND')));
 onClick('skip', vehicle => order(orders.mission(vehicle, 'SKIP', editor.route(vehicle).some(goal => goal.isSelected && goal.isCurrent) ? {uid: editor.selected} : {})));
 onClick('clear', async vehicle => {
   if (await panel.confirm(`Clear the emergency stop of ${vehicle.id}? It may move again once armed.`)) order(orders.clearStops(vehicle));

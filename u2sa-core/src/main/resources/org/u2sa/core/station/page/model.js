@@ -18,6 +18,7 @@ export class Vehicle {
     this.place = new Place();
     this.state = null;
     this.stateAt = -Infinity;
+    this.flies = false; // known to be an aircraft
     this.trail = [];
     this.goals = [];
     this.goalsPaused = false;
@@ -130,8 +131,9 @@ function list(value, isExpected) {
 }
 
 const HANDLERS = {
-  state(vehicle, fields) {
+  state(vehicle, fields, type) {
     vehicle.state = fields;
+    vehicle.flies = vehicle.flies || type === 'AircraftState';
     vehicle.stateAt = performance.now();
     const at = vehicle.place.ofState(fields);
     if (!at) return;

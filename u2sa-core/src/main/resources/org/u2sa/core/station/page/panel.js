@@ -118,7 +118,8 @@ export class Panel {
     byId('disarm').disabled = !canOrder || !arming || !arming.armed;
     byId('hold').disabled = !canOrder || !report || Boolean(report.paused);
     byId('resume').disabled = !canOrder || !report || !(report.paused || report.resumable);
-    byId('return').disabled = !canOrder || !report || !report.goals.some(goal => goal.uid === 'home');
+    byId('return').disabled = byId('land').disabled = !canOrder || !report;
+    byId('land').hidden = !vehicle.flies && !(report && report.goals.some(goal => goal.landingStart || [].concat(goal.type).includes('Landing')));
     byId('skip').disabled = !canOrder || !report || report.current.length === 0;
     const reasons = arming && !arming.armed ? (arming.reasons || []).map(reason => 'Not ready: ' + reason) : [];
     const causes = failsafe && failsafe.action !== 'CONTINUE' ? (failsafe.causes || []).map(cause => `${failsafe.action}: ${cause}`) : [];
