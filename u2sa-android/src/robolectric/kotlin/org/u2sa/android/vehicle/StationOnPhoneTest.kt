@@ -52,7 +52,10 @@ class StationOnPhoneTest {
                 VehicleFiles.Source("CommunicationManager.xml") { communication.byteInputStream() },
             ),
         )
-        PhoneSettings(phone.application).system = "desk/system.xml"
+        PhoneSettings(phone.application).apply {
+            system = "desk/system.xml"
+            network = true
+        }
         phone.allowAll()
         phone.createService()
         phone.startVehicle()
