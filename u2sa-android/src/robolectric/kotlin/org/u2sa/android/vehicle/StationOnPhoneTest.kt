@@ -32,7 +32,7 @@ class StationOnPhoneTest {
 
     @Test
     fun web_inTheSystemFile_servesThePageItsFilesAndTheBroker() {
-        val system = """
+        val services = """
             <system id="ugv">
               <communication configuration="CommunicationManager.xml"/>
               <web port="$webPort"/>
@@ -48,7 +48,7 @@ class StationOnPhoneTest {
         vehicleFiles(phone.application).import(
             "desk",
             sequenceOf(
-                VehicleFiles.Source("system.xml") { system.byteInputStream() },
+                VehicleFiles.Source("system.xml") { services.byteInputStream() },
                 VehicleFiles.Source("CommunicationManager.xml") { communication.byteInputStream() },
             ),
         )

@@ -29,7 +29,8 @@ final class FileSession {
 
   /**
    * Whether a request is a late repetition, from shortly before this session was opened, and meant
-   * for the one that had its number then. Sequence numbers wrap around: at 65536, MAVProxy's at 256.
+   * for the one that had its number then. Sequence numbers wrap around: at 65536, MAVProxy's at
+   * 256.
    */
   boolean isAfter(FilePacket request, long nowMicros) {
     int requestsAgo = opening - request.sequence() & 0xFFFF;
