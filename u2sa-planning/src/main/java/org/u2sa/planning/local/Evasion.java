@@ -5,7 +5,8 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 
 /**
  * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
- * speeds, and turns in place (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
+ * speeds, and turns in place; if none keeps the distance from traffic, also at other altitudes, and
+ * on the route there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
  * Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which
  * are equivalent at a given speed). Not thread-safe.
  */
@@ -20,12 +21,14 @@ final class Evasion {
 
   private final MotionForecast forecast;
   private final MotionLimits limits;
+  private final VerticalRoom room; // null: it does not climb to evade
   private final boolean amongTraffic;
   private final Pose pose;
   private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
   private double goalNorthM;
   private double goalEastM;
+  private Motion onRoute; // free of static obstacles, but too near to traffic
 
   private ArcChoice best;
   private double leastScore = NEVER;
@@ -38,12 +41,14 @@ final class Evasion {
   Evasion(
       MotionForecast forecast,
       MotionLimits limits,
+      VerticalRoom room,
       boolean amongTraffic,
       Pose pose,
       double speedMps,
       double keptM) {
     this.forecast = forecast;
     this.limits = limits;
+    this.room = room;
     this.amongTraffic = amongTraffic;
     this.pose = pose;
     this.keptM = keptM;
@@ -51,8 +56,9 @@ final class Evasion {
   }
 
   /** Adds a choice on the route that is free but too near to traffic. */
-  void alsoConsider(ArcChoice onRoute, Outcome outcome) {
-    consider(onRoute, outcome);
+  void alsoConsider(ArcChoice choice, Motion motion, Outcome outcome) {
+    onRoute = onRoute == null ? motion : onRoute;
+    consider(choice, outcome);
   }
 
   /**
@@ -63,24 +69,15 @@ final class Evasion {
     goalNorthM = northM;
     goalEastM = eastM;
     double now = pose.distanceM(goalNorthM, goalEastM);
-    for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
-      for (int k = -FAN; k <= FAN; k++) {
-        double dislike = (double) Math.abs(k) / FAN;
-        for (double share : SPEEDS) {
-          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
-          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
-          weigh(arc, dislike + (limits.stops() ? 1.0 - share : 0.0));
-          if (!limits.stops()) {
-            break;
-          }
-        }
-      }
-    }
+    arcs(Double.NaN);
     if (amongTraffic && limits.turnsOnTheSpot()) {
       turns();
     }
-    Outcome standing = limits.stops() ? forecast.standing() : null;
+    Outcome standing = limits.stops() ? forecast.standing(Double.NaN) : null;
     boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
+    if (isTrapped() && !waits && room != null && amongTraffic) {
+      climb(stand);
+    }
     if (best != null && (!waits || leastScore < 1.2 * now)) {
       return best;
     }
@@ -88,6 +85,50 @@ final class Evasion {
       return stand;
     }
     return lastResort(standing, stand);
+  }
+
+  /** Stays at its altitude, climbs or descends: on its route, on an arc, or where it stands. */
+  private void climb(ArcChoice stand) {
+    for (double downM : room.altitudes(limits.horizonS())) {
+      if (onRoute != null) {
+        weigh(onRoute.at(downM), 0.0);
+      }
+      if (limits.stops()) {
+        Outcome there = forecast.standing(downM);
+        if (there.freeM() == NEVER && there.meetsS() >= limits.horizonS()) {
+          best = stand.as(ArcChoice.Kind.EVADE).at(downM);
+          leastScore = 0.0;
+        }
+      }
+      if (isTrapped()) {
+        arcs(downM);
+      }
+      if (!isTrapped()) {
+        return;
+      }
+    }
+  }
+
+  /** Whether no motion keeps the distance and leads on. */
+  private boolean isTrapped() {
+    return best == null || leastScore >= DEAD_END * reachM;
+  }
+
+  /** @param downM altitude [m]; NaN: that of the goal */
+  private void arcs(double downM) {
+    for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
+      for (int k = -FAN; k <= FAN; k++) {
+        double dislike = (double) Math.abs(k) / FAN;
+        for (double share : SPEEDS) {
+          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
+          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
+          weigh(arc.at(downM), dislike + (limits.stops() ? 1.0 - share : 0.0));
+          if (!limits.stops()) {
+            break;
+          }
+        }
+      }
+    }
   }
 
   /** Turns to directions of the plane, not of the vehicle: stable while it turns. */
@@ -114,9 +155,10 @@ final class Evasion {
               to.eastM(),
               free ? Math.min(motion.speedMps(), allowed) : motion.speedMps(),
               motion.backwards(),
-              ArcChoice.Kind.EVADE);
+              ArcChoice.Kind.EVADE,
+              motion.toDownM());
       if (free) {
-        boolean escapes = limits.stops() || forecast.canCircleAfter(motion);
+        boolean escapes = limits.stops() || motion.track() != null || forecast.canCircleAfter(motion);
         double score =
             Math.hypot(to.northM() - goalNorthM, to.eastM() - goalEastM)
                 + reachM * (0.3 * dislike)
