@@ -44,6 +44,9 @@ public final class Avoidance {
   /** Fraction of its speed below which a vehicle that cannot stop or hover has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
+  /** Height above the place of landing below which obstacles are not looked for [m]. */
+  private static final double LOWEST_M = 2.0;
+
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
@@ -187,6 +190,37 @@ public final class Avoidance {
       }
     }
     return hasTraffic;
+  }
+
+  /**
+   * Whether a static obstacle, as of the last update, is too near to a straight descent to a place
+   * on the ground. Near the ground as much distance is kept as the aircraft is high.
+   */
+  public boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    AvoidanceVariables now = settings.get();
+    Point at = vehicle.on(world.plane(state));
+    Point end = vehicle.nedOf(to);
+    Point way = end.minus(vehicle.nedOf(from));
+    double circleM = body(now).circleM();
+    double stepM = Math.max(1.0, 0.5 * circleM);
+    List<PlanarShape> shapes = new ArrayList<>(world.shapes());
+    shapes.addAll(world.shapesElsewhere());
+    for (double share = 1.0; share * way.z() > LOWEST_M; share -= stepM / way.distance()) {
+      double aboveM = share * way.z();
+      double north = at.x() + end.x() - share * way.x();
+      double east = at.y() + end.y() - share * way.y();
+      double down = at.z() + end.z() - aboveM;
+      for (PlanarShape shape : shapes) {
+        boolean isAsHigh =
+            now.verticalClearance() == 0.0
+                || shape.reaches(down, down, Math.min(now.verticalClearance(), 0.5 * aboveM));
+        double keptM = circleM + Math.min(now.clearance(), aboveM);
+        if (isAsHigh && shape.distanceM(north, east) < keptM) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /**

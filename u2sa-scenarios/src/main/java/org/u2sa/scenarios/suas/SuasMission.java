@@ -16,6 +16,9 @@ final class SuasMission {
 
   private static final String AREA = "search";
 
+  /** Time to fly home and land, with approaches that traffic makes it break off [s]. */
+  private static final double LANDING_S = 300.0;
+
   private static final double TAKE_OFF_M = 60.0;
   private static final double DROP_M = 40.0; // height of the drop
   private static final double KEPT_M = 100.0; // routes from the boundary
@@ -86,6 +89,11 @@ final class SuasMission {
   private String mission() {
     StringBuilder text =
         new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "  <timeLimit next=\"landing\">%.0f</timeLimit>%n",
+            SuasJudge.RUN_S - LANDING_S));
     text.append("  <home>").append(place(field.start())).append(altitude(0.0));
     text.append(
         String.format(Locale.ROOT, "<psi>%.4f</psi></home>%n", Math.toDegrees(field.runwayRad())));
