@@ -58,6 +58,7 @@ final class StraightApproach implements LandingState.Descent {
   private Phase phase = Phase.JOIN;
   private int attempts;
   private int breakOffs;
+  private boolean leaves; // the line, which it broke off on
   private double courseRad;
   private double radiusM;
   private int lead; // index in LEAD_RADII
@@ -84,6 +85,7 @@ final class StraightApproach implements LandingState.Descent {
   public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
     attempts = 1;
     breakOffs = 0;
+    leaves = false;
     Point to = vehicle.nedOf(Place.of(goal));
     Optional<Point> wind = AirMass.wind(state, vehicle);
     courseRad =
@@ -233,6 +235,7 @@ final class StraightApproach implements LandingState.Descent {
           points, Plan.Progress.ABANDONED, "given up: something is in the way of the approach");
     }
     breakOffs++;
+    leaves = true;
     join();
     return new Plan(
         points, Plan.Progress.UNDER_WAY, "something is in the way of the approach: once more");
@@ -246,9 +249,11 @@ final class StraightApproach implements LandingState.Descent {
   /** Changes the phase on the way to the entry and there. */
   private void proceed(Vehicle vehicle, Place entry, Point toEntry) {
     double accuracyM = settings.get().approachAccuracy();
+    boolean isOnLine = isOnLine(vehicle, toEntry);
+    leaves &= isOnLine;
     boolean isThere =
         detour.isPossible()
-            ? isOnLine(vehicle, toEntry)
+            ? isOnLine && !leaves
             : guidance.isApproaching() && guidance.hasPassed()
                 || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
     boolean isLevel = Math.abs(toEntry.z()) < accuracyM / 2.0;

@@ -99,7 +99,7 @@ final class VerticalEvasion {
     int now = isLevel ? direction : upM > 0.0 ? 1 : -1;
     if (isOver || now != direction) {
       String how = isLevel ? "keeping the altitude" : upM > 0.0 ? "climbing" : "descending";
-      say.accept("no course keeps the distance from traffic: " + how, false);
+      say.accept("traffic in the way: " + how, false);
     }
     direction = now;
     lastMicros = micros;

@@ -5,8 +5,8 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 
 /**
  * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
- * speeds, and turns in place; if none keeps the distance from traffic, also at other altitudes, and
- * on the route there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
+ * speeds, and turns in place; before these on the route at another altitude, and after them on arcs
+ * there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
  * Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which
  * are equivalent at a given speed). Not thread-safe.
  */
@@ -69,13 +69,20 @@ final class Evasion {
     goalNorthM = northM;
     goalEastM = eastM;
     double now = pose.distanceM(goalNorthM, goalEastM);
+    boolean mayClimb = amongTraffic && room != null;
+    if (mayClimb && onRoute != null) {
+      stayOnRoute();
+    }
+    if (best != null) {
+      return best;
+    }
     arcs(Double.NaN);
     if (amongTraffic && limits.turnsOnTheSpot()) {
       turns();
     }
     Outcome standing = limits.stops() ? forecast.standing(Double.NaN) : null;
     boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
-    if (isTrapped() && !waits && room != null && amongTraffic) {
+    if (mayClimb && isTrapped() && !waits) {
       climb(stand);
     }
     if (best != null && (!waits || leastScore < 1.2 * now)) {
@@ -87,12 +94,19 @@ final class Evasion {
     return lastResort(standing, stand);
   }
 
-  /** Stays at its altitude, climbs or descends: on its route, on an arc, or where it stands. */
+  /** Stays at its altitude, climbs or descends on its route. */
+  private void stayOnRoute() {
+    for (double downM : room.altitudes(limits.horizonS())) {
+      weigh(onRoute.at(downM), 0.0);
+      if (best != null) {
+        return;
+      }
+    }
+  }
+
+  /** Stays at its altitude, climbs or descends on an arc, or where it stands. */
   private void climb(ArcChoice stand) {
     for (double downM : room.altitudes(limits.horizonS())) {
-      if (onRoute != null) {
-        weigh(onRoute.at(downM), 0.0);
-      }
       if (limits.stops()) {
         Outcome there = forecast.standing(downM);
         if (there.freeM() == NEVER && there.meetsS() >= limits.horizonS()) {
