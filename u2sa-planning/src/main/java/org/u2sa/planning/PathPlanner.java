@@ -105,12 +105,7 @@ public class PathPlanner extends EventDrivenService {
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(guidance, settings(StationVariables.class), circle),
                 new SearchAreaState(
-                    avoidance,
-                    guidance,
-                    survey,
-                    seeing,
-                    this::lines,
-                    new SurveyHeights(terrain)),
+                    avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
                 new TakeOffState(this::lines, flight),
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));

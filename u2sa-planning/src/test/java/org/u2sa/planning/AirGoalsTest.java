@@ -226,8 +226,7 @@ class AirGoalsTest extends PlannedVehicle {
       kit.advance(0.1);
       if (aircraft.altitude < tower.height()) {
         nearestM =
-            Math.min(
-                nearestM, Math.hypot(aircraft.north - tower.x(), aircraft.east - tower.y()));
+            Math.min(nearestM, Math.hypot(aircraft.north - tower.x(), aircraft.east - tower.y()));
       }
       isDown = Math.hypot(aircraft.north, aircraft.east) < 100.0 && aircraft.altitude < 15.0;
     }
@@ -236,7 +235,8 @@ class AirGoalsTest extends PlannedVehicle {
 
   @Test
   void landing_towerOnTheSlopeAndDirectionFree_landsInAnotherDirection() {
-    double nearestM = nearestOnTheWayDownM(new Landing().approach(1000.0).slope(0.06), onTheFinal());
+    double nearestM =
+        nearestOnTheWayDownM(new Landing().approach(1000.0).slope(0.06), onTheFinal());
 
     assertThat(nearestM).isGreaterThan(20.0 + 5.5);
     assertThat(logged("an obstacle is in the way of the descent: in another direction"))

@@ -60,13 +60,7 @@ public final class ArcChooser {
     forecast = new MotionForecast(costs, body, traffic, heights, limits, pose, speedMps);
     evasion =
         new Evasion(
-            forecast,
-            limits,
-            heights,
-            !traffic.isEmpty(),
-            pose,
-            speedMps,
-            costs.frame().cellM());
+            forecast, limits, heights, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
   }
 
   public ArcChoice along(RouteTrack track) {
@@ -109,9 +103,7 @@ public final class ArcChooser {
         }
         if (free) {
           evasion.alsoConsider(
-              new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE),
-              motion,
-              outcome);
+              new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE), motion, outcome);
         }
         if (!limits.stops() || !free) {
           break; // slowing down does not help

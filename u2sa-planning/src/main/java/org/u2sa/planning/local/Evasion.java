@@ -6,9 +6,9 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 /**
  * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
  * speeds, and turns in place; before these on the route at another altitude, and after them on arcs
- * there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
- * Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which
- * are equivalent at a given speed). Not thread-safe.
+ * there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision Avoidance, IEEE Robotics and
+ * Automation Magazine 4, 1997, with arcs instead of velocities, which are equivalent at a given
+ * speed). Not thread-safe.
  */
 final class Evasion {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -128,7 +128,9 @@ final class Evasion {
     return best == null || leastScore >= DEAD_END * reachM;
   }
 
-  /** @param downM altitude [m]; NaN: that of the goal */
+  /**
+   * @param downM altitude [m]; NaN: that of the goal
+   */
   private void arcs(double downM) {
     for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
       for (int k = -FAN; k <= FAN; k++) {
@@ -172,7 +174,8 @@ final class Evasion {
               ArcChoice.Kind.EVADE,
               motion.toDownM());
       if (free) {
-        boolean escapes = limits.stops() || motion.track() != null || forecast.canCircleAfter(motion);
+        boolean escapes =
+            limits.stops() || motion.track() != null || forecast.canCircleAfter(motion);
         double score =
             Math.hypot(to.northM() - goalNorthM, to.eastM() - goalEastM)
                 + reachM * (0.3 * dislike)

@@ -56,7 +56,8 @@ class ArcChooserTest {
   }
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
-    return new ArcChooser(costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty());
+    return new ArcChooser(
+        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty());
   }
 
   private static RouteTrack north() {
@@ -141,7 +142,8 @@ class ArcChooserTest {
   }
 
   private ArcChooser makingRoom(double speedMps, Mover... movers) {
-    return new ArcChooser(costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty());
+    return new ArcChooser(
+        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty());
   }
 
   @Test
