@@ -31,6 +31,7 @@ final class Evasion {
   private Motion onRoute; // free of static obstacles, but too near to traffic
 
   private ArcChoice best;
+  private Motion bestMotion; // null: it stands
   private double leastScore = NEVER;
   private ArcChoice widest; // best of those too near to traffic
   private double widestM = -NEVER;
@@ -84,6 +85,8 @@ final class Evasion {
     boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
     if (mayClimb && isTrapped() && !waits) {
       climb(stand);
+    } else if (mayClimb && !limits.stops()) {
+      best = best.at(apart());
     }
     if (best != null && (!waits || leastScore < 1.2 * now)) {
       return best;
@@ -121,6 +124,22 @@ final class Evasion {
         return;
       }
     }
+  }
+
+  /**
+   * Altitude to which the best motion leads away from that of the traffic: beside an aircraft of
+   * the same speed a vehicle that cannot stop comes to the boundary, or over it. NaN if there is
+   * none: that of the goal.
+   */
+  private double apart() {
+    double[] altitudes = room.altitudes(limits.horizonS());
+    for (int i = 1; i < altitudes.length; i++) {
+      Outcome outcome = forecast.play(bestMotion.at(altitudes[i]));
+      if (outcome.freeM() == NEVER && outcome.meetsS() >= limits.horizonS()) {
+        return altitudes[i];
+      }
+    }
+    return Double.NaN;
   }
 
   /** Whether no motion keeps the distance and leads on. */
@@ -184,6 +203,7 @@ final class Evasion {
         if (outcome.meetsS() >= limits.horizonS() && score < leastScore) {
           leastScore = score;
           best = choice;
+          bestMotion = ending;
         }
         consider(choice, outcome);
       } else if (!limits.stops() && outcome.freeM() > freestM) {
@@ -225,7 +245,11 @@ final class Evasion {
       return stand.as(standing.gapM() > 0.0 ? ArcChoice.Kind.WAIT : ArcChoice.Kind.BRAKE);
     }
     if (widest == null) {
-      return freest == null ? stand.as(ArcChoice.Kind.BRAKE) : freest.as(ArcChoice.Kind.BRAKE);
+      ArcChoice any = freest == null ? stand : freest;
+      boolean climbs = room != null && amongTraffic && !limits.stops();
+      return climbs
+          ? any.as(ArcChoice.Kind.BRAKE).at(room.altitudes(limits.horizonS())[1])
+          : any.as(ArcChoice.Kind.BRAKE);
     }
     return widest.as(widestM > 0.0 ? ArcChoice.Kind.EVADE : ArcChoice.Kind.BRAKE);
   }

@@ -177,4 +177,43 @@ class VerticalRoomTest {
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
     assertThat(choice.toDownM()).isLessThan(HERE - 20.0);
   }
+
+  /** An aircraft of the same speed flies beside it, between it and its goal. */
+  @Test
+  void along_trafficOfTheSameSpeedBeside_climbsOnTheCourseThatAvoidsIt() {
+    costs.update(i -> false, i -> false);
+    Mover beside =
+        new Mover(
+            "T",
+            0L,
+            0.0,
+            new double[] {0.0},
+            new double[] {45.0},
+            10.0,
+            0.0,
+            RADIUS,
+            0.0,
+            0.0,
+            new Mover.Heights(new double[] {HERE}, 0.0, RADIUS));
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(20.0, 250.0, false);
+    RouteTrack right = new RouteTrack(Route.of(List.of(from, to), 250.0));
+
+    ArcChoice choice =
+        new ArcChooser(
+                costs,
+                BODY,
+                List.of(beside),
+                limits(false),
+                ORIGIN,
+                10.0,
+                0L,
+                false,
+                Optional.of(room(-200.0, -10.0, UNKNOWN)))
+            .along(right);
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(Math.atan2(choice.eastM(), choice.northM())).isLessThan(0.5);
+    assertThat(choice.toDownM()).isLessThan(HERE);
+  }
 }
