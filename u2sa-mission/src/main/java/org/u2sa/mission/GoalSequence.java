@@ -247,6 +247,11 @@ final class GoalSequence {
   void end() {
     at = new Position();
     pursuedMicros.clear();
+    endLoop();
+  }
+
+  /** The current lap is the last. */
+  void endLoop() {
     loop = false;
   }
 

@@ -53,8 +53,7 @@ final class TimeLimits {
       late = progress.pursued().timedOut();
     }
     if (progress.passes(run.mission().timeLimit())) {
-      changed = true;
-      end(progress.pursued(), run.mission().limit().orElseThrow());
+      changed |= end(progress.pursued(), run.mission().limit().orElseThrow());
     }
     return changed;
   }
@@ -70,14 +69,21 @@ final class TimeLimits {
     run.progress().finish(goal.uid(), GoalResult.TIMED_OUT, Optional.empty(), reason, run.micros());
   }
 
-  private void end(GoalSequence mission, MissionLimit limit) {
+  /** Answers whether the current goals changed. */
+  private boolean end(GoalSequence mission, MissionLimit limit) {
     String reason = "the mission's time limit of " + limit.seconds() + " s has passed";
+    if (limit.next().containsAll(mission.currentNames())) {
+      mission.endLoop();
+      logger.log(LogLevelEnum.INFO, reason + ": " + mission.currentNames() + " goes on");
+      return false;
+    }
     logger.log(LogLevelEnum.WARN, reason + (limit.next().isEmpty() ? "" : ": now " + limit.next()));
     mission.current().forEach(goal -> timeOut(goal, reason));
     mission.end();
     if (!limit.next().isEmpty()) {
       mission.changeTo(limit.next());
     }
+    return true;
   }
 
   void handOver(HandOver state) {

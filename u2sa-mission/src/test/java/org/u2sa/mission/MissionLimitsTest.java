@@ -139,6 +139,19 @@ class MissionLimitsTest extends ThreeWaypoints {
   }
 
   @Test
+  void step_missionsTimeIsUpAtTheGoalThatTheLimitNames_goesOnThere() throws IOException {
+    write("<timeLimit next='b'>20</timeLimit>" + goal("a", "") + goal("b", ""));
+    kit.with("LOOP", true).start(MissionManager::new);
+    complete("a");
+    kit.advance(20.4);
+
+    assertThat(current()).containsExactly("b");
+    assertThat(goalOf("b").result()).isEmpty();
+    complete("b");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
   void step_missionsTimeIsUpInALoop_isOver() throws IOException {
     write("<timeLimit>20</timeLimit>" + goal("a", "<next>a</next>"));
     kit.with("LOOP", true).start(MissionManager::new);

@@ -40,6 +40,11 @@ final class Detour {
     return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);
   }
 
+  /** Whether an obstacle is in the way of a straight descent to a place on the ground. */
+  boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    return avoidance.isOn() && avoidance.blocksDescent(vehicle, state, from, to);
+  }
+
   /** Whether a route to the target of the last {@link #step} is known. */
   boolean hasRoute() {
     return avoidance.remainingM().isPresent();

@@ -81,7 +81,10 @@ public class PathPlanner extends EventDrivenService {
     super(context, ServiceRole.PATH_PLANNER, "PathPlanner");
     WaypointGuidance guidance = guide.apply(this);
     Settings<AvoidanceVariables> seeing = settings(AvoidanceVariables.class);
-    avoidance = new Avoidance(this, seeing, this::lines, this::say);
+    Settings<SurveyVariables> survey = settings(SurveyVariables.class);
+    Optional<HeightGrid> terrain =
+        HeightGrid.named(survey.get().terrain(), context.configuration()::resolve);
+    avoidance = new Avoidance(this, seeing, this::lines, this::say, terrain);
     rightOfWay =
         new RightOfWayWatch(
             settings(RightOfWayVariables.class),
@@ -93,7 +96,6 @@ public class PathPlanner extends EventDrivenService {
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
     Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
-    Settings<SurveyVariables> survey = settings(SurveyVariables.class);
     StationCircle circle =
         new StationCircle(detour, this::lines, () -> settings.get().loiterRadius(), flight);
     states =
@@ -103,14 +105,7 @@ public class PathPlanner extends EventDrivenService {
                 new ObjectGoalState(avoidance, seeing),
                 new StationState(guidance, settings(StationVariables.class), circle),
                 new SearchAreaState(
-                    avoidance,
-                    guidance,
-                    survey,
-                    seeing,
-                    this::lines,
-                    new SurveyHeights(
-                        HeightGrid.named(
-                            survey.get().terrain(), context.configuration()::resolve))),
+                    avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
                 new TakeOffState(this::lines, flight),
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));

@@ -23,7 +23,8 @@ import org.u2sa.planning.guidance.Vehicle;
  * avoids them, circling there down or up to the altitude of the approach, level along the line,
  * then down the slope and along the runway. Control flares. An approach that is off at the start of
  * the descent, that something is in the way of before, or that traffic comes near to above
- * MIN_BREAK_OFF_M is flown again.
+ * MIN_BREAK_OFF_M is flown again. With an obstacle on the slope it lands in another direction, or
+ * not at all if the goal has one.
  */
 final class StraightApproach implements LandingState.Descent {
   /** Level part of the line, in radii of turns downwind; the others if no route leads to it. */
@@ -36,6 +37,7 @@ final class StraightApproach implements LandingState.Descent {
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
   private static final double MIN_BREAK_OFF_M = 20.0; // above the position
+  private static final int DIRECTIONS = 12;
 
   private enum Phase {
     /** To the place on the extended centreline. */
@@ -56,6 +58,7 @@ final class StraightApproach implements LandingState.Descent {
   private Phase phase = Phase.JOIN;
   private int attempts;
   private int breakOffs;
+  private boolean leaves; // the line, which it broke off on
   private double courseRad;
   private double radiusM;
   private int lead; // index in LEAD_RADII
@@ -82,6 +85,7 @@ final class StraightApproach implements LandingState.Descent {
   public void begin(Landing goal, StateInformation state, Vehicle vehicle) {
     attempts = 1;
     breakOffs = 0;
+    leaves = false;
     Point to = vehicle.nedOf(Place.of(goal));
     Optional<Point> wind = AirMass.wind(state, vehicle);
     courseRad =
@@ -110,6 +114,10 @@ final class StraightApproach implements LandingState.Descent {
     double lengthM = goal.approach().orElse(settings.get().approachLength());
     double slope = Math.tan(goal.slope().orElse(Math.toRadians(settings.get().approachSlope())));
     double highM = place.upM().orElseThrow() + lengthM * slope;
+    boolean isHigh = phase != Phase.DOWN || vehicle.nedOf(place).z() > MIN_BREAK_OFF_M;
+    if (isHigh && blocksDescent(vehicle, state, place, lengthM, highM)) {
+      return elsewhere(goal, state, vehicle, highM);
+    }
     Place entry = onLine(place, -lengthM - LEAD_RADII[lead] * radiusM).at(highM);
     Place end = onLine(place, ROLL_OUT_M);
     Point to = vehicle.nedOf(place);
@@ -153,6 +161,45 @@ final class StraightApproach implements LandingState.Descent {
     return Plan.underWay(List.of(point));
   }
 
+  private boolean blocksDescent(
+      Vehicle vehicle, StateInformation state, Place place, double lengthM, double highM) {
+    Place from = onLine(place, -lengthM).at(highM);
+    return detour.blocksDescent(vehicle, state, from, place);
+  }
+
+  /** Lands in the nearest direction whose slope is free, unless the goal has a direction. */
+  private Plan elsewhere(Landing goal, StateInformation state, Vehicle vehicle, double highM) {
+    Place place = Place.of(goal);
+    double lengthM = goal.approach().orElse(settings.get().approachLength());
+    double blockedRad = courseRad;
+    for (int i = 1; goal.psi().isEmpty() && i < DIRECTIONS; i++) {
+      int side = i % 2 == 0 ? -1 : 1;
+      courseRad = blockedRad + side * ((i + 1) / 2) * 2.0 * Math.PI / DIRECTIONS;
+      if (!blocksDescent(vehicle, state, place, lengthM, highM)) {
+        lead = 0;
+        join();
+        String remark = "an obstacle is in the way of the descent: in another direction";
+        return new Plan(List.of(up(vehicle, place, highM)), Plan.Progress.UNDER_WAY, remark);
+      }
+    }
+    courseRad = blockedRad;
+    return new Plan(
+        List.of(up(vehicle, place, highM)),
+        Plan.Progress.ABANDONED,
+        "given up: an obstacle is in the way of the descent");
+  }
+
+  /** Straight on, up or down to the altitude of the approach. */
+  private NavigationPoint up(Vehicle vehicle, Place place, double highM) {
+    double ahead = 2.0 * lines.get().lookAheadM(vehicle.speedMps());
+    Point ned =
+        Point.of(
+            ahead * Math.cos(vehicle.courseRad()),
+            ahead * Math.sin(vehicle.courseRad()),
+            vehicle.nedOf(place.at(highM)).z());
+    return NavigationPoint.at(vehicle.body(ned));
+  }
+
   /** To the entry, in the direction of the line. */
   private Plan around(Landing goal, StateInformation state, Vehicle vehicle, Place entry) {
     Plan plan =
@@ -188,6 +235,7 @@ final class StraightApproach implements LandingState.Descent {
           points, Plan.Progress.ABANDONED, "given up: something is in the way of the approach");
     }
     breakOffs++;
+    leaves = true;
     join();
     return new Plan(
         points, Plan.Progress.UNDER_WAY, "something is in the way of the approach: once more");
@@ -201,9 +249,11 @@ final class StraightApproach implements LandingState.Descent {
   /** Changes the phase on the way to the entry and there. */
   private void proceed(Vehicle vehicle, Place entry, Point toEntry) {
     double accuracyM = settings.get().approachAccuracy();
+    boolean isOnLine = isOnLine(vehicle, toEntry);
+    leaves &= isOnLine;
     boolean isThere =
         detour.isPossible()
-            ? isOnLine(vehicle, toEntry)
+            ? isOnLine && !leaves
             : guidance.isApproaching() && guidance.hasPassed()
                 || Math.hypot(toEntry.x(), toEntry.y()) < accuracyM;
     boolean isLevel = Math.abs(toEntry.z()) < accuracyM / 2.0;

@@ -20,6 +20,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.guidance.Leg;
@@ -197,6 +198,71 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(nearestM).isGreaterThan(150.0);
     assertThat(Math.abs(aircraft.east)).isLessThan(50.0);
     assertThat(Math.abs(Math.toDegrees(Leg.wrapped(aircraft.heading)))).isLessThan(10.0);
+  }
+
+  /** A cylinder stands under the level line, but higher than the slope above its place. */
+  private static Cylinder onTheFinal() {
+    Cylinder tower = new Cylinder().radius(20.0).height(80.0);
+    tower.uid("tower").objectType("tower").referenceFrame(ReferenceFrame.LOCAL_NED);
+    tower.x(-500.0).y(0.0).z(-40.0);
+    return tower;
+  }
+
+  private double nearestOnTheWayDownM(Landing landing, Cylinder tower) {
+    kit.with("VERTICAL CLEARANCE", 30.0).with("LOITER RADIUS", 800.0);
+    start("AIR");
+    landing.uid("1").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goals(landing.x(0.0).y(0.0).z(0.0).horizontalThreshold(30.0));
+    aircraft.north = -5000.0;
+    aircraft.altitude = 60.0;
+    double nearestM = Double.POSITIVE_INFINITY;
+    boolean isDown = false;
+    while (kit.nowS() < 600.0 && !isDown && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      kit.publish(Channels.OBJECTS, new ObjectList().objects(List.of(tower)));
+      kit.publish(
+          Channels.STATE,
+          aircraft.state().z(-aircraft.altitude).fluidxDot(50.0)); // wind from the north
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      if (aircraft.altitude < tower.height()) {
+        nearestM =
+            Math.min(nearestM, Math.hypot(aircraft.north - tower.x(), aircraft.east - tower.y()));
+      }
+      isDown = Math.hypot(aircraft.north, aircraft.east) < 100.0 && aircraft.altitude < 15.0;
+    }
+    return isDown ? nearestM : Double.NaN;
+  }
+
+  @Test
+  void landing_towerOnTheSlopeAndDirectionFree_landsInAnotherDirection() {
+    double nearestM =
+        nearestOnTheWayDownM(new Landing().approach(1000.0).slope(0.06), onTheFinal());
+
+    assertThat(nearestM).isGreaterThan(20.0 + 5.5);
+    assertThat(logged("an obstacle is in the way of the descent: in another direction"))
+        .isPositive();
+  }
+
+  @Test
+  void landing_towerOnTheSlopeOfTheOnlyDirection_isGivenUp() {
+    Landing landing = new Landing().approach(1000.0).slope(0.06);
+    landing.psi(0.0);
+
+    assertThat(nearestOnTheWayDownM(landing, onTheFinal())).isNaN();
+    GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
+    assertThat(report.completed()).isFalse();
+    assertThat(report.reason().orElseThrow()).contains("an obstacle is in the way of the descent");
+  }
+
+  @Test
+  void landing_lowTowerBelowTheSlope_isFlownOver() {
+    Landing landing = new Landing().approach(1000.0).slope(0.06);
+    landing.psi(0.0);
+    Cylinder low = onTheFinal().height(8.0);
+    low.z(-4.0);
+
+    assertThat(nearestOnTheWayDownM(landing, low)).isNotNaN();
+    assertThat(logged("an obstacle")).isZero();
   }
 
   /** Traffic crosses the line of the approach as the aircraft comes there, level or descending. */

@@ -10,6 +10,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.VariableDeclaration;
+import org.u2sa.interfaces.terrain.HeightGrid;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
@@ -24,6 +25,7 @@ import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.local.RouteTrack;
+import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
@@ -42,6 +44,9 @@ public final class Avoidance {
   /** Fraction of its speed below which a vehicle that cannot stop or hover has not taken off. */
   private static final double SHARE_FLYING = 0.5;
 
+  /** Height above the place of landing below which obstacles are not looked for [m]. */
+  private static final double LOWEST_M = 2.0;
+
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
@@ -51,6 +56,7 @@ public final class Avoidance {
   private final VirtualObstacles obstacles;
   private final RouteKeeper routes;
   private final PathNews news;
+  private final VerticalEvasion climbing;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
   private boolean makesRoom; // to turn in place
@@ -70,7 +76,7 @@ public final class Avoidance {
   /**
    * Next step of the vehicle.
    *
-   * @param ned vector from the vehicle [m]; down is unset
+   * @param ned vector from the vehicle [m]
    * @param speedMps speed [m/s]
    * @param backwards whether in reverse
    * @param givenUp reason for giving up the goal, or empty
@@ -93,12 +99,14 @@ public final class Avoidance {
   /**
    * @param configuration configuration of the planner, in which PLANNER selects the route planner
    * @param say reports a message to the operator; true for a warning
+   * @param terrain the ground, if it is known
    */
   public Avoidance(
       Configurator configuration,
       Supplier<AvoidanceVariables> settings,
       Supplier<LineSettings> lines,
-      BiConsumer<String, Boolean> say) {
+      BiConsumer<String, Boolean> say,
+      Optional<HeightGrid> terrain) {
     this.settings = settings;
     this.lines = lines;
     this.say = say;
@@ -120,6 +128,7 @@ public final class Avoidance {
     obstacles = new VirtualObstacles(world);
     routes = new RouteKeeper(world, obstacles, passages, () -> planners.get(chosen.get()), say);
     news = new PathNews(settings, say);
+    climbing = new VerticalEvasion(terrain, say);
   }
 
   public boolean isOn() {
@@ -181,6 +190,37 @@ public final class Avoidance {
       }
     }
     return hasTraffic;
+  }
+
+  /**
+   * Whether a static obstacle, as of the last update, is too near to a straight descent to a place
+   * on the ground. Near the ground as much distance is kept as the aircraft is high.
+   */
+  public boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
+    AvoidanceVariables now = settings.get();
+    Point at = vehicle.on(world.plane(state));
+    Point end = vehicle.nedOf(to);
+    Point way = end.minus(vehicle.nedOf(from));
+    double circleM = body(now).circleM();
+    double stepM = Math.max(1.0, 0.5 * circleM);
+    List<PlanarShape> shapes = new ArrayList<>(world.shapes());
+    shapes.addAll(world.shapesElsewhere());
+    for (double share = 1.0; share * way.z() > LOWEST_M; share -= stepM / way.distance()) {
+      double aboveM = share * way.z();
+      double north = at.x() + end.x() - share * way.x();
+      double east = at.y() + end.y() - share * way.y();
+      double down = at.z() + end.z() - aboveM;
+      for (PlanarShape shape : shapes) {
+        boolean isAsHigh =
+            now.verticalClearance() == 0.0
+                || shape.reaches(down, down, Math.min(now.verticalClearance(), 0.5 * aboveM));
+        double keptM = circleM + Math.min(now.clearance(), aboveM);
+        if (isAsHigh && shape.distanceM(north, east) < keptM) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /**
@@ -268,7 +308,10 @@ public final class Avoidance {
             now,
             micros);
     routes.update(situation);
-    ArcChoice choice = current.choose(arcs(situation, vehicle), situation);
+    Optional<VerticalRoom> room =
+        climbing.room(state, at, toGoal, wanted.target(), now, world, plane);
+    ArcChoice choice = current.choose(arcs(situation, vehicle, room), situation);
+    climbing.chosen(choice, at, micros);
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
     Optional<String> givenUp = current.judge(choice, isTrafficNear(situation), situation);
     announce(status(choice, givenUp, current), givenUp, wanted, at);
@@ -280,7 +323,10 @@ public final class Avoidance {
       ArcChoice choice, Point at, Point toGoal, Wanted wanted, Optional<String> givenUp) {
     AvoidanceVariables now = settings.get();
     return new Step(
-        Point.of(choice.northM() - at.x(), choice.eastM() - at.y(), toGoal.z()),
+        Point.of(
+            choice.northM() - at.x(),
+            choice.eastM() - at.y(),
+            Double.isNaN(choice.toDownM()) ? toGoal.z() : choice.toDownM() - at.z()),
         now.stops() ? choice.speedMps() : wantedMps(wanted, now),
         choice.backwards(),
         givenUp);
@@ -311,18 +357,19 @@ public final class Avoidance {
         Math.toRadians(now.plannedTurnRate()));
   }
 
-  private ArcChooser arcs(Situation now, Vehicle vehicle) {
+  private ArcChooser arcs(Situation now, Vehicle vehicle, Optional<VerticalRoom> room) {
     double heading = now.pose().headingRad();
     double along = vehicle.northMps() * Math.cos(heading) + vehicle.eastMps() * Math.sin(heading);
     return new ArcChooser(
         world.costs(),
         now.body(),
-        world.movers(),
+        room.isPresent() ? world.allMovers() : world.movers(),
         now.limits(),
         now.pose(),
         along,
         now.micros(),
-        makesRoom);
+        makesRoom,
+        room);
   }
 
   private boolean isTrafficNear(Situation now) {

@@ -66,6 +66,10 @@ public record AvoidanceVariables(
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description("Objects farther above or below are ignored; 0: heights do not matter.")
         double verticalClearance,
+    @Variable(unit = "m/s", min = 0, ifAbsent = 0)
+        @Description(
+            "Rate at which the vehicle climbs or descends to evade traffic, if VERTICAL CLEARANCE is set; 0: it evades at the altitude of its goal.")
+        double evasionClimb,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
             "At a waypoint reached between two lines within this distance, the way back is blocked until the next waypoint, or until no other route exists (OVERLOOK AFTER); 0: never.")

@@ -8,9 +8,15 @@ package org.u2sa.planning.local;
  * @param speedMps speed [m/s]
  * @param backwards whether in reverse
  * @param kind purpose of the motion
+ * @param toDownM altitude to evade to, down coordinate [m]; NaN: that of the goal
  */
 public record ArcChoice(
-    double northM, double eastM, double speedMps, boolean backwards, Kind kind) {
+    double northM, double eastM, double speedMps, boolean backwards, Kind kind, double toDownM) {
+
+  ArcChoice(double northM, double eastM, double speedMps, boolean backwards, Kind kind) {
+    this(northM, eastM, speedMps, backwards, kind, Double.NaN);
+  }
+
   /** Purpose of a choice. */
   public enum Kind {
     /** Along the route. */
@@ -26,6 +32,10 @@ public record ArcChoice(
   }
 
   ArcChoice as(Kind other) {
-    return new ArcChoice(northM, eastM, speedMps, backwards, other);
+    return new ArcChoice(northM, eastM, speedMps, backwards, other, toDownM);
+  }
+
+  ArcChoice at(double downM) {
+    return new ArcChoice(northM, eastM, speedMps, backwards, kind, downM);
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.planning.local;
 
 import java.util.List;
+import java.util.Optional;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.MotionForecast.Outcome;
 import org.u2sa.planning.search.BodyDiscs;
@@ -35,6 +36,8 @@ public final class ArcChooser {
    * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
    * @param nowMicros time of this pose [µs]
    * @param makesRoom whether the previous choice was {@link ArcChoice.Kind#MAKE_ROOM}
+   * @param room room to climb and descend away from traffic, whose heights then matter; empty: all
+   *     motions are level
    */
   public ArcChooser(
       CostGrid costs,
@@ -44,17 +47,20 @@ public final class ArcChooser {
       Pose pose,
       double speedMps,
       long nowMicros,
-      boolean makesRoom) {
+      boolean makesRoom,
+      Optional<VerticalRoom> room) {
     this.makesRoom = makesRoom;
     this.costs = costs;
     this.body = body;
     this.limits = limits;
     this.pose = pose;
     this.speedMps = speedMps;
-    TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros);
-    forecast = new MotionForecast(costs, body, traffic, limits, pose, speedMps);
+    VerticalRoom heights = room.orElse(null);
+    TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
+    forecast = new MotionForecast(costs, body, traffic, heights, limits, pose, speedMps);
     evasion =
-        new Evasion(forecast, limits, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
+        new Evasion(
+            forecast, limits, heights, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
   }
 
   public ArcChoice along(RouteTrack track) {
@@ -78,7 +84,8 @@ public final class ArcChooser {
         double most = share * limits.speedMps();
         // at the speed driven: assuming more would mistime the encounter with traffic
         double speed = limits.stops() ? Math.min(most, straight) : Math.max(most, speedMps);
-        Outcome outcome = forecast.play(Motion.along(track, curvature, backwards, speed, ahead));
+        Motion motion = Motion.along(track, curvature, backwards, speed, ahead);
+        Outcome outcome = forecast.play(motion);
         double allowed = limits.stoppableMps(outcome.freeM() - costs.frame().cellM());
         boolean last = 0.6 * ahead <= least;
         boolean free =
@@ -96,7 +103,7 @@ public final class ArcChooser {
         }
         if (free) {
           evasion.alsoConsider(
-              new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE), outcome);
+              new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE), motion, outcome);
         }
         if (!limits.stops() || !free) {
           break; // slowing down does not help
@@ -120,7 +127,7 @@ public final class ArcChooser {
     if (spareM() < 0.0) {
       return makeRoom(ArcChoice.Kind.EVADE);
     }
-    if (forecast.standing().meetsS() < limits.horizonS()) {
+    if (forecast.standing(Double.NaN).meetsS() < limits.horizonS()) {
       return evade(track);
     }
     return turnsAtOnce()
@@ -175,7 +182,7 @@ public final class ArcChooser {
   /** Chooses the freest arc for a vehicle without a route; stops if it can. */
   public ArcChoice withoutRoute() {
     ArcChoice stand = stand(ArcChoice.Kind.WAIT);
-    boolean waits = limits.stops() && forecast.standing().meetsS() >= limits.horizonS();
+    boolean waits = limits.stops() && forecast.standing(Double.NaN).meetsS() >= limits.horizonS();
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }
 
@@ -188,7 +195,7 @@ public final class ArcChooser {
 
   /** Turns in place toward a heading, or first moves to where there is room to turn. */
   public ArcChoice lookTo(double headingRad) {
-    if (!limits.turnsOnTheSpot() || forecast.standing().meetsS() < limits.horizonS()) {
+    if (!limits.turnsOnTheSpot() || forecast.standing(Double.NaN).meetsS() < limits.horizonS()) {
       return withoutRoute();
     }
     if (spareM() < 0.0) {

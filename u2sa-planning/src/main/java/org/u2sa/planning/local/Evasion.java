@@ -5,9 +5,10 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 
 /**
  * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
- * speeds, and turns in place (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision
- * Avoidance, IEEE Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which
- * are equivalent at a given speed). Not thread-safe.
+ * speeds, and turns in place; before these on the route at another altitude, and after them on arcs
+ * there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision Avoidance, IEEE Robotics and
+ * Automation Magazine 4, 1997, with arcs instead of velocities, which are equivalent at a given
+ * speed). Not thread-safe.
  */
 final class Evasion {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -20,14 +21,17 @@ final class Evasion {
 
   private final MotionForecast forecast;
   private final MotionLimits limits;
+  private final VerticalRoom room; // null: it does not climb to evade
   private final boolean amongTraffic;
   private final Pose pose;
   private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
   private double goalNorthM;
   private double goalEastM;
+  private Motion onRoute; // free of static obstacles, but too near to traffic
 
   private ArcChoice best;
+  private Motion bestMotion; // null: it stands
   private double leastScore = NEVER;
   private ArcChoice widest; // best of those too near to traffic
   private double widestM = -NEVER;
@@ -38,12 +42,14 @@ final class Evasion {
   Evasion(
       MotionForecast forecast,
       MotionLimits limits,
+      VerticalRoom room,
       boolean amongTraffic,
       Pose pose,
       double speedMps,
       double keptM) {
     this.forecast = forecast;
     this.limits = limits;
+    this.room = room;
     this.amongTraffic = amongTraffic;
     this.pose = pose;
     this.keptM = keptM;
@@ -51,8 +57,9 @@ final class Evasion {
   }
 
   /** Adds a choice on the route that is free but too near to traffic. */
-  void alsoConsider(ArcChoice onRoute, Outcome outcome) {
-    consider(onRoute, outcome);
+  void alsoConsider(ArcChoice choice, Motion motion, Outcome outcome) {
+    onRoute = onRoute == null ? motion : onRoute;
+    consider(choice, outcome);
   }
 
   /**
@@ -63,24 +70,24 @@ final class Evasion {
     goalNorthM = northM;
     goalEastM = eastM;
     double now = pose.distanceM(goalNorthM, goalEastM);
-    for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
-      for (int k = -FAN; k <= FAN; k++) {
-        double dislike = (double) Math.abs(k) / FAN;
-        for (double share : SPEEDS) {
-          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
-          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
-          weigh(arc, dislike + (limits.stops() ? 1.0 - share : 0.0));
-          if (!limits.stops()) {
-            break;
-          }
-        }
-      }
+    boolean mayClimb = amongTraffic && room != null;
+    if (mayClimb && onRoute != null) {
+      stayOnRoute();
     }
+    if (best != null) {
+      return best;
+    }
+    arcs(Double.NaN);
     if (amongTraffic && limits.turnsOnTheSpot()) {
       turns();
     }
-    Outcome standing = limits.stops() ? forecast.standing() : null;
+    Outcome standing = limits.stops() ? forecast.standing(Double.NaN) : null;
     boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
+    if (mayClimb && isTrapped() && !waits) {
+      climb(stand);
+    } else if (mayClimb && !limits.stops()) {
+      best = best.at(apart());
+    }
     if (best != null && (!waits || leastScore < 1.2 * now)) {
       return best;
     }
@@ -88,6 +95,75 @@ final class Evasion {
       return stand;
     }
     return lastResort(standing, stand);
+  }
+
+  /** Stays at its altitude, climbs or descends on its route. */
+  private void stayOnRoute() {
+    for (double downM : room.altitudes(limits.horizonS())) {
+      weigh(onRoute.at(downM), 0.0);
+      if (best != null) {
+        return;
+      }
+    }
+  }
+
+  /** Stays at its altitude, climbs or descends on an arc, or where it stands. */
+  private void climb(ArcChoice stand) {
+    for (double downM : room.altitudes(limits.horizonS())) {
+      if (limits.stops()) {
+        Outcome there = forecast.standing(downM);
+        if (there.freeM() == NEVER && there.meetsS() >= limits.horizonS()) {
+          best = stand.as(ArcChoice.Kind.EVADE).at(downM);
+          leastScore = 0.0;
+        }
+      }
+      if (isTrapped()) {
+        arcs(downM);
+      }
+      if (!isTrapped()) {
+        return;
+      }
+    }
+  }
+
+  /**
+   * Altitude to which the best motion leads away from that of the traffic: beside an aircraft of
+   * the same speed a vehicle that cannot stop comes to the boundary, or over it. NaN if there is
+   * none: that of the goal.
+   */
+  private double apart() {
+    double[] altitudes = room.altitudes(limits.horizonS());
+    for (int i = 1; i < altitudes.length; i++) {
+      Outcome outcome = forecast.play(bestMotion.at(altitudes[i]));
+      if (outcome.freeM() == NEVER && outcome.meetsS() >= limits.horizonS()) {
+        return altitudes[i];
+      }
+    }
+    return Double.NaN;
+  }
+
+  /** Whether no motion keeps the distance and leads on. */
+  private boolean isTrapped() {
+    return best == null || leastScore >= DEAD_END * reachM;
+  }
+
+  /**
+   * @param downM altitude [m]; NaN: that of the goal
+   */
+  private void arcs(double downM) {
+    for (int direction = 0; direction < (limits.reverses() ? 2 : 1); direction++) {
+      for (int k = -FAN; k <= FAN; k++) {
+        double dislike = (double) Math.abs(k) / FAN;
+        for (double share : SPEEDS) {
+          double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
+          Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
+          weigh(arc.at(downM), dislike + (limits.stops() ? 1.0 - share : 0.0));
+          if (!limits.stops()) {
+            break;
+          }
+        }
+      }
+    }
   }
 
   /** Turns to directions of the plane, not of the vehicle: stable while it turns. */
@@ -114,9 +190,11 @@ final class Evasion {
               to.eastM(),
               free ? Math.min(motion.speedMps(), allowed) : motion.speedMps(),
               motion.backwards(),
-              ArcChoice.Kind.EVADE);
+              ArcChoice.Kind.EVADE,
+              motion.toDownM());
       if (free) {
-        boolean escapes = limits.stops() || forecast.canCircleAfter(motion);
+        boolean escapes =
+            limits.stops() || motion.track() != null || forecast.canCircleAfter(motion);
         double score =
             Math.hypot(to.northM() - goalNorthM, to.eastM() - goalEastM)
                 + reachM * (0.3 * dislike)
@@ -125,6 +203,7 @@ final class Evasion {
         if (outcome.meetsS() >= limits.horizonS() && score < leastScore) {
           leastScore = score;
           best = choice;
+          bestMotion = ending;
         }
         consider(choice, outcome);
       } else if (!limits.stops() && outcome.freeM() > freestM) {
@@ -166,7 +245,11 @@ final class Evasion {
       return stand.as(standing.gapM() > 0.0 ? ArcChoice.Kind.WAIT : ArcChoice.Kind.BRAKE);
     }
     if (widest == null) {
-      return freest == null ? stand.as(ArcChoice.Kind.BRAKE) : freest.as(ArcChoice.Kind.BRAKE);
+      ArcChoice any = freest == null ? stand : freest;
+      boolean climbs = room != null && amongTraffic && !limits.stops();
+      return climbs
+          ? any.as(ArcChoice.Kind.BRAKE).at(room.altitudes(limits.horizonS())[1])
+          : any.as(ArcChoice.Kind.BRAKE);
     }
     return widest.as(widestM > 0.0 ? ArcChoice.Kind.EVADE : ArcChoice.Kind.BRAKE);
   }

@@ -11,6 +11,7 @@ package org.u2sa.planning.local;
  * @param arcM length of the arc [m]
  * @param endM distance at which it stops [m]; infinite if it does not
  * @param track route followed after the arc; null for straight on
+ * @param toDownM altitude to evade to, down coordinate [m]; NaN: that of the goal
  */
 record Motion(
     double turnRad,
@@ -19,27 +20,34 @@ record Motion(
     double speedMps,
     double arcM,
     double endM,
-    RouteTrack track) {
+    RouteTrack track,
+    double toDownM) {
   private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final double TO_GOAL = Double.NaN;
 
   /** Creates an arc followed by a straight line. */
   static Motion arc(double curvature, boolean backwards, double speedMps, double arcM) {
-    return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, null);
+    return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, null, TO_GOAL);
   }
 
   /** Creates a turn in place followed by a straight line. */
   static Motion turn(double turnRad, double speedMps, double wayM) {
-    return new Motion(turnRad, 0.0, false, speedMps, wayM, NEVER, null);
+    return new Motion(turnRad, 0.0, false, speedMps, wayM, NEVER, null, TO_GOAL);
   }
 
   /** Creates a forward arc followed by a route. */
   static Motion along(
       RouteTrack track, double curvature, boolean backwards, double speedMps, double arcM) {
-    return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, track);
+    return new Motion(0.0, curvature, backwards, speedMps, arcM, NEVER, track, TO_GOAL);
   }
 
   Motion endingAt(double metres) {
-    return new Motion(turnRad, curvature, backwards, speedMps, arcM, metres, track);
+    return new Motion(turnRad, curvature, backwards, speedMps, arcM, metres, track, toDownM);
+  }
+
+  /** The same at another altitude; NaN: that of the goal. */
+  Motion at(double downM) {
+    return new Motion(turnRad, curvature, backwards, speedMps, arcM, endM, track, downM);
   }
 
   /** 1 forward, −1 in reverse. */

@@ -16,6 +16,7 @@ final class MotionForecast {
   private final CostGrid costs;
   private final BodyDiscs body;
   private final TrafficForecast traffic;
+  private final VerticalRoom room; // null: it does not climb to evade
   private final MotionLimits limits;
   private final Pose start;
   private final double startMps;
@@ -38,12 +39,14 @@ final class MotionForecast {
       CostGrid costs,
       BodyDiscs body,
       TrafficForecast traffic,
+      VerticalRoom room,
       MotionLimits limits,
       Pose start,
       double startMps) {
     this.costs = costs;
     this.body = body;
     this.traffic = traffic;
+    this.room = room;
     this.limits = limits;
     this.start = start;
     this.startMps = startMps;
@@ -54,11 +57,23 @@ final class MotionForecast {
 
   /** Current distance to traffic [m]; negative inside the clearance to be kept. */
   double gapNowM() {
-    return traffic.gapM(start, 0.0);
+    return traffic.gapM(start, room == null ? 0.0 : room.downM(), 0.0);
   }
 
-  /** Simulates braking from the current pose. */
-  Outcome standing() {
+  /** Down coordinate of the vehicle on its way to an altitude, or to that of the goal [m]. */
+  private double downM(double toDownM, double seconds) {
+    return room == null
+        ? 0.0
+        : room.afterM(
+            Double.isNaN(toDownM) ? room.goalDownM() : toDownM, seconds - limits.reactionS());
+  }
+
+  /**
+   * Simulates braking from the current pose.
+   *
+   * @param toDownM altitude to which it climbs or descends [m]; NaN: that of the goal
+   */
+  Outcome standing(double toDownM) {
     Tally tally = new Tally();
     double v = Math.abs(startMps);
     Pose at = start;
@@ -67,7 +82,11 @@ final class MotionForecast {
         v = Math.max(0.0, v - limits.brakingMps2() * stepS);
       }
       at = at.along(Math.copySign(v * stepS, startMps), 0.0);
-      tally.look(at, t);
+      double down = downM(toDownM, t);
+      tally.look(at, down, t);
+      if (isBlockedElsewhere(at, down, toDownM)) {
+        return tally.outcome(0.0);
+      }
     }
     return tally.outcome(NEVER);
   }
@@ -139,8 +158,11 @@ final class MotionForecast {
           freeM = Math.max(0.0, gone - step);
         }
       }
+      if (freeM == NEVER && isBlockedElsewhere(at, downM(motion.toDownM(), t), motion.toDownM())) {
+        freeM = Math.max(0.0, gone - step);
+      }
       if (looks && t <= limits.horizonS()) {
-        tally.look(at, t);
+        tally.look(at, downM(motion.toDownM(), t), t);
       }
       boolean seenAll = gone >= farM && !looks && !toHorizon;
       if (seenAll || freeM < NEVER || (v < STANDS_MPS && t > limits.horizonS())) {
@@ -214,6 +236,11 @@ final class MotionForecast {
     return false;
   }
 
+  /** Whether a climb or descent leads to what is at other altitudes. */
+  private boolean isBlockedElsewhere(Pose at, double downM, double toDownM) {
+    return room != null && !Double.isNaN(toDownM) && room.isBlocked(at, downM);
+  }
+
   private double clearanceM(Pose at) {
     return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad(), enoughM);
   }
@@ -232,12 +259,12 @@ final class MotionForecast {
       way += step;
     }
 
-    void look(Pose at, double seconds) {
-      double gap = traffic.gapM(at, seconds);
+    void look(Pose at, double downM, double seconds) {
+      double gap = traffic.gapM(at, downM, seconds);
       gapM = Math.min(gapM, gap);
       roomM += Math.min(TrafficForecast.ROOMY_M, gap);
       looks++;
-      if (meetsS == NEVER && traffic.meets(at, seconds)) {
+      if (meetsS == NEVER && traffic.meets(at, downM, seconds)) {
         meetsS = seconds;
       }
     }

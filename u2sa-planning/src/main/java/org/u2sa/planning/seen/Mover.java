@@ -1,7 +1,8 @@
 package org.u2sa.planning.seen;
 
 /**
- * Traffic: a disc that moves on the planning plane, as far as known. Immutable.
+ * Traffic: a disc that moves on the planning plane, or a sphere in the air, as far as known.
+ * Immutable.
  *
  * @param name UID of the object
  * @param seenMicros time of the first point [µs]
@@ -13,6 +14,7 @@ package org.u2sa.planning.seen;
  * @param radiusM clearance radius around its centre [m]
  * @param sigmaM standard deviation of its position [m]; 0 if unknown
  * @param sigmaMps standard deviation of its velocity [m/s]; 0 if unknown
+ * @param heights its altitudes
  */
 public record Mover(
     String name,
@@ -24,13 +26,27 @@ public record Mover(
     double eastMps,
     double radiusM,
     double sigmaM,
-    double sigmaMps) {
+    double sigmaMps,
+    Heights heights) {
   private static final double MICROS = 1.0e-6;
 
   /** Below this speed an object counts as stationary [m/s]. */
   private static final double STANDS_MPS = 0.05;
 
-  /** A mover of unknown accuracy. */
+  /**
+   * Altitudes of traffic.
+   *
+   * @param downs down coordinates of its centre at each step [m], as many as north coordinates
+   * @param downMps downward velocity after the last point [m/s]
+   * @param halfM clearance above and below its centre [m]; infinite: it cannot be passed over
+   */
+  public record Heights(double[] downs, double downMps, double halfM) {
+    static Heights any(int points) {
+      return new Heights(new double[points], 0.0, Double.POSITIVE_INFINITY);
+    }
+  }
+
+  /** A mover of unknown accuracy that cannot be passed over. */
   public Mover(
       String name,
       long seenMicros,
@@ -40,14 +56,25 @@ public record Mover(
       double northMps,
       double eastMps,
       double radiusM) {
-    this(name, seenMicros, stepS, norths, easts, northMps, eastMps, radiusM, 0.0, 0.0);
+    this(
+        name,
+        seenMicros,
+        stepS,
+        norths,
+        easts,
+        northMps,
+        eastMps,
+        radiusM,
+        0.0,
+        0.0,
+        Heights.any(norths.length));
   }
 
   boolean stands() {
     return Math.hypot(northMps, eastMps) < STANDS_MPS;
   }
 
-  /** Copy with another velocity from its current position. */
+  /** Copy with another velocity from its current position, at its altitude. */
   Mover moving(double newNorthMps, double newEastMps) {
     return new Mover(
         name,
@@ -59,7 +86,8 @@ public record Mover(
         newEastMps,
         radiusM,
         sigmaM,
-        sigmaMps);
+        sigmaMps,
+        new Heights(new double[] {heights.downs[0]}, 0.0, heights.halfM));
   }
 
   /** Age of the data [s] at a time. */
@@ -75,6 +103,11 @@ public record Mover(
   /** East coordinate of its centre at a time after the observation [m]. */
   public double eastAfterM(double seconds) {
     return after(easts, eastMps, seconds);
+  }
+
+  /** Down coordinate of its centre at a time after the observation [m]. */
+  public double downAfterM(double seconds) {
+    return after(heights.downs, heights.downMps, seconds);
   }
 
   private double after(double[] points, double velocity, double seconds) {

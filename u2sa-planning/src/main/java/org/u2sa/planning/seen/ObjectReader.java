@@ -62,10 +62,12 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
     Point there = plane.ned(object.referenceFrame(), object.after(1.0).center());
     double northMps = there.x() - here.x();
     double eastMps = there.y() - here.y();
+    double downMps = there.z() - here.z();
     if (velocity.isEmpty()) {
       Point last = points.get(points.size() - 1).minus(points.get(points.size() - 2));
       northMps = last.x() / stepS;
       eastMps = last.y() / stepS;
+      downMps = last.z() / stepS;
     }
     PlanarShape shape = shape(object, here);
     return Optional.of(
@@ -79,7 +81,11 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
             eastMps,
             outerRadiusM(shape, here),
             object.motion().sigma().map(sigma -> Math.max(sigma.x(), sigma.y())).orElse(0.0),
-            object.motion().velocitySigma().orElse(0.0)));
+            object.motion().velocitySigma().orElse(0.0),
+            new Mover.Heights(
+                points.stream().mapToDouble(Point::z).toArray(),
+                downMps,
+                object instanceof Sphere ball ? ball.radius() : SKY)));
   }
 
   private static double outerRadiusM(PlanarShape shape, Point centre) {

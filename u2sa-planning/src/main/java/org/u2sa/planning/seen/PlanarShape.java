@@ -94,6 +94,16 @@ public final class PlanarShape {
     return radiusM;
   }
 
+  /** Down coordinate of its top [m]; −∞ if unbounded. */
+  public double topDownM() {
+    return topDownM;
+  }
+
+  /** Down coordinate of its bottom [m]; ∞ if unbounded. */
+  public double bottomDownM() {
+    return bottomDownM;
+  }
+
   /** Whether it overlaps the height band between two down coordinates [m], with a margin. */
   public boolean reaches(double oneDownM, double otherDownM, double marginM) {
     return topDownM - marginM <= Math.max(oneDownM, otherDownM)

@@ -59,6 +59,8 @@ public final class SeenWorld {
   private List<PlanarShape> shapes = List.of();
   private List<PlanarShape> corridors = List.of();
   private List<Mover> movers = List.of();
+  private List<PlanarShape> otherShapes = List.of(); // at other heights
+  private List<Mover> otherMovers = List.of(); // likewise
   private boolean bodyOnly;
   private boolean changed = true;
   private double lowDownM;
@@ -158,6 +160,18 @@ public final class SeenWorld {
 
   public List<Mover> movers() {
     return movers;
+  }
+
+  /** Static obstacles that are left out because of their heights. */
+  public List<PlanarShape> shapesElsewhere() {
+    return otherShapes;
+  }
+
+  /** Traffic at all heights. */
+  public List<Mover> allMovers() {
+    List<Mover> all = new ArrayList<>(movers);
+    all.addAll(otherMovers);
+    return all;
   }
 
   /**
@@ -308,6 +322,8 @@ public final class SeenWorld {
     List<PlanarShape> standing = new ArrayList<>();
     List<PlanarShape> stayInside = new ArrayList<>();
     List<Mover> moving = new ArrayList<>();
+    List<PlanarShape> standingElsewhere = new ArrayList<>();
+    List<Mover> movingElsewhere = new ArrayList<>();
     ObjectReader reader = new ObjectReader(plane, state);
     long micros = objects == null ? 0L : objects.timestamp().orElse(0L);
     for (ObjectDescription object : objects()) {
@@ -319,10 +335,16 @@ public final class SeenWorld {
         continue;
       }
       PlanarShape shape = reader.shape(object);
+      boolean isCorridor = object.objectType().equals(now.corridorType());
       if (now.heightMarginM() > 0.0 && !shape.reaches(lowDownM, highDownM, now.heightMarginM())) {
+        Optional<Mover> mover = reader.mover(object, micros).filter(each -> !each.stands());
+        mover.ifPresent(movingElsewhere::add);
+        if (mover.isEmpty() && !isCorridor) {
+          standingElsewhere.add(shape);
+        }
         continue;
       }
-      if (object.objectType().equals(now.corridorType())) {
+      if (isCorridor) {
         stayInside.add(shape);
         continue;
       }
@@ -336,5 +358,7 @@ public final class SeenWorld {
     shapes = List.copyOf(standing);
     corridors = List.copyOf(stayInside);
     movers = List.copyOf(moving);
+    otherShapes = List.copyOf(standingElsewhere);
+    otherMovers = List.copyOf(movingElsewhere);
   }
 }

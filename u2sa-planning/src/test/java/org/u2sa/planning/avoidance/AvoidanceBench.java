@@ -3,6 +3,7 @@ package org.u2sa.planning.avoidance;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
@@ -110,7 +111,15 @@ final class AvoidanceBench {
 
   ArcChooser arcs(Situation now) {
     return new ArcChooser(
-        world.costs(), now.body(), List.of(), now.limits(), now.pose(), 0.0, now.micros(), false);
+        world.costs(),
+        now.body(),
+        List.of(),
+        now.limits(),
+        now.pose(),
+        0.0,
+        now.micros(),
+        false,
+        Optional.empty());
   }
 
   /** One step of an attempt. */

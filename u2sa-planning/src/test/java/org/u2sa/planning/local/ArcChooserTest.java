@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.route.Route;
@@ -55,7 +56,8 @@ class ArcChooserTest {
   }
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
-    return new ArcChooser(costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false);
+    return new ArcChooser(
+        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty());
   }
 
   private static RouteTrack north() {
@@ -140,7 +142,8 @@ class ArcChooserTest {
   }
 
   private ArcChooser makingRoom(double speedMps, Mover... movers) {
-    return new ArcChooser(costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true);
+    return new ArcChooser(
+        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty());
   }
 
   @Test
@@ -274,8 +277,8 @@ class ArcChooserTest {
   }
 
   private MotionForecast forecast(MotionLimits limits, double speedMps, Mover mover) {
-    TrafficForecast traffic = new TrafficForecast(List.of(mover), BODY, limits, ORIGIN, 0L);
-    return new MotionForecast(costs, BODY, traffic, limits, ORIGIN, speedMps);
+    TrafficForecast traffic = new TrafficForecast(List.of(mover), BODY, limits, ORIGIN, 0L, null);
+    return new MotionForecast(costs, BODY, traffic, null, limits, ORIGIN, speedMps);
   }
 
   /** The wall ends the motion, and there the vehicle stands when traffic comes. */

@@ -16,9 +16,14 @@ final class SuasMission {
 
   private static final String AREA = "search";
 
+  /** Time to fly home and land, with approaches that traffic makes it break off [s]. */
+  private static final double LANDING_S = 300.0;
+
   private static final double TAKE_OFF_M = 60.0;
   private static final double DROP_M = 40.0; // height of the drop
   private static final double KEPT_M = 100.0; // routes from the boundary
+  private static final double KEPT_UP_M = 15.0; // evasion from the ceiling
+  private static final double KEPT_DOWN_M = 5.0; // and from the floor
 
   private final SuasField field;
 
@@ -71,7 +76,12 @@ final class SuasMission {
         field.boundary().stream()
             .map(corner -> corner.times(1.0 - KEPT_M / corner.distance()))
             .collect(Collectors.toList());
-    text.append(corners(inside)).append("</points></polygon>\n</world>\n");
+    text.append(corners(inside)).append("</points>");
+    double top = field.ceilingM() - KEPT_UP_M;
+    double bottom = field.floorM() + KEPT_DOWN_M;
+    text.append(altitude(0.5 * (top + bottom)));
+    text.append(String.format(Locale.ROOT, "<height>%.2f</height>", top - bottom));
+    text.append("</polygon>\n</world>\n");
     ReportFile.writeText(file, out -> out.write(text.toString()));
     return file;
   }
@@ -79,6 +89,11 @@ final class SuasMission {
   private String mission() {
     StringBuilder text =
         new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<mission>\n");
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "  <timeLimit next=\"landing\">%.0f</timeLimit>%n",
+            SuasJudge.RUN_S - LANDING_S));
     text.append("  <home>").append(place(field.start())).append(altitude(0.0));
     text.append(
         String.format(Locale.ROOT, "<psi>%.4f</psi></home>%n", Math.toDegrees(field.runwayRad())));

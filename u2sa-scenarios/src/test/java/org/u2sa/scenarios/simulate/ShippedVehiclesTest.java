@@ -27,6 +27,7 @@ class ShippedVehiclesTest {
     "robosub/system.xml, robosub/vehicle.xml",
     "robosub/system-without-estimator.xml, robosub/vehicle.xml",
     "suas/hexacopter/system.xml, suas/hexacopter/vehicle.xml",
+    "suas/hexacopter/system-world.xml, suas/hexacopter/vehicle.xml",
     "suas/plane/system.xml, suas/plane/vehicle.xml",
     "suas/quadcopter/system.xml, suas/quadcopter/vehicle.xml",
     "ugv/system.xml, ugv/vehicle.xml",

@@ -1,0 +1,107 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.BiConsumer;
+import java.util.function.DoubleBinaryOperator;
+import org.u2sa.interfaces.terrain.HeightGrid;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.local.ArcChoice;
+import org.u2sa.planning.local.VerticalRoom;
+import org.u2sa.planning.seen.PlanarShape;
+import org.u2sa.planning.seen.PlanningPlane;
+import org.u2sa.planning.seen.SeenWorld;
+
+/**
+ * Tells how far the vehicle may climb and descend away from traffic, by corridors and terrain, and
+ * that it does so. Confined to the planner's thread.
+ */
+final class VerticalEvasion {
+  private static final double SAME_M = 1.0; // it keeps its altitude
+  private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
+
+  private final Optional<HeightGrid> terrain;
+  private final BiConsumer<String, Boolean> say;
+  private int direction; // of the last evasion: 1 up, −1 down
+  private long lastMicros = Long.MIN_VALUE / 2;
+
+  VerticalEvasion(Optional<HeightGrid> terrain, BiConsumer<String, Boolean> say) {
+    this.terrain = terrain;
+    this.say = say;
+  }
+
+  /**
+   * Room to evade in; empty if the vehicle does not climb to evade, or altitudes are unknown.
+   *
+   * @param at vehicle on the plane [m]
+   * @param toGoal vector to the goal [m]
+   */
+  Optional<VerticalRoom> room(
+      StateInformation state,
+      Point at,
+      Point toGoal,
+      Place target,
+      AvoidanceVariables now,
+      SeenWorld world,
+      PlanningPlane plane) {
+    boolean areKnown = state.z().isPresent() && target.upM().isPresent();
+    if (!areKnown || now.evasionClimb() == 0.0 || now.verticalClearance() == 0.0) {
+      return Optional.empty();
+    }
+    double top = Double.NEGATIVE_INFINITY;
+    double bottom = Double.POSITIVE_INFINITY;
+    for (PlanarShape corridor : world.corridors()) {
+      top = Math.max(top, corridor.topDownM());
+      bottom = Math.min(bottom, corridor.bottomDownM());
+    }
+    DoubleBinaryOperator ground = (north, east) -> groundDownM(plane, north, east);
+    double below = ground.applyAsDouble(at.x(), at.y());
+    double clearance = now.verticalClearance();
+    double groundM = Double.isNaN(below) ? clearance : Math.min(clearance, below - at.z());
+    return Optional.of(
+        new VerticalRoom(
+            at.z(),
+            at.z() + toGoal.z(),
+            now.evasionClimb(),
+            clearance,
+            groundM,
+            now.body(false).circleM() + now.clearance(),
+            top,
+            Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM),
+            world.shapesElsewhere(),
+            ground,
+            direction));
+  }
+
+  private double groundDownM(PlanningPlane plane, double north, double east) {
+    if (terrain.isEmpty() || !plane.onEarth()) {
+      return Double.NaN;
+    }
+    Point place = plane.point(north, east, 0.0);
+    double originM = place.z(); // altitude of the plane's origin
+    OptionalDouble altitude = terrain.get().altitudeM(new Geodetic(place.x(), place.y(), 0.0));
+    return altitude.isPresent() ? originM - altitude.getAsDouble() : Double.NaN;
+  }
+
+  /** Remembers the direction, and reports an evasion that begins. */
+  void chosen(ArcChoice choice, Point at, long micros) {
+    boolean isOver = micros - lastMicros > LASTS_MICROS;
+    if (Double.isNaN(choice.toDownM())) {
+      direction = isOver ? 0 : direction;
+      return;
+    }
+    double upM = at.z() - choice.toDownM();
+    boolean isLevel = Math.abs(upM) < SAME_M;
+    int now = isLevel ? direction : upM > 0.0 ? 1 : -1;
+    if (isOver || now != direction) {
+      String how = isLevel ? "keeping the altitude" : upM > 0.0 ? "climbing" : "descending";
+      say.accept("traffic in the way: " + how, false);
+    }
+    direction = now;
+    lastMicros = micros;
+  }
+}

@@ -1,0 +1,66 @@
+package org.u2sa.planning.local;
+
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.seen.PlanarShape;
+
+/**
+ * Room to climb and descend away from traffic. Altitudes are down coordinates on the planning plane
+ * [m]. Immutable.
+ *
+ * @param downM of the vehicle
+ * @param goalDownM of its goal, to which it climbs or descends unless it evades
+ * @param rateMps rate at which it climbs and descends [m/s], above 0
+ * @param clearanceM distance to keep above and below [m], above 0
+ * @param groundM distance to keep from the ground [m]
+ * @param besideM distance to keep beside obstacles at other altitudes [m]
+ * @param topDownM highest altitude allowed; −∞ if any
+ * @param bottomDownM lowest altitude allowed; ∞ if unknown
+ * @param elsewhere static obstacles at other altitudes than those between vehicle and goal
+ * @param ground down coordinate of the ground at north and east; NaN if unknown
+ * @param before direction of its last evasion: 1 up, −1 down, 0 none
+ */
+public record VerticalRoom(
+    double downM,
+    double goalDownM,
+    double rateMps,
+    double clearanceM,
+    double groundM,
+    double besideM,
+    double topDownM,
+    double bottomDownM,
+    List<PlanarShape> elsewhere,
+    DoubleBinaryOperator ground,
+    int before) {
+
+  /** Altitudes to evade to, in order of preference: its own, then those that it can reach. */
+  double[] altitudes(double horizonS) {
+    double change = rateMps * horizonS;
+    double up = Math.min(downM, Math.max(topDownM, downM - change));
+    double down = Math.max(downM, Math.min(bottomDownM, downM + change));
+    return before < 0 ? new double[] {downM, down, up} : new double[] {downM, up, down};
+  }
+
+  /** Down coordinate after a time of climbing or descending to an altitude [m]. */
+  double afterM(double toDownM, double seconds) {
+    double change = rateMps * Math.max(0.0, seconds);
+    return downM + Math.max(-change, Math.min(change, toDownM - downM));
+  }
+
+  /** Whether the ground or an obstacle at another altitude is too near. */
+  boolean isBlocked(Pose at, double atDownM) {
+    double groundDownM = ground.applyAsDouble(at.northM(), at.eastM());
+    boolean isUnknown = Double.isNaN(groundDownM) && bottomDownM == Double.POSITIVE_INFINITY;
+    if (isUnknown ? atDownM > downM : atDownM + groundM > groundDownM) {
+      return true;
+    }
+    for (PlanarShape shape : elsewhere) {
+      if (shape.reaches(atDownM, atDownM, clearanceM)
+          && shape.distanceM(at.northM(), at.eastM()) < besideM) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

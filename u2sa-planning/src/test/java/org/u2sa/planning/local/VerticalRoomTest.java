@@ -1,0 +1,219 @@
+package org.u2sa.planning.local;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
+import org.junit.jupiter.api.Test;
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.route.Route;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.planning.search.GridFrame;
+import org.u2sa.planning.search.Inflation;
+import org.u2sa.planning.seen.Mover;
+import org.u2sa.planning.seen.PlanarShape;
+
+/** A vehicle 50 m high in a lane too narrow to turn in, which a sphere enters from the front. */
+class VerticalRoomTest {
+  private static final double CELL = 1.0;
+  private static final int SIZE = 600;
+  private static final BodyDiscs BODY = new BodyDiscs(1.0, 1.0, 2.0);
+  private static final Pose ORIGIN = new Pose(0.0, 0.0, 0.0);
+  private static final double LANE = 5.0; // to each side
+  private static final double HERE = -50.0;
+  private static final double RADIUS = 15.0;
+  private static final double CLEARANCE = 5.0;
+  private static final double HORIZON_S = 20.0;
+  private static final DoubleBinaryOperator UNKNOWN = (north, east) -> Double.NaN;
+
+  private final CostGrid costs =
+      new CostGrid(new GridFrame(-300.0, -300.0, CELL, SIZE, SIZE), new Inflation(3.0, 5.0, 3.0));
+
+  VerticalRoomTest() {
+    GridFrame frame = costs.frame();
+    costs.update(i -> Math.abs(frame.centreEastM(i)) > LANE, i -> false);
+  }
+
+  private static MotionLimits limits(boolean stops) {
+    return new MotionLimits(
+        10.0, 2.0, 2.0, stops ? 0.0 : 30.0, stops, false, 20.0, 0.5, 0.0, 3.0, HORIZON_S, 0.5, 0.8);
+  }
+
+  /** Head-on and faster, at the vehicle's altitude or that much above. */
+  private static Mover oncoming(double aboveM) {
+    return new Mover(
+        "T",
+        0L,
+        0.0,
+        new double[] {250.0},
+        new double[] {0.0},
+        -15.0,
+        0.0,
+        RADIUS,
+        0.0,
+        0.0,
+        new Mover.Heights(new double[] {HERE - aboveM}, 0.0, RADIUS));
+  }
+
+  private static VerticalRoom room(
+      double topDownM, double bottomDownM, DoubleBinaryOperator ground, PlanarShape... elsewhere) {
+    return new VerticalRoom(
+        HERE,
+        HERE,
+        3.0,
+        CLEARANCE,
+        CLEARANCE,
+        3.0,
+        topDownM,
+        bottomDownM,
+        List.of(elsewhere),
+        ground,
+        0);
+  }
+
+  private ArcChoice along(boolean stops, Mover mover, VerticalRoom room) {
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(280.0, 0.0, false);
+    return new ArcChooser(
+            costs,
+            BODY,
+            List.of(mover),
+            limits(stops),
+            ORIGIN,
+            10.0,
+            0L,
+            false,
+            Optional.ofNullable(room))
+        .along(new RouteTrack(Route.of(List.of(from, to), 280.0)));
+  }
+
+  @Test
+  void along_noCourseKeepsTheDistance_climbsOnItsRoute() {
+    ArcChoice choice = along(false, oncoming(0.0), room(-200.0, -10.0, UNKNOWN));
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(choice.toDownM()).isCloseTo(HERE - 3.0 * HORIZON_S, within(1e-9));
+    assertThat(choice.eastM()).isCloseTo(0.0, within(1e-9));
+    assertThat(choice.northM()).isPositive();
+  }
+
+  @Test
+  void along_levelOnly_saysThatNothingKeepsTheDistance() {
+    ArcChoice choice = along(false, oncoming(0.0), null);
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.BRAKE);
+    assertThat(choice.toDownM()).isNaN();
+  }
+
+  @Test
+  void along_trafficHigher_descends() {
+    ArcChoice choice = along(false, oncoming(10.0), room(-75.0, -10.0, UNKNOWN));
+
+    assertThat(choice.toDownM()).isGreaterThan(HERE);
+  }
+
+  @Test
+  void along_ceilingTooLow_descendsToTheFloorAtMost() {
+    ArcChoice choice = along(false, oncoming(0.0), room(-60.0, -20.0, UNKNOWN));
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(choice.toDownM()).isCloseTo(-20.0, within(1e-9));
+  }
+
+  @Test
+  void along_ceilingTooLowAndFloorUnknown_saysThatNothingKeepsTheDistance() {
+    VerticalRoom room = room(-60.0, Double.POSITIVE_INFINITY, UNKNOWN);
+
+    assertThat(along(false, oncoming(0.0), room).kind()).isEqualTo(ArcChoice.Kind.BRAKE);
+  }
+
+  @Test
+  void along_ceilingTooLowAndGroundKnown_descendsUnlessAHillIsAhead() {
+    VerticalRoom plain = room(-60.0, -5.0, (north, east) -> 0.0);
+    VerticalRoom hill = room(-60.0, -5.0, (north, east) -> north > 40.0 ? -40.0 : 0.0);
+
+    assertThat(along(false, oncoming(0.0), plain).toDownM()).isGreaterThan(HERE);
+    assertThat(along(false, oncoming(0.0), hill).kind()).isEqualTo(ArcChoice.Kind.BRAKE);
+  }
+
+  @Test
+  void along_obstacleBelow_doesNotDescendIntoIt() {
+    PlanarShape tower =
+        new PlanarShape(
+            "tower",
+            PlanarShape.Kind.POINTS,
+            new double[] {60.0},
+            new double[] {0.0},
+            10.0,
+            -40.0,
+            0.0);
+
+    ArcChoice free = along(false, oncoming(0.0), room(-60.0, -10.0, UNKNOWN));
+    ArcChoice blocked = along(false, oncoming(0.0), room(-60.0, -10.0, UNKNOWN, tower));
+
+    assertThat(free.toDownM()).isGreaterThan(HERE);
+    assertThat(blocked.kind()).isEqualTo(ArcChoice.Kind.BRAKE);
+  }
+
+  @Test
+  void along_trafficFarEnoughAbove_follows() {
+    ArcChoice level = along(false, oncoming(RADIUS + CLEARANCE + 1.0), null);
+    ArcChoice choice =
+        along(false, oncoming(RADIUS + CLEARANCE + 1.0), room(-200.0, -10.0, UNKNOWN));
+
+    assertThat(level.kind()).isEqualTo(ArcChoice.Kind.BRAKE);
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.FOLLOW);
+  }
+
+  @Test
+  void along_hexacopterInTheLane_climbs() {
+    ArcChoice level = along(true, oncoming(0.0), null);
+    ArcChoice choice = along(true, oncoming(0.0), room(-200.0, -10.0, UNKNOWN));
+
+    assertThat(level.toDownM()).isNaN();
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(choice.toDownM()).isLessThan(HERE - 20.0);
+  }
+
+  /** An aircraft of the same speed flies beside it, between it and its goal. */
+  @Test
+  void along_trafficOfTheSameSpeedBeside_climbsOnTheCourseThatAvoidsIt() {
+    costs.update(i -> false, i -> false);
+    Mover beside =
+        new Mover(
+            "T",
+            0L,
+            0.0,
+            new double[] {0.0},
+            new double[] {45.0},
+            10.0,
+            0.0,
+            RADIUS,
+            0.0,
+            0.0,
+            new Mover.Heights(new double[] {HERE}, 0.0, RADIUS));
+    Route.Point from = new Route.Point(0.0, 0.0, false);
+    Route.Point to = new Route.Point(20.0, 250.0, false);
+    RouteTrack right = new RouteTrack(Route.of(List.of(from, to), 250.0));
+
+    ArcChoice choice =
+        new ArcChooser(
+                costs,
+                BODY,
+                List.of(beside),
+                limits(false),
+                ORIGIN,
+                10.0,
+                0L,
+                false,
+                Optional.of(room(-200.0, -10.0, UNKNOWN)))
+            .along(right);
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(Math.atan2(choice.eastM(), choice.northM())).isLessThan(0.5);
+    assertThat(choice.toDownM()).isLessThan(HERE);
+  }
+}
