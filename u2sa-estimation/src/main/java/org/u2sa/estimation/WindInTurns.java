@@ -57,8 +57,7 @@ final class WindInTurns {
     }
     Point mean = sum.times(1.0 / count);
     for (int i = 0; i < SECTORS; i++) {
-      if (isValid(i, nowMicros)
-          && Math.hypot(north[i] - mean.x(), east[i] - mean.y()) > SAME_MPS) {
+      if (isValid(i, nowMicros) && Math.hypot(north[i] - mean.x(), east[i] - mean.y()) > SAME_MPS) {
         return Optional.empty();
       }
     }

@@ -40,7 +40,8 @@ class HeightGridTest {
   @ParameterizedTest
   @ValueSource(strings = {"179.9985", "-180.0015"})
   void altitudeM_gridAcross180Degrees_isKnownOnBothSides(String west) throws IOException {
-    HeightGrid grid = grid(HEAD.replace("xllcorner 9.9995", "xllcorner " + west) + "10 20 30\n14 24 34\n");
+    HeightGrid grid =
+        grid(HEAD.replace("xllcorner 9.9995", "xllcorner " + west) + "10 20 30\n14 24 34\n");
 
     assertThat(grid.altitudeM(new Geodetic(179.9995, 50.0005, 0.0)).orElseThrow())
         .isEqualTo(17.0, Offset.offset(1e-4));
