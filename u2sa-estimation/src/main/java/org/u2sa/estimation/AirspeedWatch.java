@@ -27,6 +27,7 @@ final class AirspeedWatch {
   private static final double SIGMA_MPS = 2.0; // of the airspeed by wind and ground speed
 
   private final Consumer<String> trouble;
+  private final WindInTurns turns = new WindInTurns(); // while contradicted
   private double windNorthMps;
   private double windEastMps;
   private double learntS;
@@ -85,7 +86,28 @@ final class AirspeedWatch {
     double limit = Math.max(MIN_OFF_MPS, OFF_SHARE * expected);
     double off = airspeed.getAsDouble() - expected;
     judge(sensed, off, isContradicted ? limit / 2.0 : limit);
+    if (isContradicted) {
+      doubtWind(sensed, airspeed.getAsDouble());
+    }
     return isContradicted ? sensed.copy().fluidxDot(expected).fluidxDotSigma(SIGMA_MPS) : sensed;
+  }
+
+  /** If the reading implies one wind on different headings, the wind has changed instead. */
+  private void doubtWind(StateInformation sensed, double airspeedMps) {
+    long now = sensed.timestamp().orElseThrow();
+    double north = northMps - airspeedMps * Math.cos(psi);
+    turns.see(psi, north, eastMps - airspeedMps * Math.sin(psi), now);
+    turns
+        .agreed(now)
+        .ifPresent(
+            wind -> {
+              windNorthMps = wind.x();
+              windEastMps = wind.y();
+              learntS = KNOWN_S;
+              isContradicted = false;
+              sinceMicros = Long.MIN_VALUE;
+              trouble.accept(sensed.sensorName() + " agrees with ground speed and another wind");
+            });
   }
 
   private void judge(StateInformation sensed, double offMps, double limitMps) {
@@ -101,6 +123,7 @@ final class AirspeedWatch {
     }
     sinceMicros = Long.MIN_VALUE;
     isContradicted = isOff;
+    turns.clear();
     trouble.accept(
         isContradicted
             ? String.format(

@@ -115,4 +115,55 @@ class AirspeedWatchTest {
 
     assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(2.5));
   }
+
+  /**
+   * Circles at 25 m/s through the air, 60 s a turn.
+   *
+   * @param windMps towards the east
+   * @param error of the pitot tube [m/s]
+   */
+  private void circle(double seconds, double windMps, double error) {
+    double north = 0.0;
+    double east = GROUND_MPS * kit.nowS();
+    for (int i = 1; i <= seconds * 10; i++) {
+      kit.advance(0.1);
+      double psi = Math.PI / 2.0 + i / 10.0 * 2.0 * Math.PI / 60.0;
+      double northMps = AIR_MPS * Math.cos(psi);
+      double eastMps = AIR_MPS * Math.sin(psi) + windMps;
+      north += 0.1 * northMps;
+      east += 0.1 * eastMps;
+      sense(new StateInformation().sensorName("Compass").psi(psi % (2 * Math.PI)).psiSigma(0.02));
+      sense(
+          new StateInformation()
+              .sensorName("Pitot tube")
+              .fluidxDot(AIR_MPS + error)
+              .fluidxDotSigma(0.5));
+      if (i % 2 == 0) {
+        Geodetic place = HOME.fromEnu(Point.of(east, north, 0.0));
+        StateInformation fix = fix().x(place.longitudeDeg()).y(place.latitudeDeg());
+        sense(fix.xDot(eastMps).yDot(northMps));
+      }
+    }
+  }
+
+  @Test
+  void callback_windThatHasChanged_isLearntInTurnsAndTheReadingCountsAgain() {
+    fly(60.0, s -> AIR_MPS);
+    fly(10.0, s -> AIR_MPS - 10.0); // the headwind has gone: 20 m/s over ground
+    assertThat(log()).contains("contradicts");
+    circle(120.0, 5.0, 0.0);
+
+    assertThat(log()).contains("Pitot tube agrees with ground speed and another wind");
+    assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(1.0));
+  }
+
+  @Test
+  void callback_readingOffInTurnsToo_staysReplaced() {
+    fly(60.0, s -> AIR_MPS);
+    fly(10.0, s -> AIR_MPS - 10.0);
+    circle(240.0, -5.0, -10.0);
+
+    assertThat(log()).doesNotContain("agrees");
+    assertThat(airspeedMps()).isCloseTo(AIR_MPS, within(2.5));
+  }
 }

@@ -57,10 +57,17 @@ public final class MavlinkLinks {
   /**
    * Starts the bridges of the options, or without any those of the system file.
    *
-   * @throws BadInputException if a link is wrong or taken, or the system has no broker of its own
+   * @throws BadInputException if a link is wrong or taken, the system has no broker of its own, or
+   *     that admits users only: a link has none
    */
   public Bridges start(SystemFile file, RunningSystem running, Consumer<String> console) {
     List<BridgeOptions> links = asked.isEmpty() ? ofFile(file) : asked;
+    if (!links.isEmpty() && running.communicationManager().isSecured()) {
+      throw new BadInputException(
+          "MAVLink link "
+              + links.get(0)
+              + ": the broker has a SECURITY DIRECTORY; expected ./u2sa mavlink beside it, with --user");
+    }
     List<MavlinkBridge> started = new ArrayList<>();
     Bridges bridges = () -> started.forEach(MavlinkBridge::close);
     try {

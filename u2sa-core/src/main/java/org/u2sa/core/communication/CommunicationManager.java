@@ -202,6 +202,11 @@ public final class CommunicationManager implements AutoCloseable {
     return Optional.ofNullable(own).map(Supplier::get);
   }
 
+  /** Whether the embedded broker admits the users of a SECURITY DIRECTORY only. */
+  public boolean isSecured() {
+    return security != null && security.isOn();
+  }
+
   /** Whether the broker runs in another process. */
   public boolean isExternal() {
     return transport instanceof MqttTransport;

@@ -38,6 +38,7 @@ public final class RadioSensor extends PeriodicService {
   private final DeviceReader<RadioReceiver.Pulses> reader;
   private boolean wasAutomatic; // once: before that, nothing can be taken over
   private boolean isManual;
+  private boolean isTold; // a predecessor's last word may be manual
   private long takeovers;
 
   /** Launcher constructor: opens the configured receiver. */
@@ -69,10 +70,18 @@ public final class RadioSensor extends PeriodicService {
       isManual = !isAutomatic;
       takeovers += isManual ? 1 : 0;
       log(LogLevelEnum.WARN, (isManual ? "taken over by hand: " : "automatic again: ") + position);
-      publish(
-          Channels.MANUAL_STATE,
-          new ManualState().active(isManual).operator(variables.pilot()).takeovers(takeovers));
+      tell();
+    } else if (isAutomatic && !isTold) {
+      tell();
     }
+  }
+
+  private void tell() {
+    isTold = true;
+    publish(
+        Channels.MANUAL_STATE,
+        new ManualState().active(isManual).operator(variables.pilot()).takeovers(takeovers));
+    remember();
   }
 
   private void accept(RadioReceiver.Pulses pulses) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.device.port.RadioReceiver;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.safety.ManualState;
+import org.u2sa.service.ServiceContext;
 import org.u2sa.testkit.ServiceKit;
 
 /** The switch at channel 2 of a radio. */
@@ -21,13 +22,17 @@ class RadioSensorTest {
     kit.close();
   }
 
-  private RadioSensor start() {
+  private RadioSensor sensor(ServiceContext context) {
     RadioReceiver receiver =
         nowMicros ->
             widthS == 0.0
                 ? Optional.empty()
                 : Optional.of(new RadioReceiver.Pulses(nowMicros, List.of(0.0015, widthS)));
-    return kit.start(context -> new RadioSensor(context, receiver));
+    return new RadioSensor(context, receiver);
+  }
+
+  private RadioSensor start() {
+    return kit.start(this::sensor);
   }
 
   private void hold(double switchS, double seconds) {
@@ -45,13 +50,12 @@ class RadioSensorTest {
   void step_switchToManualAndBackTwice_countsTwoTakeovers() {
     start();
     hold(0.002, 0.5);
-    assertThat(states()).isEmpty();
     hold(0.001, 0.5);
     hold(0.002, 0.5);
     hold(0.001, 0.5);
 
-    assertThat(states()).extracting(ManualState::active).containsExactly(true, false, true);
-    assertThat(states()).extracting(ManualState::takeovers).containsExactly(1L, 1L, 2L);
+    assertThat(states()).extracting(ManualState::active).containsExactly(false, true, false, true);
+    assertThat(states()).extracting(ManualState::takeovers).containsExactly(0L, 1L, 1L, 2L);
   }
 
   @Test
@@ -68,6 +72,30 @@ class RadioSensorTest {
     hold(0.002, 0.5);
     hold(0.0, 0.5);
 
-    assertThat(states()).extracting(ManualState::active).containsExactly(true);
+    assertThat(states()).extracting(ManualState::active).containsExactly(false, true);
+  }
+
+  @Test
+  void restart_whileThePilotFlies_givingBackIsTold() {
+    RadioSensor before = start();
+    hold(0.002, 0.5);
+    hold(0.001, 0.5);
+    kit.restart(before, this::sensor);
+    hold(0.001, 0.5);
+    hold(0.002, 0.5);
+
+    assertThat(states()).extracting(ManualState::active).containsExactly(false, true, false);
+    assertThat(states()).extracting(ManualState::takeovers).containsExactly(0L, 1L, 1L);
+  }
+
+  /** The retained state of one that was killed before it could save anything, or of another run. */
+  @Test
+  void step_automaticForTheFirstTime_isTold() {
+    start();
+    hold(0.001, 0.5);
+    assertThat(states()).isEmpty();
+    hold(0.002, 0.5);
+
+    assertThat(states()).extracting(ManualState::active).containsExactly(false);
   }
 }

@@ -176,6 +176,11 @@ public final class GoalItems {
     boolean isHere = isTakeOff || isStation && !fields.containsKey("x") && !fields.containsKey("y");
     boolean isGlobal = ((Waypoint) goal).referenceFrame().equals(ReferenceFrame.GLOBAL);
     boolean isPlace = isGlobal && fields.containsKey("x") && fields.containsKey("y");
+    boolean isZero = isPlace && (double) fields.get("x") == 0.0 && (double) fields.get("y") == 0.0;
+    if (isZero && !isTakeOff) {
+      lose(goal, "is at 0, 0, which items take for the present position");
+      return;
+    }
     if (isHere ? fields.containsKey("z") && !isGlobal : !isPlace) {
       lose(goal, "has no longitude and latitude in the frame Global");
       return;

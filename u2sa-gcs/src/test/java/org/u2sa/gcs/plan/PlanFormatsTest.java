@@ -206,6 +206,19 @@ class PlanFormatsTest {
   }
 
   @Test
+  void export_goalsAtZeroDegrees_areNamedAsItemsThereMeanThePresentPosition() {
+    Waypoint there = waypoint(1).x(0.0).y(-0.0);
+    Station station = new Station().duration(5.0).uid("2");
+    GoalItems made = GoalItems.of(List.of(there, station.x(0.0).y(0.0).z(30.0)), lost, lost);
+
+    assertThat(made.items()).isEmpty();
+    assertThat(lost)
+        .containsExactly(
+            "goal \"1\": is at 0, 0, which items take for the present position",
+            "goal \"2\": is at 0, 0, which items take for the present position");
+  }
+
+  @Test
   void import_altitudesRelativeToHome_addItsAltitude() {
     String list =
         "QGC WPL 110\n"

@@ -23,6 +23,7 @@ import org.u2sa.messages.frame.Geodetic;
 public final class HeightGrid {
   private static final int MAX_CELLS = 4_000_000;
   private static final int MAX_LINE = 1_000_000; // characters
+  private static final double FULL_TURN_DEG = 360.0;
   private static final Set<String> KEYS =
       Set.of(
           "ncols",
@@ -160,7 +161,8 @@ public final class HeightGrid {
 
   /** Altitude of the ground at a place [m], bilinear; empty outside the grid or where unknown. */
   public OptionalDouble altitudeM(Geodetic place) {
-    double x = (place.longitudeDeg() - westDeg) / cellDeg;
+    double eastDeg = (place.longitudeDeg() - westDeg) % FULL_TURN_DEG; // maps may go on beyond 180
+    double x = (eastDeg < 0.0 ? eastDeg + FULL_TURN_DEG : eastDeg) / cellDeg;
     double y = rows - 1.0 - (place.latitudeDeg() - southDeg) / cellDeg;
     if (!(x >= 0.0 && y >= 0.0 && x <= columns - 1.0 && y <= rows - 1.0)) {
       return OptionalDouble.empty();

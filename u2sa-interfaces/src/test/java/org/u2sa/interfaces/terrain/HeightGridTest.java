@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
 
@@ -34,6 +35,19 @@ class HeightGridTest {
         .isEqualTo(17.0, Offset.offset(1e-6));
     assertThat(grid.altitudeM(new Geodetic(10.002 - 1e-9, 50.001 - 1e-9, 0.0)).orElseThrow())
         .isEqualTo(30.0, Offset.offset(1e-4));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"179.9985", "-180.0015"})
+  void altitudeM_gridAcross180Degrees_isKnownOnBothSides(String west) throws IOException {
+    HeightGrid grid =
+        grid(HEAD.replace("xllcorner 9.9995", "xllcorner " + west) + "10 20 30\n14 24 34\n");
+
+    assertThat(grid.altitudeM(new Geodetic(179.9995, 50.0005, 0.0)).orElseThrow())
+        .isEqualTo(17.0, Offset.offset(1e-4));
+    assertThat(grid.altitudeM(new Geodetic(-179.9995, 50.0005, 0.0)).orElseThrow())
+        .isEqualTo(27.0, Offset.offset(1e-4));
+    assertThat(grid.altitudeM(new Geodetic(0.0, 50.0, 0.0))).isEmpty();
   }
 
   @Test

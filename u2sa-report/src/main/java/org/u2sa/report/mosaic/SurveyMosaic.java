@@ -108,7 +108,8 @@ public final class SurveyMosaic {
 
   /** Whether a place is so far away that the zone's projection does not hold. */
   private boolean isFar(Point place) {
-    return !(Math.abs(place.x() - middle.longitudeDeg()) < MAX_AWAY_DEG
+    double eastDeg = Math.IEEEremainder(place.x() - middle.longitudeDeg(), 360.0);
+    return !(Math.abs(eastDeg) < MAX_AWAY_DEG
         && Math.abs(place.y() - middle.latitudeDeg()) < MAX_AWAY_DEG);
   }
 

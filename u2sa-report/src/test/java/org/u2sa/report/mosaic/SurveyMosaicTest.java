@@ -18,6 +18,8 @@ import javax.imageio.stream.ImageInputStream;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.cbor.ByteString;
@@ -132,6 +134,28 @@ class SurveyMosaicTest {
 
     assertThat(mosaic.refused()).isEqualTo(3);
     assertThat(mosaic.used()).isEqualTo(1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {180.0, -180.0, 179.9999, -179.9999})
+  void take_imageAcross180Degrees_isUsedWhole(double longitude) throws IOException {
+    Geodetic middle = new Geodetic(longitude, -17.0, 0.0);
+    SurveyMosaic there = new SurveyMosaic(MosaicGrid.around(List.of(middle), 1.0, 20.0));
+    List<Point> corners = new ArrayList<>();
+    for (int[] each : new int[][] {{-20, 20}, {20, 20}, {20, -20}, {-20, -20}}) {
+      corners.add(middle.fromEnu(Point.of(each[0], each[1], 0.0)).point());
+    }
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    ImageIO.write(new BufferedImage(50, 50, BufferedImage.TYPE_INT_RGB), "png", bytes);
+    ImageFootprint footprint = new ImageFootprint().resolution(1.0).points(corners);
+    footprint.referenceFrame(ReferenceFrame.GLOBAL).sensorName("camera").timestamp(1_000);
+    CameraImage image = new CameraImage().data(ByteString.copyOf(bytes.toByteArray()));
+    image.sensorName("camera").timestamp(1_000);
+    there.take(image);
+    there.take(footprint);
+
+    assertThat(there.used()).isEqualTo(1);
+    assertThat(there.areaM2()).isCloseTo(1_600.0, Offset.offset(80.0));
   }
 
   @Test
