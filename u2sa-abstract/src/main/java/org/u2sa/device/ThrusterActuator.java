@@ -110,15 +110,11 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
     double torque = variables.fullTorque();
     announcement
         .moment()
-        .ifPresent(moment -> announcement.moment(moment.plus(along(push, torque))));
+        .ifPresent(moment -> announcement.moment(moment.plus(push.times(torque))));
     announcement
         .reverseMoment()
         .ifPresent(
-            moment -> announcement.reverseMoment(moment.minus(along(push, torque * reverseShare))));
-  }
-
-  private static Point along(Point direction, double length) {
-    return Point.of(length * direction.x(), length * direction.y(), length * direction.z());
+            moment -> announcement.reverseMoment(moment.minus(push.times(torque * reverseShare))));
   }
 
   /** Converts BODY (forward, left, down) to the announcement's forward, right, down. */

@@ -38,11 +38,6 @@ public record SensorErrors(
     return new SensorErrors(20.0, 0.02, 3.0, 2.0, 0.0);
   }
 
-  /** ADS-B position reports of category NACp 9 (30 m, 95 %), with 10 % of reports lost [m]. */
-  public static SensorErrors transponder() {
-    return new SensorErrors(1.0, 0.2, 12.0, 0.0, 0.1);
-  }
-
   /** A small Doppler velocity log: 1 cm/s noise, 10 % of readings lost [m/s]. */
   public static SensorErrors velocityLog() {
     return new SensorErrors(5.0, 0.1, 0.01, 0.002, 0.1);

@@ -112,11 +112,7 @@ public final class BodyState {
             turn.x() * through.y() - turn.y() * through.x());
     Point acceleration = nedFromFrd.times(at(rate, VELOCITY).plus(turning));
     return new VehicleTruth(
-        timeS, enu(at(s, NED)), attitude, enu(at(rate, NED)), turn, enu(acceleration));
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
+        timeS, at(s, NED).axesExchanged(), attitude, at(rate, NED).axesExchanged(), turn, acceleration.axesExchanged());
   }
 
   /** Attitude of a body. */

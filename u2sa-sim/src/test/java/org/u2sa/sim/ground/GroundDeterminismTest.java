@@ -13,7 +13,7 @@ class GroundDeterminismTest {
   static List<Supplier<GroundVehicle>> vehicles() {
     return List.of(
         () -> new DifferentialVehicle(DifferentialParameters.miniMolle()),
-        () -> new AckermannVehicle(AckermannParameters.truck()));
+        () -> Truck.vehicle());
   }
 
   @ParameterizedTest
