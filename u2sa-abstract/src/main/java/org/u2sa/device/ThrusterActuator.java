@@ -51,12 +51,10 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
   private boolean isStallTold;
   private double stalledUntilS = Double.POSITIVE_INFINITY;
 
-  /** Launcher constructor: opens the configured thruster. */
   public ThrusterActuator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given thruster, e.g. a simulated one. */
   public ThrusterActuator(ServiceContext context, Thruster thruster) {
     this(context, Optional.of(thruster));
   }

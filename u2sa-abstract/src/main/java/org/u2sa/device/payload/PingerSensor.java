@@ -104,12 +104,10 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private final MountingPose mounted = settings(MountingPose.class).get();
 
-  /** Launcher constructor: opens the configured array. */
   public PingerSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given array, e.g. a simulated one. */
   public PingerSensor(ServiceContext context, HydrophoneArray array) {
     super(context, KIND, array);
   }

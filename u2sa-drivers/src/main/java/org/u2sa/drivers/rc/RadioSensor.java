@@ -40,12 +40,10 @@ public final class RadioSensor extends PeriodicService {
   private boolean isManual;
   private long takeovers;
 
-  /** Launcher constructor: opens the configured receiver. */
   public RadioSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given receiver, e.g. a simulated one. */
   public RadioSensor(ServiceContext context, RadioReceiver receiver) {
     this(context, Optional.of(receiver));
   }

@@ -58,7 +58,6 @@ final class UnitNumbers {
     return parent.child(child).map(each -> of(each, unit)).orElse(ifAbsent);
   }
 
-  /** The number of an element. */
   static double of(XmlElement element, String unit) {
     return plain(element, element.text()) * factor(element, unit);
   }

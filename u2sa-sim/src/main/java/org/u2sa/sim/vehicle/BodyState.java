@@ -115,7 +115,6 @@ public final class BodyState {
         timeS, at(s, NED).axesExchanged(), attitude, at(rate, NED).axesExchanged(), turn, acceleration.axesExchanged());
   }
 
-  /** Attitude of a body. */
   public static Attitude attitude(double[] s) {
     double w = s[QUATERNION];
     double x = s[QUATERNION + 1];

@@ -26,7 +26,6 @@ public final class ThermalCamera extends CameraSensor {
   private final MarineMessages messages;
   private int seenLast;
 
-  /** Launcher constructor: opens the configured camera. */
   public ThermalCamera(ServiceContext context) {
     super(context, "ThermalCamera");
     variables = settings(ThermalVariables.class).get();
@@ -36,7 +35,6 @@ public final class ThermalCamera extends CameraSensor {
     messages = messages();
   }
 
-  /** Uses the given camera, e.g. a simulated one. */
   public ThermalCamera(ServiceContext context, Camera camera) {
     super(context, "ThermalCamera", camera);
     variables = settings(ThermalVariables.class).get();
