@@ -63,16 +63,12 @@ public final class FenceAreas {
     }
     OptionalDouble radius =
         element.child(CENTRE).isPresent()
-            ? OptionalDouble.of(XmlNumbers.converted(child(element, "radius"), "m", "m"))
+            ? OptionalDouble.of(XmlNumbers.converted(element.requiredChild("radius"), "m", "m"))
             : OptionalDouble.empty();
     return new StationPlan.Area(element.name().equals("keepIn"), corners, radius);
   }
 
   private static double number(XmlElement place, String name) {
-    return XmlNumbers.converted(child(place, name), "deg", "deg");
-  }
-
-  private static XmlElement child(XmlElement of, String name) {
-    return of.child(name).orElseThrow(() -> of.error("lacks <" + name + ">"));
+    return XmlNumbers.converted(place.requiredChild(name), "deg", "deg");
   }
 }

@@ -57,7 +57,7 @@ final class GroundContacts {
       steer = 0.0;
     }
     double[] place =
-        UnitNumbers.place(file.child("location").orElseThrow(() -> file.error("lacks <location>")));
+        UnitNumbers.place(file.requiredChild("location"));
     double[] centre = mass.centre();
     try {
       Wheel wheel =

@@ -69,7 +69,7 @@ final class MassBalance {
         new Load(
             property,
             UnitNumbers.place(
-                element.child("location").orElseThrow(() -> element.error("lacks <location>")))));
+                element.requiredChild("location"))));
   }
 
   /** Centre of gravity of the last {@link #update}, structural [ft]. */

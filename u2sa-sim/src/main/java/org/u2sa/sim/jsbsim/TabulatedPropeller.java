@@ -57,7 +57,7 @@ final class TabulatedPropeller {
             .split(" "));
     place =
         UnitNumbers.place(
-            thruster.child("location").orElseThrow(() -> thruster.error("lacks <location>")));
+            thruster.requiredChild("location"));
     double[] turn = new double[3];
     thruster.child("orient").ifPresent(orient -> readOrientation(orient, turn));
     double[] quaternion = new double[4];

@@ -50,7 +50,7 @@ final class UnitNumbers {
 
   /** A required child's number. */
   static double number(XmlElement parent, String child, String unit) {
-    return of(parent.child(child).orElseThrow(() -> parent.error("lacks <" + child + ">")), unit);
+    return of(parent.requiredChild(child), unit);
   }
 
   /** An optional child's number. */
