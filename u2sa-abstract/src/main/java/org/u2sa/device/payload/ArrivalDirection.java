@@ -95,12 +95,7 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
     private static Point[] across(Point u) {
       Point aside = Math.abs(u.z()) < 0.9 ? Point.of(0.0, 0.0, 1.0) : Point.of(1.0, 0.0, 0.0);
       Point first = unit(aside.minus(u.times(aside.dot(u))));
-      Point second =
-          Point.of(
-              u.y() * first.z() - u.z() * first.y(),
-              u.z() * first.x() - u.x() * first.z(),
-              u.x() * first.y() - u.y() * first.x());
-      return new Point[] {first, second};
+      return new Point[] {first, u.cross(first)};
     }
 
     /** Sums of the normal equations: first², second², first·second, and both times the error. */

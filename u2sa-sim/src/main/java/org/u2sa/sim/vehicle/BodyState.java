@@ -105,11 +105,7 @@ public final class BodyState {
     Rotation nedFromFrd = attitude.nedFromFrd();
     Point turn = at(s, RATES);
     Point through = at(s, VELOCITY);
-    Point turning = // transport term ω × v of the rotating axes
-        Point.of(
-            turn.y() * through.z() - turn.z() * through.y(),
-            turn.z() * through.x() - turn.x() * through.z(),
-            turn.x() * through.y() - turn.y() * through.x());
+    Point turning = turn.cross(through); // transport term of the rotating axes
     Point acceleration = nedFromFrd.times(at(rate, VELOCITY).plus(turning));
     return new VehicleTruth(
         timeS, at(s, NED).axesExchanged(), attitude, at(rate, NED).axesExchanged(), turn, acceleration.axesExchanged());
