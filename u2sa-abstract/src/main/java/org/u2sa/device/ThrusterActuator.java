@@ -106,9 +106,7 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
   /** Adds the torque of the propeller, which grows as its thrust does. */
   private void addTorque(ActuatorAnnouncement announcement, Point push, double reverseShare) {
     double torque = variables.fullTorque();
-    announcement
-        .moment()
-        .ifPresent(moment -> announcement.moment(moment.plus(push.times(torque))));
+    announcement.moment().ifPresent(moment -> announcement.moment(moment.plus(push.times(torque))));
     announcement
         .reverseMoment()
         .ifPresent(

@@ -98,8 +98,7 @@ public record Point(double x, double y, double z) {
 
   /** Vector product. */
   public Point cross(Point other) {
-    return of(
-        y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
+    return of(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
   }
 
   /** The same vector with axes north, east, down instead of east, north, up, or vice versa. */

@@ -68,7 +68,8 @@ public final class CostGrid {
   public Area update(IntPredicate isOccupied, IntPredicate isUnknown) {
     byte[] newStates = new byte[states.length];
     for (int i = 0; i < newStates.length; i++) {
-      newStates[i] = (byte) ((isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0));
+      newStates[i] =
+          (byte) ((isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0));
     }
     return update(newStates);
   }

@@ -103,7 +103,8 @@ abstract class StationTaskState extends TaskState {
         .filter(object -> object.objectType().equals(type))
         .filter(object -> surroundings.centre(object, state).flatDistanceTo(station) < NEAR_M)
         .min(
-            Comparator.comparingDouble(object -> surroundings.centre(object, state).flatDistanceTo(to)));
+            Comparator.comparingDouble(
+                object -> surroundings.centre(object, state).flatDistanceTo(to)));
   }
 
   /** Keeps the station as far as the boat's thrust allows, with the bow in a direction. */

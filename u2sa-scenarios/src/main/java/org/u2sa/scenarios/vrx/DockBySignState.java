@@ -166,7 +166,8 @@ final class DockBySignState implements PlannerState {
   private boolean hasRead(Map<String, Point> signs, StateInformation state) {
     long now = state.timestamp().orElseThrow();
     boolean isThere =
-        signs.size() == SIGNS && readPlace(signs).flatDistanceTo(surroundings.here(state)) < READ_WITHIN_M;
+        signs.size() == SIGNS
+            && readPlace(signs).flatDistanceTo(surroundings.here(state)) < READ_WITHIN_M;
     readMicros = isThere ? Math.min(readMicros, now) : Long.MAX_VALUE;
     return isThere && Clock.seconds(now - readMicros) >= READ_S;
   }

@@ -61,7 +61,9 @@ final class GateCourseState implements PlannerState {
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
     Point here = surroundings.here(state);
-    return next((GateCourse) goal, state).map(gate -> gate.middle().flatDistanceTo(here)).orElse(UNKNOWN_M);
+    return next((GateCourse) goal, state)
+        .map(gate -> gate.middle().flatDistanceTo(here))
+        .orElse(UNKNOWN_M);
   }
 
   private static long micros(StateInformation state) {
@@ -98,9 +100,13 @@ final class GateCourseState implements PlannerState {
         .filter(gate -> last.isPresent() != (gate.place() == MarkerGate.Place.FIRST))
         .filter(gate -> last.map(old -> old.aheadM(gate.middle()) < -SAME_M).orElse(true))
         .filter(
-            gate -> passed.stream().allMatch(old -> old.middle().flatDistanceTo(gate.middle()) > SAME_M))
+            gate ->
+                passed.stream()
+                    .allMatch(old -> old.middle().flatDistanceTo(gate.middle()) > SAME_M))
         .filter(gate -> gate.middle().flatDistanceTo(from) < REACH_M)
-        .min((a, b) -> Double.compare(a.middle().flatDistanceTo(from), b.middle().flatDistanceTo(from)));
+        .min(
+            (a, b) ->
+                Double.compare(a.middle().flatDistanceTo(from), b.middle().flatDistanceTo(from)));
   }
 
   private List<MarkerGate> gates(GateCourse goal, StateInformation state) {

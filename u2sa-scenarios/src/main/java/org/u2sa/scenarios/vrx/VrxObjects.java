@@ -1,6 +1,7 @@
 package org.u2sa.scenarios.vrx;
 
 import static org.u2sa.scenarios.vrx.SdfValues.numbers;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -5,6 +5,7 @@ import static org.u2sa.scenarios.vrx.SdfValues.number;
 import static org.u2sa.scenarios.vrx.SdfValues.numbers;
 import static org.u2sa.scenarios.vrx.SdfValues.positive;
 import static org.u2sa.world.sdf.SdfNumbers.parsed;
+
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -163,11 +164,13 @@ final class VrxWorldReader {
     if (task == VrxTask.STATIONKEEPING) {
       poses.add(scoring.requiredChild("goal_pose"));
     } else if (task == VrxTask.WAYFINDING) {
-      scoring.requiredChild("waypoints")
+      scoring
+          .requiredChild("waypoints")
           .children("waypoint")
           .forEach(each -> poses.add(each.requiredChild("pose")));
       if (poses.isEmpty() || poses.size() > MAX_WAYPOINTS) {
-        throw scoring.requiredChild("waypoints")
+        throw scoring
+            .requiredChild("waypoints")
             .error(poses.size() + " <waypoint>; expected 1 to " + MAX_WAYPOINTS);
       }
     }
@@ -184,7 +187,8 @@ final class VrxWorldReader {
     for (XmlElement gate : element.children("gate")) {
       gates.add(
           new VrxWorld.Gate(
-              marker(gate.requiredChild("left_marker")), marker(gate.requiredChild("right_marker"))));
+              marker(gate.requiredChild("left_marker")),
+              marker(gate.requiredChild("right_marker"))));
     }
     if (gates.isEmpty()) {
       throw element.error("lacks <gate>");

@@ -10,6 +10,7 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
@@ -114,7 +115,8 @@ final class TrimSolver {
   /** Moves x by Newton's step, limiting each component's; false if there is none. */
   private static boolean move(double[] x, DMatrixRMaj slopes, double[] f) {
     DMatrixRMaj step = new DMatrixRMaj(SIZE, 1);
-    if (!CommonOps_DDRM.solve(slopes, DMatrixRMaj.wrap(SIZE, 1, f), step)) {
+    if (!CommonOps_DDRM.solve(slopes, DMatrixRMaj.wrap(SIZE, 1, f), step)
+        || MatrixFeatures_DDRM.hasUncountable(step)) {
       return false; // a control at its limit has no effect
     }
     double scale = 1.0;

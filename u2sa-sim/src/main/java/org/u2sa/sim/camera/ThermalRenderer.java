@@ -73,9 +73,7 @@ public final class ThermalRenderer {
     RayTable.View view = rays.from(truth);
     byte[] picture = new byte[lens.width() * lens.height()];
     for (int i = 0; i < picture.length; i++) {
-      double share =
-          (ZERO_K + celsius(view.from, view.way(i)) - coldestK)
-              / (hottestK - coldestK);
+      double share = (ZERO_K + celsius(view.from, view.way(i)) - coldestK) / (hottestK - coldestK);
       double noisy = share + lens.sigma() * noise.nextGaussian();
       picture[i] = (byte) Math.round(FULL * Math.max(0.0, Math.min(1.0, noisy)));
     }

@@ -43,6 +43,8 @@ record Mount(Point place, Point turn) {
         turn.equals(Point.ORIGIN) ? vehicle.attitude() : Attitude.of(nedFromFrd.times(own)),
         vehicle.velocity().plus(nedFromFrd.times(turning).axesExchanged()),
         own.transposed().times(vehicle.rates()),
-        vehicle.acceleration().plus(nedFromFrd.times(vehicle.rates().cross(turning)).axesExchanged()));
+        vehicle
+            .acceleration()
+            .plus(nedFromFrd.times(vehicle.rates().cross(turning)).axesExchanged()));
   }
 }

@@ -62,8 +62,7 @@ final class AircraftFiles {
               .split(" "));
     }
     for (XmlElement engine : propulsion.children("engine")) {
-      XmlElement thruster =
-          engine.requiredChild("thruster");
+      XmlElement thruster = engine.requiredChild("thruster");
       load(engine, "piston_engine", "electric_engine");
       load(thruster, "propeller");
     }

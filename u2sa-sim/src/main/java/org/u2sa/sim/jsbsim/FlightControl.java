@@ -204,8 +204,7 @@ final class FlightControl {
   }
 
   private DoubleSupplier table(XmlElement element) {
-    return functions.table(
-        element.requiredChild("table"));
+    return functions.table(element.requiredChild("table"));
   }
 
   private Law gain(XmlElement element, DoubleSupplier schedule) {
@@ -248,9 +247,7 @@ final class FlightControl {
 
   private Law function(XmlElement element) {
     refuseOthers(element, "function");
-    DoubleSupplier function =
-        functions.function(
-            element.requiredChild("function"));
+    DoubleSupplier function = functions.function(element.requiredChild("function"));
     DoubleSupplier factor = element.child("input").isPresent() ? input(element) : () -> 1.0;
     return (before, dtS) -> factor.getAsDouble() * function.getAsDouble();
   }
@@ -286,8 +283,7 @@ final class FlightControl {
     Kinematic(XmlElement element, DoubleSupplier input) {
       refuseOthers(element, "traverse", "noscale");
       this.input = input;
-      XmlElement traverse =
-          element.requiredChild("traverse");
+      XmlElement traverse = element.requiredChild("traverse");
       List<XmlElement> settings = traverse.children("setting");
       if (settings.size() < 2) {
         throw traverse.error("has " + settings.size() + " <setting>; expected at least two");

@@ -108,7 +108,12 @@ public final class BodyState {
     Point turning = turn.cross(through); // transport term of the rotating axes
     Point acceleration = nedFromFrd.times(at(rate, VELOCITY).plus(turning));
     return new VehicleTruth(
-        timeS, at(s, NED).axesExchanged(), attitude, at(rate, NED).axesExchanged(), turn, acceleration.axesExchanged());
+        timeS,
+        at(s, NED).axesExchanged(),
+        attitude,
+        at(rate, NED).axesExchanged(),
+        turn,
+        acceleration.axesExchanged());
   }
 
   public static Attitude attitude(double[] s) {

@@ -29,7 +29,8 @@ public record Dart(Point from, Point velocity) {
             -SPEED_MPS * Math.sin(up));
     Point muzzle = boat.attitude().nedFromFrd().times(MUZZLE);
     Point way = boat.attitude().nedFromFrd().times(frd);
-    return new Dart(boat.position().plus(muzzle.axesExchanged()), boat.velocity().plus(way.axesExchanged()));
+    return new Dart(
+        boat.position().plus(muzzle.axesExchanged()), boat.velocity().plus(way.axesExchanged()));
   }
 
   /** Whether it flies through an upright hoop in LOCAL_ENU. */

@@ -24,7 +24,8 @@ final class Projectiles {
 
   /** Where a marker that is released now comes to lie on the floor. */
   Point landing(VehicleTruth truth, double floorM) {
-    Point from = truth.position().axesExchanged().plus(truth.velocity().axesExchanged().times(SLOWED_S));
+    Point from =
+        truth.position().axesExchanged().plus(truth.velocity().axesExchanged().times(SLOWED_S));
     double sinkingS = Math.max(0.0, floorM - from.z() - BELOW_M) / SINKING_MPS;
     return Point.of(
         from.x() + DRIFT_MPS * random.nextGaussian() * sinkingS,

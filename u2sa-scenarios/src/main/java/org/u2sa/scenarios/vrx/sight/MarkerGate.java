@@ -35,12 +35,14 @@ public record MarkerGate(Point port, Point starboard, Place place) {
     List<MarkerGate> gates = new ArrayList<>();
     for (Port port : ports) {
       Optional<Point> partner =
-          starboards.stream().min((a, b) -> Double.compare(a.flatDistanceTo(port.at), b.flatDistanceTo(port.at)));
+          starboards.stream()
+              .min((a, b) -> Double.compare(a.flatDistanceTo(port.at), b.flatDistanceTo(port.at)));
       if (partner.isEmpty()) {
         continue;
       }
       double width = partner.get().flatDistanceTo(port.at);
-      boolean isMutual = ports.stream().allMatch(other -> other.at.flatDistanceTo(partner.get()) >= width);
+      boolean isMutual =
+          ports.stream().allMatch(other -> other.at.flatDistanceTo(partner.get()) >= width);
       if (isMutual && width >= NARROWEST_M && width <= WIDEST_M) {
         gates.add(new MarkerGate(port.at, partner.get(), port.gate));
       }
