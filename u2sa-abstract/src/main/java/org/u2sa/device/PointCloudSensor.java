@@ -62,12 +62,10 @@ public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
   private final MountingPose.Turn mounted = settings(MountingPose.class).get().turn();
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Launcher constructor: opens the configured scanner. */
   public PointCloudSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given scanner, e.g. a simulated one. */
   public PointCloudSensor(ServiceContext context, PointScanner scanner) {
     super(context, KIND, scanner);
   }

@@ -50,13 +50,11 @@ public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
   private final TrafficSpheres spheres = new TrafficSpheres(this, this::altitudeM);
   private Optional<StateInformation> own = Optional.empty(); // in GLOBAL, with a heading
 
-  /** Launcher constructor: opens the configured radar. */
   public RadarSensor(ServiceContext context) {
     super(context, KIND);
     subscribe(Channels.STATE, this::at);
   }
 
-  /** Uses the given radar, e.g. a simulated one. */
   public RadarSensor(ServiceContext context, TrackingRadar radar) {
     super(context, KIND, radar);
     subscribe(Channels.STATE, this::at);

@@ -51,12 +51,10 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
   private boolean isStallTold;
   private double stalledUntilS = Double.POSITIVE_INFINITY;
 
-  /** Launcher constructor: opens the configured thruster. */
   public ThrusterActuator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given thruster, e.g. a simulated one. */
   public ThrusterActuator(ServiceContext context, Thruster thruster) {
     this(context, Optional.of(thruster));
   }
@@ -108,17 +106,11 @@ public final class ThrusterActuator extends PeriodicService implements ActuatorO
   /** Adds the torque of the propeller, which grows as its thrust does. */
   private void addTorque(ActuatorAnnouncement announcement, Point push, double reverseShare) {
     double torque = variables.fullTorque();
-    announcement
-        .moment()
-        .ifPresent(moment -> announcement.moment(moment.plus(along(push, torque))));
+    announcement.moment().ifPresent(moment -> announcement.moment(moment.plus(push.times(torque))));
     announcement
         .reverseMoment()
         .ifPresent(
-            moment -> announcement.reverseMoment(moment.minus(along(push, torque * reverseShare))));
-  }
-
-  private static Point along(Point direction, double length) {
-    return Point.of(length * direction.x(), length * direction.y(), length * direction.z());
+            moment -> announcement.reverseMoment(moment.minus(push.times(torque * reverseShare))));
   }
 
   /** Converts BODY (forward, left, down) to the announcement's forward, right, down. */

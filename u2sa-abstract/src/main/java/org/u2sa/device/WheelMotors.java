@@ -55,12 +55,10 @@ public final class WheelMotors extends PeriodicService implements ActuatorOwner 
   private long stateDueMicros;
   private double batteryDueS;
 
-  /** Launcher constructor: opens the configured controller. */
   public WheelMotors(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given controller, e.g. a simulated one. */
   public WheelMotors(ServiceContext context, MotorController controller) {
     this(context, Optional.of(controller));
   }

@@ -37,12 +37,10 @@ public final class WindSensor extends DeviceSensor<Anemometer.Wind> {
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Launcher constructor: opens the configured anemometer. */
   public WindSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given anemometer, e.g. a simulated one. */
   public WindSensor(ServiceContext context, Anemometer anemometer) {
     super(context, KIND, anemometer);
   }

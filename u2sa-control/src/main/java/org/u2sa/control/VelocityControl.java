@@ -57,7 +57,6 @@ public final class VelocityControl extends ControlSystem {
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Called by the launcher. */
   public VelocityControl(ServiceContext context) {
     super(context, "VelocityControl");
   }

@@ -103,7 +103,6 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private final Map<String, StateInformation> newest = new TreeMap<>();
   private long micros = Long.MIN_VALUE;
 
-  /** Launcher constructor. */
   public ComplementaryStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
     tuning = settings(Variables.class).get(); // changes take effect at the next start

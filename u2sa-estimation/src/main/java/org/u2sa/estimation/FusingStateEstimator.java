@@ -57,7 +57,6 @@ public final class FusingStateEstimator extends StateEstimator {
   private boolean isStartTold;
   private boolean isHeadingTold;
 
-  /** Launcher constructor. */
   public FusingStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
     variables = settings(FusionVariables.class).get(); // changes take effect at the next start

@@ -42,7 +42,6 @@ public final class PassThroughStateEstimator extends StateEstimator {
   private final NewestMeasurements measurements;
   private final Completeness completeness;
 
-  /** Launcher constructor. */
   public PassThroughStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
     Limits limits = settings(Limits.class).get(); // changes take effect at the next start

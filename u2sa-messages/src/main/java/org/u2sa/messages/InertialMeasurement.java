@@ -126,9 +126,4 @@ public class InertialMeasurement extends StateInformation {
   public InertialMeasurement specificForceSigma(double mps2) {
     return put(SPECIFIC_FORCE_SIGMA, mps2);
   }
-
-  @Override
-  public InertialMeasurement copy() {
-    return (InertialMeasurement) super.copy();
-  }
 }

@@ -108,9 +108,4 @@ public final class PlannedPath extends U2SAData {
   public PlannedPath cost(double metres) {
     return put(COST, metres);
   }
-
-  @Override
-  public PlannedPath copy() {
-    return (PlannedPath) super.copy();
-  }
 }

@@ -73,7 +73,7 @@ public final class PointConversion {
     if (target.isBody()) {
       return flipped(attitude().transposed().times(nedFromVehicle(point)), target);
     }
-    return source.isLocal() ? swapped(point) : toGrid(toPlace(point));
+    return source.isLocal() ? point.axesExchanged() : toGrid(toPlace(point));
   }
 
   /**
@@ -163,7 +163,7 @@ public final class PointConversion {
       return toGrid(vehiclePlace().fromNed(ned));
     }
     Point local = ned.plus(vehiclePosition());
-    return target.equals(ReferenceFrame.LOCAL_NED) ? local : swapped(local);
+    return target.equals(ReferenceFrame.LOCAL_NED) ? local : local.axesExchanged();
   }
 
   /** Converts a point of an earth-fixed frame to north, east and down from the vehicle. */
@@ -171,7 +171,7 @@ public final class PointConversion {
     if (source.isEarth()) {
       return vehiclePlace().nedOf(toPlace(point));
     }
-    Point local = source.equals(ReferenceFrame.LOCAL_NED) ? point : swapped(point);
+    Point local = source.equals(ReferenceFrame.LOCAL_NED) ? point : point.axesExchanged();
     return local.minus(vehiclePosition());
   }
 
@@ -195,10 +195,6 @@ public final class PointConversion {
 
   private Point toGrid(Geodetic place) {
     return targetGrid == null ? place.point() : targetGrid.grid(place);
-  }
-
-  private static Point swapped(Point point) {
-    return Point.of(point.y(), point.x(), -point.z());
   }
 
   /** Converts between BODY_FRD and a BODY frame, either way. */

@@ -44,9 +44,9 @@ record VehicleUncertainty(
    */
   Point sigmaNed(Point arm) {
     // A small turn δ about an axis a moves the end of the arm r by δ·(a × r).
-    Point byYaw = cross(DOWN, arm);
-    Point byPitch = cross(right, arm);
-    Point byRoll = cross(forward, arm);
+    Point byYaw = DOWN.cross(arm);
+    Point byPitch = right.cross(arm);
+    Point byRoll = forward.cross(arm);
     return Point.of(
         length(place.x(), byYaw.x(), byPitch.x(), byRoll.x()),
         length(place.y(), byYaw.y(), byPitch.y(), byRoll.y()),
@@ -55,12 +55,5 @@ record VehicleUncertainty(
 
   private double length(double moved, double byYaw, double byPitch, double byRoll) {
     return Math.hypot(moved, Point.of(yaw * byYaw, pitch * byPitch, roll * byRoll).distance());
-  }
-
-  private static Point cross(Point a, Point b) {
-    return Point.of(
-        a.y() * b.z() - a.z() * b.y(),
-        a.z() * b.x() - a.x() * b.z(),
-        a.x() * b.y() - a.y() * b.x());
   }
 }

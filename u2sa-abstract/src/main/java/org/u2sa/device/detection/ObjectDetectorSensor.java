@@ -55,13 +55,11 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
   private long published;
   private long leftOut;
 
-  /** Launcher constructor: opens the configured detector. */
   public ObjectDetectorSensor(ServiceContext context) {
     super(context, KIND);
     hearGoals();
   }
 
-  /** Uses the given detector, e.g. a simulated one. */
   public ObjectDetectorSensor(ServiceContext context, ObjectDetector detector) {
     super(context, KIND, detector);
     hearGoals();

@@ -66,10 +66,6 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
     return vector.times(1.0 / vector.distance());
   }
 
-  private static double dot(Point a, Point b) {
-    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
-  }
-
   /** Places and path lengths relative to their means [m]. */
   private static final class Array {
     private final Point[] places;
@@ -89,7 +85,7 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
     double cost(Point u) {
       double sum = 0.0;
       for (int i = 0; i < places.length; i++) {
-        double error = paths[i] + dot(u, places[i]);
+        double error = paths[i] + u.dot(places[i]);
         sum += error * error;
       }
       return sum;
@@ -98,22 +94,17 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
     /** Two unit vectors across a direction. */
     private static Point[] across(Point u) {
       Point aside = Math.abs(u.z()) < 0.9 ? Point.of(0.0, 0.0, 1.0) : Point.of(1.0, 0.0, 0.0);
-      Point first = unit(aside.minus(u.times(dot(aside, u))));
-      Point second =
-          Point.of(
-              u.y() * first.z() - u.z() * first.y(),
-              u.z() * first.x() - u.x() * first.z(),
-              u.x() * first.y() - u.y() * first.x());
-      return new Point[] {first, second};
+      Point first = unit(aside.minus(u.times(aside.dot(u))));
+      return new Point[] {first, u.cross(first)};
     }
 
     /** Sums of the normal equations: first², second², first·second, and both times the error. */
     private double[] normal(Point u, Point[] across) {
       double[] sums = new double[5];
       for (int i = 0; i < places.length; i++) {
-        double first = dot(across[0], places[i]);
-        double second = dot(across[1], places[i]);
-        double error = paths[i] + dot(u, places[i]);
+        double first = across[0].dot(places[i]);
+        double second = across[1].dot(places[i]);
+        double error = paths[i] + u.dot(places[i]);
         sums[0] += first * first;
         sums[1] += second * second;
         sums[2] += first * second;

@@ -62,12 +62,10 @@ public final class GimbalActuator extends PeriodicService implements ActuatorOwn
   private final Gimbal gimbal;
   private final DeviceReader<Gimbal.Pointing> reader;
 
-  /** Launcher constructor: opens the configured gimbal. */
   public GimbalActuator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given gimbal, e.g. a simulated one. */
   public GimbalActuator(ServiceContext context, Gimbal gimbal) {
     this(context, Optional.of(gimbal));
   }

@@ -104,12 +104,10 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private final MountingPose mounted = settings(MountingPose.class).get();
 
-  /** Launcher constructor: opens the configured array. */
   public PingerSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given array, e.g. a simulated one. */
   public PingerSensor(ServiceContext context, HydrophoneArray array) {
     super(context, KIND, array);
   }
@@ -158,7 +156,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
 
   private ObjectDescription pinger(
       Point direction, double sigmaRad, double frequencyHz, Variables now) {
-    Point place = mounted.turn().toBody(scaled(direction, now.range()));
+    Point place = mounted.turn().toBody(direction.times(now.range()));
     Point along = mounted.turn().toBody(direction).minus(mounted.turn().toBody(Point.ORIGIN));
     double acrossM = sigmaRad * now.range();
     ObjectDescription pinger = new ObjectDescription();
@@ -179,10 +177,6 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
                 sigma(along.y(), now.rangeSigma(), acrossM),
                 sigma(along.z(), now.rangeSigma(), acrossM)));
     return pinger;
-  }
-
-  private static Point scaled(Point direction, double length) {
-    return Point.of(length * direction.x(), length * direction.y(), length * direction.z());
   }
 
   /** Standard deviation along one axis; {@code share} is the direction's component along it. */

@@ -66,12 +66,10 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
   private OptionalDouble level = OptionalDouble.empty(); // set last [%]
   private boolean isRefusalTold;
 
-  /** Launcher constructor: opens the configured output. */
   public SwitchedActuator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given output, e.g. a simulated one. */
   public SwitchedActuator(ServiceContext context, SwitchOutput output) {
     this(context, Optional.of(output));
   }

@@ -56,12 +56,10 @@ public final class ThrustSensor extends DeviceSensor<LoadCell.Load> {
   private final Settings<Variables> tuning = settings(Variables.class);
   private final MountingPose mounted = settings(MountingPose.class).get();
 
-  /** Launcher constructor: opens the configured load cell. */
   public ThrustSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given load cell, e.g. a simulated one. */
   public ThrustSensor(ServiceContext context, LoadCell loadCell) {
     super(context, KIND, loadCell);
   }

@@ -78,12 +78,10 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
   private final Servo servo;
   private final DeviceReader<Servo.Position> reader;
 
-  /** Launcher constructor: opens the configured servo. */
   public ServoActuator(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given servo, e.g. a simulated one. */
   public ServoActuator(ServiceContext context, Servo servo) {
     this(context, Optional.of(servo));
   }

@@ -71,13 +71,13 @@ record EffectText(
     if (!(length > 0.0)) {
       throw new IllegalArgumentException("the direction has no length");
     }
-    Point unit = scaled(direction, 1.0 / length);
-    Point force = scaled(unit, forward);
-    Point astern = scaled(unit, -reverse);
+    Point unit = direction.times(1.0 / length);
+    Point force = unit.times(forward);
+    Point astern = unit.times(-reverse);
     return reverse == forward
-        ? new EffectText(force, cross(place, force), Optional.empty(), Optional.empty())
+        ? new EffectText(force, place.cross(force), Optional.empty(), Optional.empty())
         : new EffectText(
-            force, cross(place, force), Optional.of(astern), Optional.of(cross(place, astern)));
+            force, place.cross(force), Optional.of(astern), Optional.of(place.cross(astern)));
   }
 
   private static EffectText wrench(List<String> words) {
@@ -131,18 +131,6 @@ record EffectText(
     double x = number(words);
     double y = number(words);
     return Point.of(x, y, number(words));
-  }
-
-  private static Point scaled(Point point, double factor) {
-    return Point.of(factor * point.x(), factor * point.y(), factor * point.z());
-  }
-
-  /** Moment of a force at a position: r × F. */
-  private static Point cross(Point r, Point f) {
-    return Point.of(
-        r.y() * f.z() - r.z() * f.y(),
-        r.z() * f.x() - r.x() * f.z(),
-        r.x() * f.y() - r.y() * f.x());
   }
 
   ActuatorAnnouncement addTo(ActuatorAnnouncement announcement) {

@@ -41,7 +41,6 @@ public abstract sealed class MeasureCommand extends BaseCommand {
             + "longer, without one."
       })
   public static final class Rate extends MeasureCommand {
-    /** A command. */
     public Rate() {
       super(Meter.Rate.COLUMNS, began -> new Meter.Rate());
     }
@@ -61,7 +60,6 @@ public abstract sealed class MeasureCommand extends BaseCommand {
             + "came. Exit code 1: nothing was heard."
       })
   public static final class Delay extends MeasureCommand {
-    /** A command. */
     public Delay() {
       super(Meter.Delay.COLUMNS, began -> new Meter.Delay());
     }
@@ -80,7 +78,6 @@ public abstract sealed class MeasureCommand extends BaseCommand {
             + "LAST: how long ago the last message came. Exit code 1: nothing was heard."
       })
   public static final class Bandwidth extends MeasureCommand {
-    /** A command. */
     public Bandwidth() {
       super(Meter.Bandwidth.COLUMNS, Meter.Bandwidth::new);
     }

@@ -33,7 +33,6 @@ public abstract class ArmingCommand extends BaseCommand {
             + "the vehicle is armed, this ends a RETURN or LAND whose cause is gone."
       })
   public static final class Arm extends ArmingCommand {
-    /** The command. */
     public Arm() {
       super(true);
     }
@@ -48,7 +47,6 @@ public abstract class ArmingCommand extends BaseCommand {
         "Actuators whose variable REQUIRES ARMING is true go neutral; failsafes no longer act."
       })
   public static final class Disarm extends ArmingCommand {
-    /** The command. */
     public Disarm() {
       super(false);
     }

@@ -128,7 +128,6 @@ public final class AllocatingControl extends ControlSystem {
   private double fluidMps; // speed of the newest state through air or water
   private OptionalDouble headingBefore = OptionalDouble.empty();
 
-  /** Called by the launcher. */
   public AllocatingControl(ServiceContext context) {
     super(context, "Control");
     subscribe(Channels.ACTUATORS, this::see);

@@ -49,8 +49,8 @@ final class SeenMotion {
       double nearingMps = (Math.hypot(before.x(), before.y()) - away) / stepS;
       double ratio = away > 0.0 ? nearingMps / away : 0.0;
       Point seen = Point.of(ratio * place.x(), ratio * place.y(), (before.z() - place.z()) / stepS);
-      Point expected = velocity.plus(along(acceleration, stepS));
-      velocity = expected.plus(along(seen.minus(expected), share));
+      Point expected = velocity.plus(acceleration.times(stepS));
+      velocity = expected.plus(seen.minus(expected).times(share));
       double expectedTurn = turnRadPerS + turnAcceleration * stepS;
       turnRadPerS = expectedTurn + share * (turn(place) / stepS - expectedTurn);
     }
@@ -65,10 +65,6 @@ final class SeenMotion {
             state.number("RIGHT", velocity.y()),
             state.number("DOWN", velocity.z()));
     turnRadPerS = state.number("TURN", turnRadPerS);
-  }
-
-  private static Point along(Point way, double times) {
-    return Point.of(times * way.x(), times * way.y(), times * way.z());
   }
 
   /** Turn of the vehicle since the last sighting, right positive [rad]. */

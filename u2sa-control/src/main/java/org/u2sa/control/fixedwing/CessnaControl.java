@@ -54,7 +54,6 @@ public final class CessnaControl extends ControlSystem {
   private double statusDueS = Double.NEGATIVE_INFINITY;
   private List<String> loggedMissing = List.of();
 
-  /** Called by the launcher. */
   public CessnaControl(ServiceContext context) {
     super(context, "Control");
     autopilot = new Autopilot(tuning.get());

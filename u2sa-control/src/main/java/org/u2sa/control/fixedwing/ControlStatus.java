@@ -103,9 +103,4 @@ public final class ControlStatus extends U2SAData {
       return List.of(TYPE);
     }
   }
-
-  @Override
-  public ControlStatus copy() {
-    return (ControlStatus) super.copy();
-  }
 }

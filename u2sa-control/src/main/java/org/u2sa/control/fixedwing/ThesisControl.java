@@ -22,7 +22,6 @@ public final class ThesisControl extends ControlSystem {
   private final FlightStateReader reader = new FlightStateReader();
   private final ThesisLaw law;
 
-  /** Called by the launcher. */
   public ThesisControl(ServiceContext context) {
     super(context, "Control");
     law = new ThesisLaw(settings(ThesisLaw.Variables.class).get());

@@ -67,7 +67,6 @@ public final class AckermannPursuitControl extends GroundControl {
   private final PathSteering path = new PathSteering();
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
-  /** Called by the launcher. */
   public AckermannPursuitControl(ServiceContext context) {
     super(context);
   }

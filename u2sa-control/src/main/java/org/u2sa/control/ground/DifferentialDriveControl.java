@@ -47,7 +47,6 @@ public final class DifferentialDriveControl extends GroundControl {
   private final Settings<Motors> motors = settings(Motors.class);
   private final WheelBalance balance = new WheelBalance();
 
-  /** Called by the launcher. */
   public DifferentialDriveControl(ServiceContext context) {
     super(context);
   }

@@ -54,7 +54,6 @@ public final class DifferentialPursuitControl extends GroundControl {
   private final WheelBalance balance = new WheelBalance();
   private final PursuitControl pursuit = new PursuitControl(tuning, pursuitSettings());
 
-  /** Called by the launcher. */
   public DifferentialPursuitControl(ServiceContext context) {
     super(context);
   }

@@ -25,7 +25,6 @@ public final class GimbalControl extends SubsystemControl {
 
   private final Variables variables = settings(Variables.class).get();
 
-  /** Called by the launcher. */
   public GimbalControl(ServiceContext context) {
     super(context, "GimbalControl", "GIMBAL");
     joints(variables.panActuator(), variables.tiltActuator());

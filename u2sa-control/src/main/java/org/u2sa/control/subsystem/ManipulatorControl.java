@@ -36,7 +36,6 @@ public final class ManipulatorControl extends SubsystemControl {
 
   private final Variables variables = settings(Variables.class).get();
 
-  /** Called by the launcher. */
   public ManipulatorControl(ServiceContext context) {
     super(context, "ManipulatorControl", "ARM");
     joints(variables.baseActuator(), variables.shoulderActuator(), variables.elbowActuator());

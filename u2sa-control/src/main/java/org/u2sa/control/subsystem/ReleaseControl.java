@@ -29,7 +29,6 @@ public final class ReleaseControl extends ControlSystem {
 
   private final List<String> actuators;
 
-  /** Called by the launcher. */
   public ReleaseControl(ServiceContext context) {
     super(context, "ReleaseControl");
     actuators =

@@ -47,7 +47,6 @@ public final class HealthMonitor extends PeriodicService {
   private double lookedS = Double.NaN;
   private long orders;
 
-  /** Called by the launcher. */
   public HealthMonitor(ServiceContext context) {
     super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S);
     settings = new MonitorVariables(limits.get(), this);

@@ -172,8 +172,7 @@ final class FenceReader {
   }
 
   private double number(XmlElement element, String name) {
-    XmlElement number =
-        element.child(name).orElseThrow(() -> element.error("lacks <" + name + ">"));
+    XmlElement number = element.requiredChild(name);
     number.refuseUnknownAttributes("unit");
     String unit = onEarth ? "deg" : "m";
     return XmlNumbers.converted(number, unit, unit);

@@ -42,7 +42,6 @@ public final class UbxGps extends ByteParser<GpsFix> {
     void answered(int kind, boolean isAccepted);
   }
 
-  /** Sets the listener for acknowledgements. */
   void answersTo(Acknowledgements listener) {
     acknowledgements = listener;
   }

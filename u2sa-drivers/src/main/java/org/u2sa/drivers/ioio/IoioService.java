@@ -51,12 +51,10 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   private double batteryDueS;
   private double greetingDueS;
 
-  /** Launcher constructor: uses the configured connection. */
   public IoioService(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given connection, e.g. of a phone or a simulated board. */
   public IoioService(ServiceContext context, BoardConnection connection) {
     this(context, Optional.of(connection));
   }

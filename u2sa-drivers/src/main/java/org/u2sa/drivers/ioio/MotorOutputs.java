@@ -42,7 +42,6 @@ final class MotorOutputs {
     this.together = together;
   }
 
-  /** Announcement of each actuator. */
   List<ActuatorAnnouncement> announcements() {
     List<ActuatorAnnouncement> all = new ArrayList<>();
     for (String name : outputs.keySet()) {

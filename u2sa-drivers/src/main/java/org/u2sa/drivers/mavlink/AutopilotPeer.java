@@ -76,14 +76,7 @@ final class AutopilotPeer {
   void step(boolean isHeard, long nowMicros) {
     if (nowMicros >= heartbeatDueMicros) {
       heartbeatDueMicros = nowMicros + HEARTBEAT_MICROS;
-      out.accept(
-          Heartbeat.builder()
-              .type(MavType.MAV_TYPE_ONBOARD_CONTROLLER)
-              .autopilot(MavAutopilot.MAV_AUTOPILOT_INVALID)
-              .systemStatus(MavState.MAV_STATE_ACTIVE)
-              .baseMode(EnumValue.create(0))
-              .mavlinkVersion(MAVLINK_VERSION)
-              .build());
+      out.accept(heartbeat());
     }
     boolean isSilent = nowMicros - streamedMicros > STREAMS_STOPPED_MICROS;
     if (isHeard && isSilent && nowMicros >= askDueMicros) {
@@ -91,6 +84,16 @@ final class AutopilotPeer {
       ATTITUDE_AND_POSITION.forEach(message -> ask(message, stateHz));
       SLOW.forEach(message -> ask(message, SLOW_HZ));
     }
+  }
+
+  static Heartbeat heartbeat() {
+    return Heartbeat.builder()
+        .type(MavType.MAV_TYPE_ONBOARD_CONTROLLER)
+        .autopilot(MavAutopilot.MAV_AUTOPILOT_INVALID)
+        .systemStatus(MavState.MAV_STATE_ACTIVE)
+        .baseMode(EnumValue.create(0))
+        .mavlinkVersion(MAVLINK_VERSION)
+        .build();
   }
 
   private void ask(int message, double hz) {

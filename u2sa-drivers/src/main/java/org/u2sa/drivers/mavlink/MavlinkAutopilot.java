@@ -55,7 +55,6 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private long lostMicros = Long.MIN_VALUE; // when it does, if a successor hears none
   private boolean isWaitSaid;
 
-  /** Launcher constructor: opens the link of CONNECTION. */
   public MavlinkAutopilot(ServiceContext context) {
     this(context, Optional.empty());
   }

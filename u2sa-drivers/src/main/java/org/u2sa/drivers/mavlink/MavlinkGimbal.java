@@ -3,10 +3,6 @@ package org.u2sa.drivers.mavlink;
 import io.dronefleet.mavlink.common.GimbalDeviceAttitudeStatus;
 import io.dronefleet.mavlink.common.GimbalDeviceFlags;
 import io.dronefleet.mavlink.common.GimbalDeviceSetAttitude;
-import io.dronefleet.mavlink.minimal.Heartbeat;
-import io.dronefleet.mavlink.minimal.MavAutopilot;
-import io.dronefleet.mavlink.minimal.MavState;
-import io.dronefleet.mavlink.minimal.MavType;
 import io.dronefleet.mavlink.util.EnumValue;
 import java.util.List;
 import java.util.Optional;
@@ -29,7 +25,6 @@ public final class MavlinkGimbal extends LinkedDevice<Gimbal.Pointing> implement
   private static final long SEND_MICROS = Clock.micros(0.05);
   private static final long HEARTBEAT_MICROS = Clock.micros(1.0);
   private static final int ONBOARD_COMPUTER = 191; // MAV_COMP_ID_ONBOARD_COMPUTER
-  private static final int MAVLINK_VERSION = 3;
   private static final int ROLL_AND_PITCH_LOCK = 4 | 8;
   private static final int YAW_LOCK = 16;
   private static final int YAW_IN_VEHICLE_FRAME = 32;
@@ -113,15 +108,7 @@ public final class MavlinkGimbal extends LinkedDevice<Gimbal.Pointing> implement
   protected void act(long nowMicros) {
     if (nowMicros >= heartbeatDueMicros) {
       heartbeatDueMicros = nowMicros + HEARTBEAT_MICROS;
-      link.write(
-          stream.encode(
-              Heartbeat.builder()
-                  .type(MavType.MAV_TYPE_ONBOARD_CONTROLLER)
-                  .autopilot(MavAutopilot.MAV_AUTOPILOT_INVALID)
-                  .systemStatus(MavState.MAV_STATE_ACTIVE)
-                  .baseMode(EnumValue.create(0))
-                  .mavlinkVersion(MAVLINK_VERSION)
-                  .build()));
+      link.write(stream.encode(AutopilotPeer.heartbeat()));
     }
     if (isPointed && nowMicros >= sendDueMicros) {
       sendDueMicros = nowMicros + SEND_MICROS;

@@ -48,9 +48,4 @@ public final class PulseOutput {
     }
     return width.seconds(slew.towards(percentage.getAsDouble(), nowMicros));
   }
-
-  /** Neutral pulse width [s]. */
-  public double neutralS() {
-    return width.neutralS();
-  }
 }

@@ -84,7 +84,6 @@ record RoboClawRequest(int command, byte[] data, int answerBytes) {
     return packet;
   }
 
-  /** Length of the reply. */
   int replyLength() {
     return answerBytes == 0 ? 1 : answerBytes + CRC_BYTES;
   }

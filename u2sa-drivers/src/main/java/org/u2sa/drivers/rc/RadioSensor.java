@@ -41,12 +41,10 @@ public final class RadioSensor extends PeriodicService {
   private boolean isTold; // a predecessor's last word may be manual
   private long takeovers;
 
-  /** Launcher constructor: opens the configured receiver. */
   public RadioSensor(ServiceContext context) {
     this(context, Optional.empty());
   }
 
-  /** Uses the given receiver, e.g. a simulated one. */
   public RadioSensor(ServiceContext context, RadioReceiver receiver) {
     this(context, Optional.of(receiver));
   }

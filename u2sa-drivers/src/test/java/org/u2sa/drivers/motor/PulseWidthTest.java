@@ -44,7 +44,8 @@ class PulseWidthTest {
     output.seconds(OptionalDouble.of(100.0), 0);
     assertThat(output.seconds(OptionalDouble.of(100.0), 1_000_000))
         .isCloseTo(0.002, within(NEAR_S));
-    assertThat(output.seconds(OptionalDouble.empty(), 1_010_000)).isEqualTo(output.neutralS());
+    assertThat(output.seconds(OptionalDouble.empty(), 1_010_000))
+        .isEqualTo(PulseWidth.STANDARD.neutralS());
     assertThat(output.seconds(OptionalDouble.of(100.0), 1_110_000))
         .as("10 % after 0.1 s")
         .isCloseTo(0.00155, within(NEAR_S));

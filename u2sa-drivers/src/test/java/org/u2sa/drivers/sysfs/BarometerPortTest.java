@@ -29,7 +29,10 @@ class BarometerPortTest extends DeviceContract<Pressure> {
         new SimulatedBench<>(
             "simulated",
             new SimulatedBarometer(
-                SensorErrors.barometer(), 101_325.0, new NoiseStreams(1), () -> 1_000.0)));
+                new SensorErrors(20.0, 0.02, 3.0, 25.0, 0.0),
+                101_325.0,
+                new NoiseStreams(1),
+                () -> 1_000.0)));
   }
 
   @Override

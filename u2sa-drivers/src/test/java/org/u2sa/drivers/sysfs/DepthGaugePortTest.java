@@ -27,7 +27,10 @@ class DepthGaugePortTest extends DeviceContract<Pressure> {
         new SimulatedBench<>(
             "simulated",
             new SimulatedDepthGauge(
-                SensorErrors.depthGauge(), 1025.0, new NoiseStreams(1), () -> 10.0)));
+                new SensorErrors(10.0, 0.02, 20.0, 1_000.0, 0.0),
+                1025.0,
+                new NoiseStreams(1),
+                () -> 10.0)));
   }
 
   @Override

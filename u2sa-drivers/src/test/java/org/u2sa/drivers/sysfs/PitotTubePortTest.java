@@ -38,7 +38,7 @@ class PitotTubePortTest extends DeviceContract<PitotTube.Impact> {
         new SimulatedBench<>(
             "simulated",
             new SimulatedPitotTube(
-                SensorErrors.pitotTube(),
+                new SensorErrors(20.0, 0.02, 3.0, 2.0, 0.0),
                 new NoiseStreams(1),
                 () -> truth,
                 () -> Point.of(-10.0, 0.0, 0.0),

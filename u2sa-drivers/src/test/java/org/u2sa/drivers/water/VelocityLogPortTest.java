@@ -49,7 +49,7 @@ class VelocityLogPortTest extends DeviceContract<VelocityLog.Speeds> {
         new SimulatedBench<>(
             "simulated",
             new SimulatedVelocityLog(
-                SensorErrors.velocityLog(),
+                new SensorErrors(5.0, 0.1, 0.01, 0.002, 0.1),
                 50.0,
                 new NoiseStreams(1),
                 () -> TRUTH,

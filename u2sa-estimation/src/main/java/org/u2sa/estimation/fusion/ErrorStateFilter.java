@@ -106,7 +106,6 @@ public final class ErrorStateFilter {
     return state().resets;
   }
 
-  /** Reports on the sources. */
   public SourceReports sources() {
     return new SourceReports(state(), trust, tuning);
   }

@@ -11,7 +11,4 @@ package org.u2sa.estimation.measurement;
  * @param fluid speed through the fluid [m/s]
  */
 public record UsualSigmas(
-    double position, double velocity, double attitude, double rate, double force, double fluid) {
-  /** Values for ordinary sensors. */
-  public static final UsualSigmas ORDINARY = new UsualSigmas(3.0, 0.3, 0.05, 0.015, 0.35, 1.0);
-}
+    double position, double velocity, double attitude, double rate, double force, double fluid) {}

@@ -170,15 +170,6 @@ public final class MavlinkBridge implements AutoCloseable {
                 : ": " + String.join("; ", vehicle.model.failsafeCauses())));
   }
 
-  /** TCP port that stations connect to; empty with other links. */
-  public Optional<Integer> port() {
-    try {
-      return stations instanceof TcpLink tcp ? Optional.of(tcp.port()) : Optional.empty();
-    } catch (IOException e) {
-      return Optional.empty(); // closed already
-    }
-  }
-
   /** Waits until the bridge ends. */
   public void await() throws InterruptedException {
     thread.join();

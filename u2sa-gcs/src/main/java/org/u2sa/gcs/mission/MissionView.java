@@ -45,7 +45,6 @@ public final class MissionView {
     return report.upcoming().contains(goal.uid()) ? "next" : "open";
   }
 
-  /** A result in words. */
   static String words(GoalResult result) {
     return result.name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }

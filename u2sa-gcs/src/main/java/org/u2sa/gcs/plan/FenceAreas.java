@@ -1,12 +1,10 @@
 package org.u2sa.gcs.plan;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
-import org.u2sa.interfaces.xml.XmlReader;
 
 /** Reads a fence file (docs/health-and-failsafes.md) as areas of a plan. */
 public final class FenceAreas {
@@ -15,16 +13,11 @@ public final class FenceAreas {
   private FenceAreas() {}
 
   /**
-   * Areas in the order of the file.
+   * Areas of an element {@code <fence>}, in its order.
    *
    * @param lost receives what areas cannot say, a line each
    * @throws org.u2sa.interfaces.BadInputException naming file, line and element
    */
-  public static List<StationPlan.Area> read(Path file, List<String> lost) {
-    return read(XmlReader.read(file, "fence"), lost);
-  }
-
-  /** {@link #read(Path, List)} of an element {@code <fence>}. */
   public static List<StationPlan.Area> read(XmlElement root, List<String> lost) {
     root.refuseUnknownChildren("reference", "floor", "ceiling", "keepIn", "keepOut", "rally");
     root.child("reference")
@@ -70,16 +63,12 @@ public final class FenceAreas {
     }
     OptionalDouble radius =
         element.child(CENTRE).isPresent()
-            ? OptionalDouble.of(XmlNumbers.converted(child(element, "radius"), "m", "m"))
+            ? OptionalDouble.of(XmlNumbers.converted(element.requiredChild("radius"), "m", "m"))
             : OptionalDouble.empty();
     return new StationPlan.Area(element.name().equals("keepIn"), corners, radius);
   }
 
   private static double number(XmlElement place, String name) {
-    return XmlNumbers.converted(child(place, name), "deg", "deg");
-  }
-
-  private static XmlElement child(XmlElement of, String name) {
-    return of.child(name).orElseThrow(() -> of.error("lacks <" + name + ">"));
+    return XmlNumbers.converted(place.requiredChild(name), "deg", "deg");
   }
 }

@@ -22,7 +22,6 @@ public final class MessageStream {
   private final AtomicLong dropped = new AtomicLong();
   private final RemoteLink link;
 
-  /** Creates a stream that uses the link. */
   public MessageStream(RemoteLink link) {
     this.link = link;
   }

@@ -26,7 +26,6 @@ public record ServiceRow(
     Optional<HealthReport> health,
     Optional<ServiceCondition> condition) {
 
-  /** Creates a row for a known service. */
   static ServiceRow of(KnownService service, ServiceCondition condition) {
     Optional<DiscoveryResponse> discovery = service.discovery();
     String status =
@@ -79,7 +78,6 @@ public record ServiceRow(
     return health.isPresent() ? health.get().callbackP99() : OptionalDouble.empty();
   }
 
-  /** Last error. */
   public String lastError() {
     return health.flatMap(HealthReport::lastError).orElse("");
   }

@@ -21,7 +21,6 @@ public final class ClientSocket {
     this.subprotocol = subprotocol;
   }
 
-  /** Address of the client. */
   public String address() {
     return String.valueOf(channel.remoteAddress());
   }

@@ -71,6 +71,15 @@ public record XmlElement(
     return found.stream().findFirst();
   }
 
+  /**
+   * The only child with this name.
+   *
+   * @throws BadInputException if it is missing, or given more than once
+   */
+  public XmlElement requiredChild(String childName) {
+    return child(childName).orElseThrow(() -> error("lacks <" + childName + ">"));
+  }
+
   /** Creates an exception for this element: {@code <origin>, line N, <element>: what}. */
   public BadInputException error(String what) {
     return new BadInputException(origin + ", line " + line + ", <" + name + ">: " + what);

@@ -25,7 +25,6 @@ public final class Cbor {
   public static final int MAP = 0xA0;
 
   static final int TAG = 0xC0;
-  static final int SIMPLE = 0xE0;
 
   /** Mask of the major type. */
   public static final int MAJOR = 0xE0;

@@ -91,6 +91,38 @@ public record Point(double x, double y, double z) {
     return of(factor * x, factor * y, factor * z);
   }
 
+  /** Scalar product. */
+  public double dot(Point other) {
+    return x * other.x + y * other.y + z * other.z;
+  }
+
+  /** Vector product. */
+  public Point cross(Point other) {
+    return of(y * other.z - z * other.y, z * other.x - x * other.z, x * other.y - y * other.x);
+  }
+
+  /** The same vector with axes north, east, down instead of east, north, up, or vice versa. */
+  public Point axesExchanged() {
+    return of(y, x, -z);
+  }
+
+  /** Distance in the x-y plane to another point of the same Cartesian axes [m]. */
+  public double flatDistanceTo(Point other) {
+    return Math.hypot(x - other.x, y - other.y);
+  }
+
+  /** Distance in the x-y plane to the segment from {@code a} to {@code b} [m]. */
+  public double flatDistanceTo(Point a, Point b) {
+    double dx = b.x - a.x;
+    double dy = b.y - a.y;
+    double square = dx * dx + dy * dy;
+    double share =
+        square == 0.0
+            ? 0.0
+            : Math.max(0.0, Math.min(1.0, ((x - a.x) * dx + (y - a.y) * dy) / square));
+    return Math.hypot(x - a.x - share * dx, y - a.y - share * dy);
+  }
+
   /** "(x, y, z)". */
   @Override
   public String toString() {

@@ -52,9 +52,4 @@ public class Landing extends Waypoint {
   public Landing next(List<String> uids) {
     return (Landing) super.next(uids);
   }
-
-  @Override
-  public Landing copy() {
-    return (Landing) super.copy();
-  }
 }

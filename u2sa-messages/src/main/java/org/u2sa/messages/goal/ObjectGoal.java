@@ -68,9 +68,4 @@ public class ObjectGoal extends GoalInformation {
   public ObjectGoal uid(String uid) {
     return (ObjectGoal) super.uid(uid);
   }
-
-  @Override
-  public ObjectGoal copy() {
-    return (ObjectGoal) super.copy();
-  }
 }

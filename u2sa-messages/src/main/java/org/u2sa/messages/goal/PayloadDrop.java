@@ -62,9 +62,4 @@ public class PayloadDrop extends Waypoint {
   public PayloadDrop next(List<String> uids) {
     return (PayloadDrop) super.next(uids);
   }
-
-  @Override
-  public PayloadDrop copy() {
-    return (PayloadDrop) super.copy();
-  }
 }

@@ -105,9 +105,4 @@ public class Station extends Waypoint {
   public Station next(List<String> uids) {
     return (Station) super.next(uids);
   }
-
-  @Override
-  public Station copy() {
-    return (Station) super.copy();
-  }
 }

@@ -29,9 +29,4 @@ public class TakeOff extends Waypoint {
   public TakeOff next(List<String> uids) {
     return (TakeOff) super.next(uids);
   }
-
-  @Override
-  public TakeOff copy() {
-    return (TakeOff) super.copy();
-  }
 }

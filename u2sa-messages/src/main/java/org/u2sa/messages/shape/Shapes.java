@@ -111,12 +111,8 @@ final class Shapes {
   private static double toSegment(Point start, Point end, Point p) {
     Point way = end.minus(start);
     Point offset = p.minus(start);
-    double squared = dot(way, way);
-    double share = squared == 0.0 ? 0.0 : Math.max(0.0, Math.min(1.0, dot(offset, way) / squared));
+    double squared = way.dot(way);
+    double share = squared == 0.0 ? 0.0 : Math.max(0.0, Math.min(1.0, offset.dot(way) / squared));
     return offset.minus(way.times(share)).distance();
-  }
-
-  private static double dot(Point a, Point b) {
-    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
   }
 }

@@ -32,7 +32,6 @@ public enum Rule {
     this.givesWay = givesWay;
   }
 
-  /** Numbers of the rules. */
   public String numbers() {
     return numbers;
   }

@@ -66,23 +66,12 @@ public final class CostGrid {
    * @return the cells whose cost may have changed; null if none
    */
   public Area update(IntPredicate isOccupied, IntPredicate isUnknown) {
-    return update(new Area(0, 0, frame.rows() - 1, frame.columns() - 1), isOccupied, isUnknown);
-  }
-
-  /** Like {@link #update(IntPredicate, IntPredicate)}, if nothing changed outside an area. */
-  public Area update(Area where, IntPredicate isOccupied, IntPredicate isUnknown) {
-    Changes changes = new Changes();
-    for (int row = where.firstRow(); row <= where.lastRow(); row++) {
-      for (int column = where.firstColumn(); column <= where.lastColumn(); column++) {
-        int i = frame.index(row, column);
-        int state = (isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0);
-        if (state != states[i]) {
-          changes.add(row, column, column, ((state ^ states[i]) & OCCUPIED) != 0);
-          states[i] = (byte) state;
-        }
-      }
+    byte[] newStates = new byte[states.length];
+    for (int i = 0; i < newStates.length; i++) {
+      newStates[i] =
+          (byte) ((isOccupied.test(i) ? OCCUPIED : 0) | (isUnknown.test(i) ? UNKNOWN : 0));
     }
-    return changes.compute();
+    return update(newStates);
   }
 
   /**

@@ -95,7 +95,6 @@ public final class ChannelComparison {
     return all;
   }
 
-  /** Channel name. */
   public String name() {
     return channel.name();
   }

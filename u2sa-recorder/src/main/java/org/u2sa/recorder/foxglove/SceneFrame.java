@@ -66,13 +66,9 @@ public final class SceneFrame {
   static ProtobufMessage attitude(double phi, double theta, double psi) {
     Rotation ned = Rotation.nedFromFrd(phi, theta, psi);
     return quaternion(
-        enu(ned.times(Point.of(1.0, 0.0, 0.0))),
-        enu(ned.times(Point.of(0.0, -1.0, 0.0))),
-        enu(ned.times(Point.of(0.0, 0.0, -1.0))));
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
+        ned.times(Point.of(1.0, 0.0, 0.0)).axesExchanged(),
+        ned.times(Point.of(0.0, -1.0, 0.0)).axesExchanged(),
+        ned.times(Point.of(0.0, 0.0, -1.0)).axesExchanged());
   }
 
   private static ProtobufMessage quaternion(Point a, Point b, Point c) {

@@ -220,7 +220,6 @@ public final class Playback {
     orders.add(() -> rate = Math.max(SLOWEST, Math.min(FASTEST, rate * factor)));
   }
 
-  /** Ends playback. */
   public void end() {
     orders.add(() -> isEnded = true);
   }

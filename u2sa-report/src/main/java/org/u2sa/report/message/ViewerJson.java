@@ -17,7 +17,6 @@ public final class ViewerJson {
 
   private ViewerJson() {}
 
-  /** Set fields of a message. */
   public static JsonText fields(U2SAData message) {
     JsonText json = new JsonText();
     for (FieldValue field : message.enumerateFields()) {

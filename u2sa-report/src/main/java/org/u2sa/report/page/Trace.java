@@ -50,7 +50,6 @@ public final class Trace {
     return times[index];
   }
 
-  /** A value. */
   public double value(int index) {
     return values[index];
   }

@@ -48,7 +48,6 @@ public record RunOutcome(
     return new RunOutcome(contacts, stalled, violations, all, figures);
   }
 
-  /** A clean outcome. */
   public static RunOutcome clean() {
     return new RunOutcome(0, false, List.of());
   }

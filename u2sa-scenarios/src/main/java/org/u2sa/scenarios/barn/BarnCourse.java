@@ -48,7 +48,6 @@ record BarnCourse(BarnWorld world, double scale) {
             0.0));
   }
 
-  /** Writes the world file. */
   void writeWorld(Path file) throws IOException {
     StringBuilder text = new StringBuilder("<world>\n");
     int number = 0;

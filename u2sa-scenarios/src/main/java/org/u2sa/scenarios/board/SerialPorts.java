@@ -169,7 +169,6 @@ final class SerialPorts implements AutoCloseable {
     }
   }
 
-  /** The ports. */
   List<Path> ports() {
     return lines.stream().map(line -> line.link).toList();
   }

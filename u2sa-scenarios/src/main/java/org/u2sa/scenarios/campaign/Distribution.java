@@ -23,7 +23,6 @@ record Distribution(double[] values) {
     return values[below] + (at - below) * (values[above] - values[below]);
   }
 
-  /** Median. */
   double median() {
     return quantile(0.5);
   }

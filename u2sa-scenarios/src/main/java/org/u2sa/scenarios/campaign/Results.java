@@ -112,7 +112,6 @@ record Results(List<Outcome> outcomes, String ranking) {
     out.write('\n');
   }
 
-  /** All results as JSON. */
   JsonText json(String campaign, int worst) {
     JsonText figures = new JsonText();
     spreads()

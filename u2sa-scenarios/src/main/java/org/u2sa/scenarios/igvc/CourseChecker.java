@@ -142,20 +142,9 @@ final class CourseChecker {
   private static double metres(Point from, List<Point> line) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 1; i < line.size(); i++) {
-      least = Math.min(least, segmentM(from, line.get(i - 1), line.get(i)));
+      least = Math.min(least, from.flatDistanceTo(line.get(i - 1), line.get(i)));
     }
     return least;
-  }
-
-  static double segmentM(Point p, Point a, Point b) {
-    double dx = b.x() - a.x();
-    double dy = b.y() - a.y();
-    double square = dx * dx + dy * dy;
-    double share =
-        square == 0.0
-            ? 0.0
-            : Math.max(0.0, Math.min(1.0, ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / square));
-    return Math.hypot(p.x() - a.x() - share * dx, p.y() - a.y() - share * dy);
   }
 
   /**
@@ -227,7 +216,7 @@ final class CourseChecker {
               Point.of(bounds[0] + column * CELL_M, bounds[1] + row * CELL_M, object.center().z());
           double away =
               object instanceof PolyLine line
-                  ? segmentM(at, a, b) - 0.5 * line.width()
+                  ? at.flatDistanceTo(a, b) - 0.5 * line.width()
                   : object.distanceTo(at);
           closed[row * columns + column] |= away < radius;
         }

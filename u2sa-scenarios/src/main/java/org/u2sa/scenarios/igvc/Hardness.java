@@ -92,7 +92,6 @@ enum Hardness {
     return hazards;
   }
 
-  /** Faults of the laser. */
   static SimulatedLaser.Faults laser(Set<Hardness> chosen) {
     return chosen.contains(MIXED_PIXELS) ? FAULTS : SimulatedLaser.Faults.NONE;
   }

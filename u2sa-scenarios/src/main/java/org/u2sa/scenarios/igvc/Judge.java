@@ -179,7 +179,6 @@ final class Judge {
     return List.copyOf(log);
   }
 
-  /** Outcome of the run. */
   RunOutcome outcome() {
     List<String> all = new ArrayList<>(violations);
     if (crossings > 0) {

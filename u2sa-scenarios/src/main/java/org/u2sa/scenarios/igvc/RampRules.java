@@ -128,7 +128,7 @@ final class RampRules {
       if (type.equals(Scenery.LINE) || type.equals(Scenery.WORN_LINE)) {
         List<Point> points = ((PolyLine) object).points();
         for (int i = 1; i < points.size(); i++) {
-          if (CourseChecker.segmentM(at, points.get(i - 1), points.get(i)) < PAINT_M) {
+          if (at.flatDistanceTo(points.get(i - 1), points.get(i)) < PAINT_M) {
             return true;
           }
         }

@@ -84,7 +84,6 @@ record BoatCourse(
         last.beyond(-TASKS_FROM_M), heading, List.of(), List.of(last), end, sites, weather);
   }
 
-  /** The site of a task. */
   TaskSite site(TaskSite.Task task) {
     return sites.stream().filter(each -> each.task() == task).findFirst().orElseThrow();
   }

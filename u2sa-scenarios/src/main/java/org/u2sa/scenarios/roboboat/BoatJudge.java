@@ -109,7 +109,7 @@ final class BoatJudge implements TruthObserver.Scorer {
       Leg leg = !speed.isDone() ? speed : !out.isDone() ? out : back;
       say(truth.timeS(), leg.move(before, now, truth.headingRad(), truth.timeS()));
     }
-    if (!isHome && back.isDone() && Gate.distance(now, home) < HOME_M) {
+    if (!isHome && back.isDone() && now.flatDistanceTo(home) < HOME_M) {
       isHome = true;
       say(truth.timeS(), "home");
     }

@@ -156,7 +156,7 @@ final class BoatMission {
     way.add(course.start());
     double metres = 0.0;
     for (int i = 1; i < way.size(); i++) {
-      metres += StationTaskState.distance(way.get(i - 1), way.get(i));
+      metres += way.get(i - 1).flatDistanceTo(way.get(i));
     }
     return BoatJudge.RUN_S - RESERVE_S - metres / HOMEWARD_MPS;
   }

@@ -118,7 +118,7 @@ final class ChannelState extends TaskState {
         .filter(object -> object.objectType().equals(type))
         .sorted(Comparator.comparingDouble(ChannelState::sigmaM))
         .map(object -> surroundings.centre(object, state))
-        .filter(place -> places.stream().allMatch(each -> Gate.distance(each, place) > TWICE_M))
+        .filter(place -> places.stream().allMatch(each -> each.flatDistanceTo(place) > TWICE_M))
         .forEach(places::add);
     return places;
   }
@@ -139,11 +139,11 @@ final class ChannelState extends TaskState {
 
   private Optional<Point> end(BuoyChannel goal, StateInformation state, Point here) {
     return places(name(goal.endBuoy(), "buoy"), state).stream()
-        .min(Comparator.comparingDouble(place -> Gate.distance(place, here)));
+        .min(Comparator.comparingDouble(place -> place.flatDistanceTo(here)));
   }
 
   private static boolean isBefore(Point end, Optional<Gate> next, Point here) {
-    return next.map(gate -> Gate.distance(end, here) < Gate.distance(gate.middle(), here))
+    return next.map(gate -> end.flatDistanceTo(here) < gate.middle().flatDistanceTo(here))
         .orElse(true);
   }
 
@@ -180,7 +180,7 @@ final class ChannelState extends TaskState {
         approach
             .map(way -> way.movedM(gate) > MOVED_M || way.path().offM(here) > OFF_M)
             .orElse(true);
-    if (isOff && triedAt.map(place -> Gate.distance(place, here) > RETRY_M).orElse(true)) {
+    if (isOff && triedAt.map(place -> place.flatDistanceTo(here) > RETRY_M).orElse(true)) {
       triedAt = Optional.of(here);
       plan(gate, here, state);
     }
@@ -209,7 +209,7 @@ final class ChannelState extends TaskState {
 
   private Plan steer(Pursuit pursuit, Point here, Point aim, double speedMps, BuoyChannel now) {
     Point farther =
-        GateLine.between(here, aim, FULL_SPEED_M / Math.max(0.1, Gate.distance(here, aim)));
+        GateLine.between(here, aim, FULL_SPEED_M / Math.max(0.1, here.flatDistanceTo(aim)));
     NavigationPoint point = surroundings.straight(pursuit.state(), farther);
     return Plan.underWay(List.of(point.speed(speedMps))).changing(now);
   }

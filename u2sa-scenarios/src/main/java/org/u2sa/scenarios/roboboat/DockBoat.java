@@ -31,9 +31,4 @@ public final class DockBoat extends BoatTask {
   public boolean leaves() {
     return Boolean.TRUE.equals(get(LEAVES));
   }
-
-  @Override
-  public DockBoat copy() {
-    return (DockBoat) super.copy();
-  }
 }

@@ -105,7 +105,7 @@ final class DockState extends StationTaskState {
   /** Towards a place on the line, without slowing down for it. */
   private NavigationPoint in(StateInformation state, Point place, double toGoM) {
     Point here = surroundings.here(state);
-    double share = FULL_SPEED_M / Math.max(AHEAD_M, distance(here, place));
+    double share = FULL_SPEED_M / Math.max(AHEAD_M, here.flatDistanceTo(place));
     return surroundings
         .straight(state, GateLine.between(here, place, share))
         .speed(toGoM > INSIDE_M ? ENTER_MPS : TOUCH_MPS);
@@ -117,7 +117,7 @@ final class DockState extends StationTaskState {
     if (!isStill) {
       stillMicros = Long.MIN_VALUE;
     } else if (stillMicros == Long.MIN_VALUE
-        || distance(off, lay) > SLIDES_M
+        || off.flatDistanceTo(lay) > SLIDES_M
         || Math.abs(Math.IEEEremainder(psi - layPsi, 2.0 * Math.PI)) > TURNS_RAD) {
       stillMicros = micros(state);
       lay = off;

@@ -68,7 +68,7 @@ final class HulaHoopState extends StationTaskState {
     }
     Point here = surroundings.here(state);
     double bearing = Math.atan2(hoop.get().y() - here.y(), hoop.get().x() - here.x());
-    double range = distance(here, hoop.get());
+    double range = here.flatDistanceTo(hoop.get());
     NavigationPoint point = facing(goal, state, bearing);
     boolean isAimed =
         Math.abs(point.turn().orElseThrow()) < AIMED_RAD && range > NEAREST_M && range < FARTHEST_M;

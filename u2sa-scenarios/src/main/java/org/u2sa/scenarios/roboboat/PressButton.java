@@ -17,9 +17,4 @@ public final class PressButton extends BoatTask {
   public MessageType<PressButton> type() {
     return TYPE;
   }
-
-  @Override
-  public PressButton copy() {
-    return (PressButton) super.copy();
-  }
 }

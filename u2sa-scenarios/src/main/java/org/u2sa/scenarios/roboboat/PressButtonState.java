@@ -66,7 +66,7 @@ final class PressButtonState extends StationTaskState {
           : lookOut(task, state);
     }
     Point here = surroundings.here(state);
-    double away = distance(here, button.get());
+    double away = here.flatDistanceTo(button.get());
     double bearing = Math.atan2(button.get().y() - here.y(), button.get().x() - here.x());
     double off = Math.IEEEremainder(bearing - state.psi().orElseThrow(), 2.0 * Math.PI);
     if (phase == Phase.LOOK) {
@@ -107,6 +107,6 @@ final class PressButtonState extends StationTaskState {
             buoy ->
                 nearest(task.objectTypes().get(0), buoy, task, state)
                     .map(each -> surroundings.centre(each, state))
-                    .filter(each -> distance(each, buoy) < BESIDE_M));
+                    .filter(each -> each.flatDistanceTo(buoy) < BESIDE_M));
   }
 }

@@ -101,13 +101,10 @@ abstract class StationTaskState extends TaskState {
     Point station = station(task, state);
     return surroundings.objects().stream()
         .filter(object -> object.objectType().equals(type))
-        .filter(object -> distance(surroundings.centre(object, state), station) < NEAR_M)
+        .filter(object -> surroundings.centre(object, state).flatDistanceTo(station) < NEAR_M)
         .min(
-            Comparator.comparingDouble(object -> distance(surroundings.centre(object, state), to)));
-  }
-
-  static double distance(Point a, Point b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
+            Comparator.comparingDouble(
+                object -> surroundings.centre(object, state).flatDistanceTo(to)));
   }
 
   /** Keeps the station as far as the boat's thrust allows, with the bow in a direction. */

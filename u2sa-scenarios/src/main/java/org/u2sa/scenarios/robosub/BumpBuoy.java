@@ -14,9 +14,4 @@ public final class BumpBuoy extends SubTask {
   public MessageType<? extends BumpBuoy> type() {
     return TYPE;
   }
-
-  @Override
-  public BumpBuoy copy() {
-    return (BumpBuoy) super.copy();
-  }
 }

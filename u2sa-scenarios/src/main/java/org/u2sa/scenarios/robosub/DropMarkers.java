@@ -14,9 +14,4 @@ public final class DropMarkers extends SubTask {
   public MessageType<? extends DropMarkers> type() {
     return TYPE;
   }
-
-  @Override
-  public DropMarkers copy() {
-    return (DropMarkers) super.copy();
-  }
 }

@@ -14,9 +14,4 @@ public final class FollowMarker extends SubTask {
   public MessageType<? extends FollowMarker> type() {
     return TYPE;
   }
-
-  @Override
-  public FollowMarker copy() {
-    return (FollowMarker) super.copy();
-  }
 }

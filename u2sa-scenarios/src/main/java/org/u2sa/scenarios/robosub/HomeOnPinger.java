@@ -14,9 +14,4 @@ public final class HomeOnPinger extends SubTask {
   public MessageType<? extends HomeOnPinger> type() {
     return TYPE;
   }
-
-  @Override
-  public HomeOnPinger copy() {
-    return (HomeOnPinger) super.copy();
-  }
 }

@@ -14,9 +14,4 @@ public final class PassGate extends SubTask {
   public MessageType<? extends PassGate> type() {
     return TYPE;
   }
-
-  @Override
-  public PassGate copy() {
-    return (PassGate) super.copy();
-  }
 }

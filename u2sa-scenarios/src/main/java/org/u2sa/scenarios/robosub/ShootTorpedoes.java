@@ -14,9 +14,4 @@ public final class ShootTorpedoes extends SubTask {
   public MessageType<? extends ShootTorpedoes> type() {
     return TYPE;
   }
-
-  @Override
-  public ShootTorpedoes copy() {
-    return (ShootTorpedoes) super.copy();
-  }
 }

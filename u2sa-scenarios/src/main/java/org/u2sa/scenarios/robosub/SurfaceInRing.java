@@ -14,9 +14,4 @@ public final class SurfaceInRing extends SubTask {
   public MessageType<? extends SurfaceInRing> type() {
     return TYPE;
   }
-
-  @Override
-  public SurfaceInRing copy() {
-    return (SurfaceInRing) super.copy();
-  }
 }

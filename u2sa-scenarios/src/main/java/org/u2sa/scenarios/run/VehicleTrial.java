@@ -117,7 +117,6 @@ public final class VehicleTrial {
     return cable.orElseThrow();
   }
 
-  /** The vehicle. */
   public RunningVehicle run() {
     return run;
   }
@@ -127,7 +126,6 @@ public final class VehicleTrial {
     return world;
   }
 
-  /** Its devices. */
   public VehicleDevices devices() {
     return devices;
   }
@@ -189,7 +187,6 @@ public final class VehicleTrial {
     };
   }
 
-  /** Name of the vehicle. */
   public String name() {
     return file.name();
   }

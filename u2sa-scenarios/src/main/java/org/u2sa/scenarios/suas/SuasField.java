@@ -218,18 +218,8 @@ record SuasField(
     for (int i = 0; i < polygon.size(); i++) {
       Point a = polygon.get(i);
       Point b = polygon.get((i + 1) % polygon.size());
-      least = Math.min(least, segmentM(a, b, eastM, northM));
+      least = Math.min(least, Point.of(eastM, northM, 0.0).flatDistanceTo(a, b));
     }
     return least;
-  }
-
-  /** Horizontal distance of a place from a segment [m]. */
-  static double segmentM(Point a, Point b, double eastM, double northM) {
-    double dx = b.x() - a.x();
-    double dy = b.y() - a.y();
-    double square = dx * dx + dy * dy;
-    double share = square == 0.0 ? 0.0 : ((eastM - a.x()) * dx + (northM - a.y()) * dy) / square;
-    double on = Math.max(0.0, Math.min(1.0, share));
-    return Math.hypot(eastM - a.x() - on * dx, northM - a.y() - on * dy);
   }
 }

@@ -128,7 +128,7 @@ final class SuasFieldGenerator {
   private boolean isNearRunway(double east, double north, double radius) {
     Point from = axis(-STRIP_LENGTH_M);
     Point to = axis(STRIP_LENGTH_M);
-    return SuasField.segmentM(from, to, east, north) < STRIP_M + radius;
+    return Point.of(east, north, 0.0).flatDistanceTo(from, to) < STRIP_M + radius;
   }
 
   private Point axis(double along) {

@@ -31,7 +31,6 @@ final class SuasMission {
     this.field = field;
   }
 
-  /** Writes the mission of a field. */
   static Mission write(SuasField field, Path file) {
     String text = new SuasMission(field).mission();
     ReportFile.writeText(file, out -> out.write(text));

@@ -59,9 +59,4 @@ public final class CircleObjects extends GoalInformation {
   public double clearance() {
     return require(CLEARANCE);
   }
-
-  @Override
-  public CircleObjects copy() {
-    return (CircleObjects) super.copy();
-  }
 }

@@ -78,7 +78,7 @@ final class DockBySignState implements PlannerState {
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
     return places(Docking.LIGHT, state).stream()
-        .mapToDouble(place -> apart(place, surroundings.here(state)))
+        .mapToDouble(place -> place.flatDistanceTo(surroundings.here(state)))
         .min()
         .orElse(UNKNOWN_M);
   }
@@ -136,16 +136,16 @@ final class DockBySignState implements PlannerState {
     Point second = first;
     for (Point a : signs.values()) { // the two farthest apart
       for (Point b : signs.values()) {
-        if (apart(a, b) > apart(first, second)) {
+        if (a.flatDistanceTo(b) > first.flatDistanceTo(second)) {
           first = a;
           second = b;
         }
       }
     }
-    Point across = second.minus(first).times(1.0 / apart(first, second));
+    Point across = second.minus(first).times(1.0 / first.flatDistanceTo(second));
     Point square = Point.of(-across.y(), across.x(), 0.0);
     Point forward = inwards.orElse(first.minus(here));
-    inwards = Optional.of(dot(square, forward) > 0.0 ? square : square.times(-1.0));
+    inwards = Optional.of(square.dot(forward) > 0.0 ? square : square.times(-1.0));
   }
 
   private Plan scan(Pursuit pursuit) {
@@ -156,7 +156,7 @@ final class DockBySignState implements PlannerState {
       return turn();
     }
     Point way = lights.get(0).minus(here);
-    double distance = apart(lights.get(0), here);
+    double distance = lights.get(0).flatDistanceTo(here);
     return distance > LIGHT_M
         ? towards(
             pursuit, here.plus(way.times(1.0 - (LIGHT_M - 2.0) / distance)), OptionalDouble.empty())
@@ -166,7 +166,8 @@ final class DockBySignState implements PlannerState {
   private boolean hasRead(Map<String, Point> signs, StateInformation state) {
     long now = state.timestamp().orElseThrow();
     boolean isThere =
-        signs.size() == SIGNS && apart(readPlace(signs), surroundings.here(state)) < READ_WITHIN_M;
+        signs.size() == SIGNS
+            && readPlace(signs).flatDistanceTo(surroundings.here(state)) < READ_WITHIN_M;
     readMicros = isThere ? Math.min(readMicros, now) : Long.MAX_VALUE;
     return isThere && Clock.seconds(now - readMicros) >= READ_S;
   }
@@ -205,7 +206,7 @@ final class DockBySignState implements PlannerState {
     StateInformation state = pursuit.state();
     Point axis = inwards.orElseThrow();
     Point way = sign.orElseThrow().minus(surroundings.here(state));
-    double toGo = dot(axis, way); // to the sign
+    double toGo = axis.dot(way); // to the sign
     double aside = Math.abs(axis.x() * way.y() - axis.y() * way.x());
     double turn =
         Math.IEEEremainder(
@@ -244,13 +245,5 @@ final class DockBySignState implements PlannerState {
 
   private static Plan turn() {
     return Plan.underWay(List.of(NavigationPoint.at(Point.ORIGIN).turn(TURN_RAD)));
-  }
-
-  private static double dot(Point a, Point b) {
-    return a.x() * b.x() + a.y() * b.y();
-  }
-
-  private static double apart(Point a, Point b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 }

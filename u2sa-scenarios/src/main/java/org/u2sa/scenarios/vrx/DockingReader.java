@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.vrx;
 
 import static org.u2sa.scenarios.vrx.SdfValues.number;
-import static org.u2sa.scenarios.vrx.SdfValues.required;
 import static org.u2sa.scenarios.vrx.SdfValues.text;
 
 import java.util.ArrayList;
@@ -21,18 +20,18 @@ final class DockingReader {
         objects.first("robotx_light").orElseThrow(() -> world.error("includes no light buoy"));
     List<Docking.Bay> bays = new ArrayList<>();
     double stayS = 0.0;
-    for (XmlElement bay : required(scoring, "bays").children("bay")) {
+    for (XmlElement bay : scoring.requiredChild("bays").children("bay")) {
       String[] sign = text(bay, "symbol").split("_");
       bays.add(
           new Docking.Bay(
-              colour(required(bay, "symbol"), sign[0]),
+              colour(bay.requiredChild("symbol"), sign[0]),
               sign[sign.length - 1],
               text(bay, "correct_dock").equalsIgnoreCase("true")));
       stayS = number(bay, "min_dock_time");
     }
     List<Colour> sequence = new ArrayList<>();
     for (String name : List.of("color_1", "color_2", "color_3")) {
-      XmlElement each = required(scoring, name);
+      XmlElement each = scoring.requiredChild(name);
       sequence.add(colour(each, each.text().trim()));
     }
     return new Docking(

@@ -42,9 +42,4 @@ public final class GateCourse extends GoalInformation {
   public double speed() {
     return get(SPEED).orElse(3.0);
   }
-
-  @Override
-  public GateCourse copy() {
-    return (GateCourse) super.copy();
-  }
 }

@@ -1,7 +1,5 @@
 package org.u2sa.scenarios.vrx;
 
-import static org.u2sa.scenarios.vrx.sight.MarkerGate.apart;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -63,7 +61,9 @@ final class GateCourseState implements PlannerState {
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
     Point here = surroundings.here(state);
-    return next((GateCourse) goal, state).map(gate -> apart(gate.middle(), here)).orElse(UNKNOWN_M);
+    return next((GateCourse) goal, state)
+        .map(gate -> gate.middle().flatDistanceTo(here))
+        .orElse(UNKNOWN_M);
   }
 
   private static long micros(StateInformation state) {
@@ -100,9 +100,13 @@ final class GateCourseState implements PlannerState {
         .filter(gate -> last.isPresent() != (gate.place() == MarkerGate.Place.FIRST))
         .filter(gate -> last.map(old -> old.aheadM(gate.middle()) < -SAME_M).orElse(true))
         .filter(
-            gate -> passed.stream().allMatch(old -> apart(old.middle(), gate.middle()) > SAME_M))
-        .filter(gate -> apart(gate.middle(), from) < REACH_M)
-        .min((a, b) -> Double.compare(apart(a.middle(), from), apart(b.middle(), from)));
+            gate ->
+                passed.stream()
+                    .allMatch(old -> old.middle().flatDistanceTo(gate.middle()) > SAME_M))
+        .filter(gate -> gate.middle().flatDistanceTo(from) < REACH_M)
+        .min(
+            (a, b) ->
+                Double.compare(a.middle().flatDistanceTo(from), b.middle().flatDistanceTo(from)));
   }
 
   private List<MarkerGate> gates(GateCourse goal, StateInformation state) {
@@ -129,7 +133,7 @@ final class GateCourseState implements PlannerState {
   }
 
   private Plan towards(Pursuit pursuit, Point place, double speedMps) {
-    if (target.map(old -> apart(old, place) > 1.0).orElse(true)) {
+    if (target.map(old -> old.flatDistanceTo(place) > 1.0).orElse(true)) {
       target = Optional.of(place);
       surroundings.begin();
     }
@@ -150,7 +154,7 @@ final class GateCourseState implements PlannerState {
     }
     if (!passed.isEmpty()) {
       MarkerGate last = passed.get(passed.size() - 1);
-      if (apart(here, last.middle()) < ON_M) {
+      if (here.flatDistanceTo(last.middle()) < ON_M) {
         return towards(pursuit, last.beyond(ON_M + WITHIN_M), speedMps);
       }
     }

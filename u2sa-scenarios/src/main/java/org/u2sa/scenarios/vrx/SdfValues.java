@@ -2,24 +2,20 @@ package org.u2sa.scenarios.vrx;
 
 import java.util.Locale;
 import org.u2sa.interfaces.xml.XmlElement;
+import org.u2sa.world.sdf.SdfNumbers;
 
 /** Reads elements of SDF; errors name file, line, element and value. */
 final class SdfValues {
-  private static final double LARGEST = 1e7;
   private static final double FULL_LATITUDE_DEG = 90.0;
 
   private SdfValues() {}
 
-  static XmlElement required(XmlElement parent, String name) {
-    return parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
-  }
-
   static String text(XmlElement parent, String name) {
-    return required(parent, name).text().trim();
+    return parent.requiredChild(name).text().trim();
   }
 
   static double number(XmlElement parent, String name) {
-    return numbers(required(parent, name), 1)[0];
+    return numbers(parent.requiredChild(name), 1)[0];
   }
 
   /** A number that VRX's plugin has a default for. */
@@ -35,29 +31,16 @@ final class SdfValues {
     }
     double[] numbers = new double[count];
     for (int i = 0; i < count; i++) {
-      numbers[i] = parsed(element, words[i]);
+      numbers[i] = SdfNumbers.parsed(element, words[i]);
     }
     return numbers;
-  }
-
-  static double parsed(XmlElement element, String word) {
-    double number;
-    try {
-      number = Double.parseDouble(word);
-    } catch (NumberFormatException e) {
-      throw element.error("\"" + word + "\" is not a number", e);
-    }
-    if (!(Math.abs(number) <= LARGEST)) {
-      throw element.error("\"" + word + "\": expected a number of at most 10,000,000");
-    }
-    return number;
   }
 
   /** A time above 0 [s]. */
   static double positive(XmlElement parent, String name) {
     double seconds = number(parent, name);
     if (!(seconds > 0.0)) {
-      throw required(parent, name).error(seconds + " s: expected above 0");
+      throw parent.requiredChild(name).error(seconds + " s: expected above 0");
     }
     return seconds;
   }

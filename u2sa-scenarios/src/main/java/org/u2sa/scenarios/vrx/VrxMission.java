@@ -22,7 +22,6 @@ final class VrxMission {
 
   private VrxMission() {}
 
-  /** Writes the mission of a world. */
   static Mission write(VrxWorld world, Path file) {
     StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     text.append("<!-- ").append(world.file().getFileName()).append(" of VRX. -->\n<mission>\n");

@@ -1,7 +1,6 @@
 package org.u2sa.scenarios.vrx;
 
 import static org.u2sa.scenarios.vrx.SdfValues.numbers;
-import static org.u2sa.scenarios.vrx.SdfValues.required;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -84,7 +83,7 @@ final class VrxObjects {
             at.x() + pose[0] * Math.cos(yawRad) - pose[1] * Math.sin(yawRad),
             at.y() + pose[0] * Math.sin(yawRad) + pose[1] * Math.cos(yawRad),
             0.0);
-    String uri = required(include, "uri").text().trim();
+    String uri = include.requiredChild("uri").text().trim();
     String model = uri.substring(uri.lastIndexOf('/') + 1);
     String name = include.child("name").map(each -> each.text().trim()).orElse(model);
     included.put(name, new Included(model, place, yawRad + pose[5], include));

@@ -3,9 +3,8 @@ package org.u2sa.scenarios.vrx;
 import static org.u2sa.scenarios.vrx.SdfValues.latitude;
 import static org.u2sa.scenarios.vrx.SdfValues.number;
 import static org.u2sa.scenarios.vrx.SdfValues.numbers;
-import static org.u2sa.scenarios.vrx.SdfValues.parsed;
 import static org.u2sa.scenarios.vrx.SdfValues.positive;
-import static org.u2sa.scenarios.vrx.SdfValues.required;
+import static org.u2sa.world.sdf.SdfNumbers.parsed;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -48,7 +47,7 @@ final class VrxWorldReader {
   private VrxWorldReader(Path file) {
     this.file = file;
     XmlElement root = XmlReader.read(file, "sdf");
-    world = required(root, "world");
+    world = root.requiredChild("world");
     objects = new VrxObjects(file, world);
   }
 
@@ -87,11 +86,11 @@ final class VrxWorldReader {
                                 .map(VrxTask::plugin)
                                 .collect(Collectors.joining(", "))));
     XmlElement scoring = plugin(task.plugin()).orElseThrow();
-    XmlElement sphere = required(world, "spherical_coordinates");
+    XmlElement sphere = world.requiredChild("spherical_coordinates");
     Geodetic origin =
         new Geodetic(
             number(sphere, "longitude_deg"),
-            latitude(required(sphere, "latitude_deg"), number(sphere, "latitude_deg")),
+            latitude(sphere.requiredChild("latitude_deg"), number(sphere, "latitude_deg")),
             0.0);
     return new VrxWorld(
         file,
@@ -102,7 +101,7 @@ final class VrxWorldReader {
         new VrxWorld.Times(
             positive(scoring, "ready_state_duration"), positive(scoring, "running_state_duration")),
         goals(task, scoring),
-        task == VrxTask.PATH ? gates(required(scoring, "gates")) : List.of(),
+        task == VrxTask.PATH ? gates(scoring.requiredChild("gates")) : List.of(),
         objects.buoys(),
         task == VrxTask.WILDLIFE ? wildlife(scoring, new LocalPlane(origin)) : Wildlife.none(),
         task == VrxTask.DOCK ? DockingReader.read(world, objects, scoring) : Docking.none());
@@ -163,13 +162,15 @@ final class VrxWorldReader {
   private List<VrxWorld.Goal> goals(VrxTask task, XmlElement scoring) {
     List<XmlElement> poses = new ArrayList<>();
     if (task == VrxTask.STATIONKEEPING) {
-      poses.add(required(scoring, "goal_pose"));
+      poses.add(scoring.requiredChild("goal_pose"));
     } else if (task == VrxTask.WAYFINDING) {
-      required(scoring, "waypoints")
+      scoring
+          .requiredChild("waypoints")
           .children("waypoint")
-          .forEach(each -> poses.add(required(each, "pose")));
+          .forEach(each -> poses.add(each.requiredChild("pose")));
       if (poses.isEmpty() || poses.size() > MAX_WAYPOINTS) {
-        throw required(scoring, "waypoints")
+        throw scoring
+            .requiredChild("waypoints")
             .error(poses.size() + " <waypoint>; expected 1 to " + MAX_WAYPOINTS);
       }
     }
@@ -186,7 +187,8 @@ final class VrxWorldReader {
     for (XmlElement gate : element.children("gate")) {
       gates.add(
           new VrxWorld.Gate(
-              marker(required(gate, "left_marker")), marker(required(gate, "right_marker"))));
+              marker(gate.requiredChild("left_marker")),
+              marker(gate.requiredChild("right_marker"))));
     }
     if (gates.isEmpty()) {
       throw element.error("lacks <gate>");
@@ -200,8 +202,8 @@ final class VrxWorldReader {
 
   private Wildlife wildlife(XmlElement scoring, LocalPlane plane) {
     List<Wildlife.Animal> animals = new ArrayList<>();
-    for (XmlElement buoy : required(scoring, "buoys").children("buoy")) {
-      XmlElement goal = required(buoy, "goal");
+    for (XmlElement buoy : scoring.requiredChild("buoys").children("buoy")) {
+      XmlElement goal = buoy.requiredChild("goal");
       Wildlife.Part part =
           switch (goal.text().trim()) {
             case "avoid" -> Wildlife.Part.AVOID;
@@ -213,7 +215,7 @@ final class VrxWorldReader {
                         + goal.text()
                         + "\": expected avoid, circumnavigate_clockwise or circumnavigate_counterclockwise");
           };
-      XmlElement named = required(buoy, "name");
+      XmlElement named = buoy.requiredChild("name");
       String name = named.text().trim().replaceFirst("::.*", "");
       animals.add(new Wildlife.Animal(name, part, mover(objects.named(named), name, part, plane)));
     }

@@ -8,6 +8,9 @@ import static org.u2sa.sim.aircraft.FlightDynamics.VD;
 import static org.u2sa.sim.aircraft.FlightDynamics.VE;
 import static org.u2sa.sim.aircraft.FlightDynamics.VN;
 
+import org.ejml.data.DMatrixRMaj;
+import org.ejml.dense.row.CommonOps_DDRM;
+import org.ejml.dense.row.MatrixFeatures_DDRM;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
@@ -78,7 +81,7 @@ final class TrimSolver {
       if (worst < BALANCED) {
         return result(x);
       }
-      double[][] matrix = new double[SIZE][SIZE + 1];
+      DMatrixRMaj slopes = new DMatrixRMaj(SIZE, SIZE);
       for (int j = 0; j < SIZE; j++) {
         double old = x[j];
         double h = 1e-6;
@@ -89,13 +92,10 @@ final class TrimSolver {
         residual(x, other);
         x[j] = old;
         for (int i = 0; i < SIZE; i++) {
-          matrix[i][j] = (moved[i] - other[i]) / (2.0 * h);
+          slopes.set(i, j, (moved[i] - other[i]) / (2.0 * h));
         }
       }
-      for (int i = 0; i < SIZE; i++) {
-        matrix[i][SIZE] = -f[i];
-      }
-      if (!move(x, matrix)) {
+      if (!move(x, slopes, f)) {
         break;
       }
     }
@@ -112,42 +112,19 @@ final class TrimSolver {
             + ": too slow, too fast or not enough power");
   }
 
-  /**
-   * Solves the linear system by Gaussian elimination with pivoting and updates x, limiting each
-   * component's step.
-   */
-  private static boolean move(double[] x, double[][] m) {
-    for (int c = 0; c < SIZE; c++) {
-      int pivot = c;
-      for (int i = c + 1; i < SIZE; i++) {
-        if (Math.abs(m[i][c]) > Math.abs(m[pivot][c])) {
-          pivot = i;
-        }
-      }
-      if (Math.abs(m[pivot][c]) < 1e-12) {
-        return false; // a control at its limit has no effect
-      }
-      double[] swap = m[c];
-      m[c] = m[pivot];
-      m[pivot] = swap;
-      for (int i = 0; i < SIZE; i++) {
-        if (i != c) {
-          double factor = m[i][c] / m[c][c];
-          for (int j = c; j <= SIZE; j++) {
-            m[i][j] -= factor * m[c][j];
-          }
-        }
-      }
+  /** Moves x by Newton's step, limiting each component's; false if there is none. */
+  private static boolean move(double[] x, DMatrixRMaj slopes, double[] f) {
+    DMatrixRMaj step = new DMatrixRMaj(SIZE, 1);
+    if (!CommonOps_DDRM.solve(slopes, DMatrixRMaj.wrap(SIZE, 1, f), step)
+        || MatrixFeatures_DDRM.hasUncountable(step)) {
+      return false; // a control at its limit has no effect
     }
     double scale = 1.0;
     for (int i = 0; i < SIZE; i++) {
-      double delta = Math.abs(m[i][SIZE] / m[i][i]);
-      if (delta > LONGEST_MOVE[i]) {
-        scale = Math.min(scale, LONGEST_MOVE[i] / delta);
-      }
+      scale = Math.min(scale, LONGEST_MOVE[i] / Math.abs(step.get(i)));
     }
     for (int i = 0; i < SIZE; i++) {
-      x[i] += scale * m[i][SIZE] / m[i][i];
+      x[i] -= scale * step.get(i);
     }
     return true;
   }

@@ -1,6 +1,9 @@
 package org.u2sa.sim.camera;
 
 import org.u2sa.device.port.CameraFrame.Intrinsics;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.Rotation;
+import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** Viewing direction of each pixel: right and down per unit ahead. Immutable. */
 final class RayTable {
@@ -9,7 +12,10 @@ final class RayTable {
   final float[] right;
   final float[] down;
 
+  private final ColourLens lens;
+
   RayTable(ColourLens lens) {
+    this.lens = lens;
     Intrinsics pinhole = lens.intrinsics();
     int count = lens.width() * lens.height();
     right = new float[count];
@@ -28,6 +34,35 @@ final class RayTable {
       }
       right[i] = (float) x;
       down[i] = (float) y;
+    }
+  }
+
+  View from(VehicleTruth truth) {
+    return new View(truth);
+  }
+
+  /** The rays of a camera on a vehicle, in LOCAL_ENU. */
+  final class View {
+    final Point from;
+    private final Point axis;
+    private final Point rightwards;
+    private final Point downwards;
+
+    private View(VehicleTruth truth) {
+      Rotation turn = truth.attitude().nedFromFrd();
+      double sin = StrictMath.sin(lens.downRad());
+      double cos = StrictMath.cos(lens.downRad());
+      Point mounted = Point.of(lens.forwardM(), -lens.leftM(), -lens.upM());
+      from = truth.position().plus(turn.times(mounted).axesExchanged());
+      axis = turn.times(Point.of(cos, 0.0, sin)).axesExchanged();
+      rightwards = turn.times(Point.of(0.0, 1.0, 0.0)).axesExchanged();
+      downwards = turn.times(Point.of(-sin, 0.0, cos)).axesExchanged();
+    }
+
+    /** Direction of a pixel's ray, of length 1. */
+    Point way(int pixel) {
+      Point ray = axis.plus(rightwards.times(right[pixel])).plus(downwards.times(down[pixel]));
+      return ray.times(1.0 / ray.distance());
     }
   }
 }

@@ -19,7 +19,6 @@ final class Reflectance {
 
   private Reflectance() {}
 
-  /** Reflectance of paint. */
   static int of(org.u2sa.messages.marine.Colour paint) {
     return switch (paint) {
       case RED -> rgb(0.55, 0.03, 0.03);

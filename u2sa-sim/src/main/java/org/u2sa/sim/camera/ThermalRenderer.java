@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Random;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.Rotation;
 import org.u2sa.messages.marine.HotTarget;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -71,20 +70,10 @@ public final class ThermalRenderer {
    * @return width × height bytes, row by row; a new array each time
    */
   public byte[] picture(VehicleTruth truth) {
-    Rotation turn = truth.attitude().nedFromFrd();
-    double sin = StrictMath.sin(lens.downRad());
-    double cos = StrictMath.cos(lens.downRad());
-    Point mounted = enu(turn.times(Point.of(lens.forwardM(), -lens.leftM(), -lens.upM())));
-    Point from = truth.position().plus(mounted);
-    Point axis = enu(turn.times(Point.of(cos, 0.0, sin)));
-    Point right = enu(turn.times(Point.of(0.0, 1.0, 0.0)));
-    Point down = enu(turn.times(Point.of(-sin, 0.0, cos)));
+    RayTable.View view = rays.from(truth);
     byte[] picture = new byte[lens.width() * lens.height()];
     for (int i = 0; i < picture.length; i++) {
-      Point ray = axis.plus(right.times(rays.right[i])).plus(down.times(rays.down[i]));
-      double share =
-          (ZERO_K + celsius(from, ray.times(1.0 / ray.distance())) - coldestK)
-              / (hottestK - coldestK);
+      double share = (ZERO_K + celsius(view.from, view.way(i)) - coldestK) / (hottestK - coldestK);
       double noisy = share + lens.sigma() * noise.nextGaussian();
       picture[i] = (byte) Math.round(FULL * Math.max(0.0, Math.min(1.0, noisy)));
     }
@@ -116,9 +105,5 @@ public final class ThermalRenderer {
       }
     }
     return found;
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
   }
 }

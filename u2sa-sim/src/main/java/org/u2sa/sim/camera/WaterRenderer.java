@@ -2,8 +2,6 @@ package org.u2sa.sim.camera;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
@@ -44,16 +42,9 @@ public final class WaterRenderer {
    * @return width × height × 3 bytes, RGB, row by row; a new array each time
    */
   public byte[] picture(VehicleTruth truth) {
-    Rotation turn = truth.attitude().nedFromFrd();
-    double sin = StrictMath.sin(lens.downRad());
-    double cos = StrictMath.cos(lens.downRad());
-    Point mounted = enu(turn.times(Point.of(lens.forwardM(), -lens.leftM(), -lens.upM())));
-    Point from = truth.position().plus(mounted);
-    Point axis = enu(turn.times(Point.of(cos, 0.0, sin)));
-    Point right = enu(turn.times(Point.of(0.0, 1.0, 0.0)));
-    Point down = enu(turn.times(Point.of(-sin, 0.0, cos)));
+    RayTable.View view = rays.from(truth);
     for (WaterRays tracer : tracers) {
-      tracer.from(from, truth.timeS());
+      tracer.from(view.from, truth.timeS());
     }
     int rows = lens.height();
     IntStream.range(0, BANDS)
@@ -62,11 +53,10 @@ public final class WaterRenderer {
             band -> {
               int last = (band + 1) * rows / BANDS * lens.width();
               for (int i = band * rows / BANDS * lens.width(); i < last; i++) {
-                Point ray = axis.plus(right.times(rays.right[i])).plus(down.times(rays.down[i]));
-                tracers[band].look(ray.times(1.0 / ray.distance()), light, 3 * i);
+                tracers[band].look(view.way(i), light, 3 * i);
               }
             });
-    if (from.z() < scenery.look.surfaceM()) {
+    if (view.from.z() < scenery.look.surfaceM()) {
       particles(tracers[0]);
     }
     pictures++;
@@ -104,9 +94,5 @@ public final class WaterRenderer {
         }
       }
     }
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
   }
 }

@@ -22,29 +22,4 @@ public record SensorErrors(
     Arguments.requireInside("bias", biasSigma, 0.0, 1e6);
     Arguments.requireInside("share of lost readings", lost, 0.0, 1.0);
   }
-
-  /** Bosch BMP388, data sheet: 3 Pa noise, ±50 Pa absolute accuracy. */
-  public static SensorErrors barometer() {
-    return new SensorErrors(20.0, 0.02, 3.0, 25.0, 0.0);
-  }
-
-  /** Blue Robotics Bar30 (MS5837-30BA): 20 Pa resolution, about 5 kPa absolute accuracy. */
-  public static SensorErrors depthGauge() {
-    return new SensorErrors(10.0, 0.02, 20.0, 1_000.0, 0.0);
-  }
-
-  /** Differential pressure sensor such as the MS4525DO, zeroed before start: 3 Pa noise. */
-  public static SensorErrors pitotTube() {
-    return new SensorErrors(20.0, 0.02, 3.0, 2.0, 0.0);
-  }
-
-  /** ADS-B position reports of category NACp 9 (30 m, 95 %), with 10 % of reports lost [m]. */
-  public static SensorErrors transponder() {
-    return new SensorErrors(1.0, 0.2, 12.0, 0.0, 0.1);
-  }
-
-  /** A small Doppler velocity log: 1 cm/s noise, 10 % of readings lost [m/s]. */
-  public static SensorErrors velocityLog() {
-    return new SensorErrors(5.0, 0.1, 0.01, 0.002, 0.1);
-  }
 }

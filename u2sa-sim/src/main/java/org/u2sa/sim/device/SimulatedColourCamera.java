@@ -38,7 +38,6 @@ public final class SimulatedColourCamera extends SimulatedDevice<CameraFrame> im
     this(lens, PixelFormat.RGB24, new WaterRenderer(lens, scenery, streams)::picture, truth);
   }
 
-  /** A thermal camera. */
   public SimulatedColourCamera(
       ColourLens lens, ThermalRenderer renderer, Supplier<VehicleTruth> truth) {
     this(lens, PixelFormat.GREY8, renderer::picture, truth);

@@ -35,25 +35,16 @@ record Mount(Point place, Point turn) {
       return vehicle;
     }
     Rotation nedFromFrd = vehicle.attitude().nedFromFrd();
-    Point turning = cross(vehicle.rates(), place);
+    Point turning = vehicle.rates().cross(place);
     Rotation own = Rotation.nedFromFrd(turn.x(), turn.y(), turn.z());
     return new VehicleTruth(
         vehicle.timeS(),
-        vehicle.position().plus(enu(nedFromFrd.times(place))),
+        vehicle.position().plus(nedFromFrd.times(place).axesExchanged()),
         turn.equals(Point.ORIGIN) ? vehicle.attitude() : Attitude.of(nedFromFrd.times(own)),
-        vehicle.velocity().plus(enu(nedFromFrd.times(turning))),
+        vehicle.velocity().plus(nedFromFrd.times(turning).axesExchanged()),
         own.transposed().times(vehicle.rates()),
-        vehicle.acceleration().plus(enu(nedFromFrd.times(cross(vehicle.rates(), turning)))));
-  }
-
-  private static Point cross(Point a, Point b) {
-    return Point.of(
-        a.y() * b.z() - a.z() * b.y(),
-        a.z() * b.x() - a.x() * b.z(),
-        a.x() * b.y() - a.y() * b.x());
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
+        vehicle
+            .acceleration()
+            .plus(nedFromFrd.times(vehicle.rates().cross(turning)).axesExchanged()));
   }
 }

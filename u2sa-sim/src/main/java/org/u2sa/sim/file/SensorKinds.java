@@ -84,7 +84,6 @@ final class SensorKinds {
     return KINDS.values().stream().anyMatch(kind -> kind.port == port);
   }
 
-  /** Reads all sensors of a vehicle. */
   static List<SensorEntry> read(FileElement vehicle, VehicleModel model) {
     List<SensorEntry> all = new ArrayList<>();
     KINDS.forEach(

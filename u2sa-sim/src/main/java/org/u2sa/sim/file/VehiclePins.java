@@ -64,7 +64,6 @@ public final class VehiclePins implements Pins {
             .toList();
   }
 
-  /** The actuators by their pins. */
   public Map<Integer, String> actuators() {
     return actuators;
   }

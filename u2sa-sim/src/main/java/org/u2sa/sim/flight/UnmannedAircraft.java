@@ -309,11 +309,6 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     return Point.of(body.air.windE, body.air.windN, -body.air.windD);
   }
 
-  /** Actual state of an actuator: speed [rad/s], deflection [rad] or throttle. */
-  public double actual(String actuator) {
-    return state[FreeBody.ACTUATORS + indexOf(actuator)];
-  }
-
   @Override
   public VehicleTruth truth() {
     return BodyState.truth(steps.timeS(), state, rate);

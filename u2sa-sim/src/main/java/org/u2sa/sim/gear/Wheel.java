@@ -184,16 +184,6 @@ public final class Wheel {
     return forceD;
   }
 
-  /** Speed of the contact point along the wheel [m/s]. */
-  public double slipAlongMps() {
-    return slipAlongMps;
-  }
-
-  /** Speed of the contact point across the wheel, right positive [m/s]. */
-  public double slipAcrossMps() {
-    return slipAcrossMps;
-  }
-
   private static double limit(double value, double bound) {
     return Math.max(-bound, Math.min(bound, value));
   }

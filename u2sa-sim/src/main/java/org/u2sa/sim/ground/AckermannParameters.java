@@ -46,46 +46,4 @@ public record AckermannParameters(
     Arguments.requirePositive("steering lag", steerLagS);
     Arguments.requirePositive("steering rate", steerRateRadPerS);
   }
-
-  /**
-   * A 1:10 truck. Mass, inertia, axles, steering angle and rate are those of F1TENTH's simulator
-   * (f1tenth_gym: m 3.74 kg, I 0.04712 kg m², lf 0.15875 m, lr 0.17145 m, h 0.074 m, 0.4189 rad,
-   * 3.2 rad/s); geared for 1.9 m/s. Servo lag 0.05 s, from a hobby servo's 0.1 s for 60°.
-   */
-  public static AckermannParameters truck() {
-    return new AckermannParameters(
-        3.74,
-        0.04712,
-        0.17145,
-        0.074,
-        0.3302,
-        0.055,
-        0.0005,
-        0.4189,
-        0.05,
-        3.2,
-        MotorParameters.pololu37d30(),
-        TyreParameters.truck(),
-        BatteryParameters.lipo3s(),
-        Payload.none());
-  }
-
-  /** Copy with another payload. */
-  public AckermannParameters withPayload(Payload newPayload) {
-    return new AckermannParameters(
-        massKg,
-        yawInertiaKgM2,
-        cogAheadM,
-        cogHeightM,
-        wheelbaseM,
-        wheelRadiusM,
-        wheelInertiaKgM2,
-        steerMaxRad,
-        steerLagS,
-        steerRateRadPerS,
-        motor,
-        tyre,
-        battery,
-        newPayload);
-  }
 }

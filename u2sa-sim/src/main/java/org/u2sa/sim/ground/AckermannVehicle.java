@@ -15,29 +15,12 @@ public final class AckermannVehicle extends PlanarVehicle {
   private static final int FRONT = REAR + DrivenWheel.SIZE; // lateral tyre deflection [m]
   private static final int STEER = FRONT + 1; // [rad]
   private static final int SIZE = STEER + 1;
-  private static final double OVERHANG = 0.25; // at each end, relative to the wheelbase
-  private static final double WIDTH = 0.85; // relative to the wheelbase
-
   private final AckermannParameters p;
   private final Chassis chassis;
   private final DrivenWheel rear;
   private final SteeredWheel front;
   private final Footprint footprint;
   private double steerTarget = Double.NaN; // NaN: servo unpowered
-
-  /** Creates a vehicle at the origin, facing north, on a lawn. */
-  public AckermannVehicle(AckermannParameters parameters) {
-    this(parameters, GroundStart.atOrigin());
-  }
-
-  /**
-   * Creates a vehicle at rest on a lawn, with a full battery and straight steering.
-   *
-   * @throws IllegalArgumentException if the payload lifts an axle
-   */
-  public AckermannVehicle(AckermannParameters p, GroundStart start) {
-    this(p, start, usualOutline(p));
-  }
 
   /**
    * As the other constructor, with another collision outline.
@@ -69,12 +52,6 @@ public final class AckermannVehicle extends PlanarVehicle {
         new DrivenWheel(
             x, 0.0, weight - frontN, p.wheelRadiusM(), p.wheelInertiaKgM2(), p.motor(), p.tyre());
     front = new SteeredWheel(x + p.wheelbaseM(), frontN, p.tyre());
-  }
-
-  private static Footprint usualOutline(AckermannParameters p) {
-    double overhang = OVERHANG * p.wheelbaseM();
-    return Footprint.rectangle(
-        p.wheelbaseM() + overhang, overhang, WIDTH * p.wheelbaseM(), 0.0, 2.0 * p.cogHeightM());
   }
 
   @Override

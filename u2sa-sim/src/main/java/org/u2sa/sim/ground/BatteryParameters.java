@@ -31,9 +31,4 @@ public record BatteryParameters(
   public static BatteryParameters leadAcid7Ah() {
     return new BatteryParameters(12.8, 11.7, 0.043, 7.0, 0.5);
   }
-
-  /** 3S lithium-polymer pack, 5 A h: 4.2 V full, 3.5 V empty and about 6 mΩ per cell. */
-  public static BatteryParameters lipo3s() {
-    return new BatteryParameters(12.6, 10.5, 0.03, 5.0, 0.3);
-  }
 }

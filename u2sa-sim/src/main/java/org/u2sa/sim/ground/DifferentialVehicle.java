@@ -143,13 +143,6 @@ public final class DifferentialVehicle extends PlanarVehicle {
     force(castor.x(), castor.y(), castor.forceForward, castor.forceRight);
   }
 
-  private void rolling(DrivenWheel wheel, int at, double[] state, double[] rates) {
-    double along = state[U] - state[R] * wheel.y;
-    double across = state[V] + state[R] * wheel.x;
-    wheel.derive(state, at, along, across, state[R], rates);
-    force(wheel.x, wheel.y, wheel.forceAlong, wheel.forceAcross);
-  }
-
   @Override
   void settle() {
     left.settle(s, LEFT, TICK_S);

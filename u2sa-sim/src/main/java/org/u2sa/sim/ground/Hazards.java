@@ -71,7 +71,6 @@ public final class Hazards {
     return all;
   }
 
-  /** All hazards of one kind. */
   <T extends DrivingHazard> List<T> of(Class<T> kind) {
     return all.stream().filter(kind::isInstance).map(kind::cast).toList();
   }

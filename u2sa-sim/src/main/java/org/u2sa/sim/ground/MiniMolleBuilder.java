@@ -63,7 +63,6 @@ public final class MiniMolleBuilder {
     return this;
   }
 
-  /** Sets the hazards. */
   public MiniMolleBuilder hazards(Hazards newHazards) {
     hazards = Objects.requireNonNull(newHazards, "hazards");
     return this;

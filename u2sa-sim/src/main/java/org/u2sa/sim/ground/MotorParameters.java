@@ -22,7 +22,6 @@ public record MotorParameters(
     double inertiaKgM2,
     double deadBand) {
   private static final double RADPERS_PER_RPM = Math.PI / 30.0;
-  private static final double NM_PER_KGF_CM = 0.0980665;
 
   /**
    * @throws IllegalArgumentException if a value is outside its range
@@ -46,15 +45,6 @@ public record MotorParameters(
    */
   public static MotorParameters pg27() {
     return new MotorParameters(12.0, 198.0 * RADPERS_PER_RPM, 0.6, 8.541, 22.0, 0.011, 0.04);
-  }
-
-  /**
-   * Pololu 37D, 30:1, 12 V: 330 rpm, 0.2 A, 14 kgf cm, 5.5 A. Inertia estimated: 1e-6 kg m² times
-   * 30².
-   */
-  public static MotorParameters pololu37d30() {
-    return new MotorParameters(
-        12.0, 330.0 * RADPERS_PER_RPM, 0.2, 14.0 * NM_PER_KGF_CM, 5.5, 0.0009, 0.04);
   }
 
   /** Winding resistance [Ω]. */

@@ -123,6 +123,14 @@ abstract class PlanarVehicle implements GroundVehicle {
     turn += nm;
   }
 
+  /** Derives a driven wheel, whose state is {@code at} this index, and adds its force. */
+  final void rolling(DrivenWheel wheel, int at, double[] state, double[] rates) {
+    double along = state[U] - state[R] * wheel.y;
+    double across = state[V] + state[R] * wheel.x;
+    wheel.derive(state, at, along, across, state[R], rates);
+    force(wheel.x, wheel.y, wheel.forceAlong, wheel.forceAcross);
+  }
+
   @Override
   public final void step(DriveCommand command, double dtS) {
     held = Objects.requireNonNull(command, "command");

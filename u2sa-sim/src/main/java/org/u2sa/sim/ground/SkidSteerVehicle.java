@@ -118,17 +118,9 @@ public final class SkidSteerVehicle extends PlanarVehicle {
   @Override
   void derive(double[] state, double[] rates) {
     for (int i = 0; i < wheels.length; i++) {
-      rolling(i, state, rates);
+      rolling(wheels[i], at(i), state, rates);
+      moment(wheels[i].scrubNm);
     }
-  }
-
-  private void rolling(int i, double[] state, double[] rates) {
-    DrivenWheel wheel = wheels[i];
-    double along = state[U] - state[R] * wheel.y;
-    double across = state[V] + state[R] * wheel.x;
-    wheel.derive(state, at(i), along, across, state[R], rates);
-    force(wheel.x, wheel.y, wheel.forceAlong, wheel.forceAcross);
-    moment(wheel.scrubNm);
   }
 
   @Override

@@ -31,12 +31,4 @@ public record TyreParameters(
   public static TyreParameters wheelbarrow() {
     return new TyreParameters(10.0, 0.05, 0.01, 0.02);
   }
-
-  /**
-   * A tyre of a 1:10 truck: cornering stiffness 5.0 per load, the mean of front and rear (4.7, 5.5)
-   * in F1TENTH's simulator, scaled by grip; relaxation length is half a wheel radius.
-   */
-  public static TyreParameters truck() {
-    return new TyreParameters(5.0, 0.028, 0.01, 0.012);
-  }
 }

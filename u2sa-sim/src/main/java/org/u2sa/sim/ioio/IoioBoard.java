@@ -69,7 +69,6 @@ public enum IoioBoard {
     return ANALOG.length;
   }
 
-  /** Pin of an analog channel. */
   static int analogPin(int channel) {
     return ANALOG[channel];
   }

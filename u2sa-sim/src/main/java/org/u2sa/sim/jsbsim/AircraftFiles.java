@@ -62,8 +62,7 @@ final class AircraftFiles {
               .split(" "));
     }
     for (XmlElement engine : propulsion.children("engine")) {
-      XmlElement thruster =
-          engine.child("thruster").orElseThrow(() -> engine.error("lacks <thruster>"));
+      XmlElement thruster = engine.requiredChild("thruster");
       load(engine, "piston_engine", "electric_engine");
       load(thruster, "propeller");
     }
@@ -108,7 +107,7 @@ final class AircraftFiles {
    * @throws BadInputException if it is missing
    */
   XmlElement section(String name) {
-    return aircraft.child(name).orElseThrow(() -> aircraft.error("lacks <" + name + ">"));
+    return aircraft.requiredChild(name);
   }
 
   XmlElement propulsion() {

@@ -177,7 +177,7 @@ final class FlightControl {
 
   /** A number, or the property that holds it. */
   private DoubleSupplier parameter(XmlElement parent, String name) {
-    XmlElement child = parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
+    XmlElement child = parent.requiredChild(name);
     if (child.text().contains("/")) {
       return properties.read(child.text(), child);
     }
@@ -204,8 +204,7 @@ final class FlightControl {
   }
 
   private DoubleSupplier table(XmlElement element) {
-    return functions.table(
-        element.child("table").orElseThrow(() -> element.error("lacks <table>")));
+    return functions.table(element.requiredChild("table"));
   }
 
   private Law gain(XmlElement element, DoubleSupplier schedule) {
@@ -220,7 +219,7 @@ final class FlightControl {
     refuseOthers(element, "gain", "domain", "range", "zero_centered");
     DoubleSupplier input = input(element);
     DoubleSupplier gain = parameter(element, "gain", 1.0);
-    XmlElement range = element.child("range").orElseThrow(() -> element.error("lacks <range>"));
+    XmlElement range = element.requiredChild("range");
     double low = UnitNumbers.number(range, "min", UnitNumbers.PURE);
     double high = UnitNumbers.number(range, "max", UnitNumbers.PURE);
     double[] domain =
@@ -248,9 +247,7 @@ final class FlightControl {
 
   private Law function(XmlElement element) {
     refuseOthers(element, "function");
-    DoubleSupplier function =
-        functions.function(
-            element.child("function").orElseThrow(() -> element.error("lacks <function>")));
+    DoubleSupplier function = functions.function(element.requiredChild("function"));
     DoubleSupplier factor = element.child("input").isPresent() ? input(element) : () -> 1.0;
     return (before, dtS) -> factor.getAsDouble() * function.getAsDouble();
   }
@@ -286,8 +283,7 @@ final class FlightControl {
     Kinematic(XmlElement element, DoubleSupplier input) {
       refuseOthers(element, "traverse", "noscale");
       this.input = input;
-      XmlElement traverse =
-          element.child("traverse").orElseThrow(() -> element.error("lacks <traverse>"));
+      XmlElement traverse = element.requiredChild("traverse");
       List<XmlElement> settings = traverse.children("setting");
       if (settings.size() < 2) {
         throw traverse.error("has " + settings.size() + " <setting>; expected at least two");

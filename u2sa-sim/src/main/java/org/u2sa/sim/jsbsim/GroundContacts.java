@@ -56,8 +56,7 @@ final class GroundContacts {
       ignored.add(file + ": castering");
       steer = 0.0;
     }
-    double[] place =
-        UnitNumbers.place(file.child("location").orElseThrow(() -> file.error("lacks <location>")));
+    double[] place = UnitNumbers.place(file.requiredChild("location"));
     double[] centre = mass.centre();
     try {
       Wheel wheel =

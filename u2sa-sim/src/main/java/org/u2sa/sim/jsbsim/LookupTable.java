@@ -19,7 +19,7 @@ final class LookupTable {
 
   /** Reads the only {@code tableData} of a table: two columns, or a matrix below a row of keys. */
   static LookupTable read(XmlElement table) {
-    XmlElement data = table.child("tableData").orElseThrow(() -> table.error("lacks <tableData>"));
+    XmlElement data = table.requiredChild("tableData");
     if (data.optionalAttribute("breakPoint").isPresent()) {
       throw data.error("a table over three variables; expected one or two");
     }

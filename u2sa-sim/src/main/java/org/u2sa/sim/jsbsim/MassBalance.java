@@ -65,11 +65,7 @@ final class MassBalance {
   }
 
   private void add(PropertyTree.Property property, XmlElement element) {
-    loads.add(
-        new Load(
-            property,
-            UnitNumbers.place(
-                element.child("location").orElseThrow(() -> element.error("lacks <location>")))));
+    loads.add(new Load(property, UnitNumbers.place(element.requiredChild("location"))));
   }
 
   /** Centre of gravity of the last {@link #update}, structural [ft]. */

@@ -55,9 +55,7 @@ final class TabulatedPropeller {
         ("ixx diameter numblades gearratio minpitch maxpitch minrpm maxrpm constspeed "
                 + "reversepitch ct_factor cp_factor table description")
             .split(" "));
-    place =
-        UnitNumbers.place(
-            thruster.child("location").orElseThrow(() -> thruster.error("lacks <location>")));
+    place = UnitNumbers.place(thruster.requiredChild("location"));
     double[] turn = new double[3];
     thruster.child("orient").ifPresent(orient -> readOrientation(orient, turn));
     double[] quaternion = new double[4];

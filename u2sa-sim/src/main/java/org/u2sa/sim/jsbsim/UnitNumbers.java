@@ -50,7 +50,7 @@ final class UnitNumbers {
 
   /** A required child's number. */
   static double number(XmlElement parent, String child, String unit) {
-    return of(parent.child(child).orElseThrow(() -> parent.error("lacks <" + child + ">")), unit);
+    return of(parent.requiredChild(child), unit);
   }
 
   /** An optional child's number. */
@@ -58,7 +58,6 @@ final class UnitNumbers {
     return parent.child(child).map(each -> of(each, unit)).orElse(ifAbsent);
   }
 
-  /** The number of an element. */
   static double of(XmlElement element, String unit) {
     return plain(element, element.text()) * factor(element, unit);
   }

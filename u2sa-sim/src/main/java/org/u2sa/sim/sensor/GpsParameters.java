@@ -63,15 +63,6 @@ public record GpsParameters(
     return new GpsParameters(1.0, 0.25, 0.5, 3.0, 120.0, 1.5, 0.15, 900.0, 5.0, 9, 1);
   }
 
-  /**
-   * A stand-alone aviation receiver without corrections: 1.5 m bias with a correlation time of two
-   * minutes, 0.3 m noise, 5 Hz. High-quality single-frequency receivers do better: 1.9 m, 95 %
-   * (gps.gov, GPS Accuracy).
-   */
-  public static GpsParameters aviation() {
-    return new GpsParameters(5.0, 0.15, 0.3, 1.5, 120.0, 1.8, 0.1, 0.0, 1.0, 10, 1);
-  }
-
   /** Standard deviation reported per horizontal axis [m]. */
   double horizontalSigmaM() {
     return StrictMath.sqrt(whiteM * whiteM + biasM * biasM);

@@ -105,21 +105,17 @@ public final class BodyState {
     Rotation nedFromFrd = attitude.nedFromFrd();
     Point turn = at(s, RATES);
     Point through = at(s, VELOCITY);
-    Point turning = // transport term ω × v of the rotating axes
-        Point.of(
-            turn.y() * through.z() - turn.z() * through.y(),
-            turn.z() * through.x() - turn.x() * through.z(),
-            turn.x() * through.y() - turn.y() * through.x());
+    Point turning = turn.cross(through); // transport term of the rotating axes
     Point acceleration = nedFromFrd.times(at(rate, VELOCITY).plus(turning));
     return new VehicleTruth(
-        timeS, enu(at(s, NED)), attitude, enu(at(rate, NED)), turn, enu(acceleration));
+        timeS,
+        at(s, NED).axesExchanged(),
+        attitude,
+        at(rate, NED).axesExchanged(),
+        turn,
+        acceleration.axesExchanged());
   }
 
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
-  }
-
-  /** Attitude of a body. */
   public static Attitude attitude(double[] s) {
     double w = s[QUATERNION];
     double x = s[QUATERNION + 1];

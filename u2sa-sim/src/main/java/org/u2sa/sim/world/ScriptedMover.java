@@ -225,7 +225,6 @@ public final class ScriptedMover {
     return there;
   }
 
-  /** UID of the object. */
   public String uid() {
     return object.uid();
   }

@@ -160,7 +160,6 @@ public final class World {
         new Script(List.of(), script.zones, script.light));
   }
 
-  /** Scripted movers. */
   public List<ScriptedMover> movers() {
     return script.movers;
   }
@@ -180,7 +179,6 @@ public final class World {
     return plane;
   }
 
-  /** Terrain. */
   public Terrain terrain() {
     return terrain;
   }
@@ -190,7 +188,6 @@ public final class World {
     return surface;
   }
 
-  /** The wind. */
   public Wind wind() {
     return wind;
   }
@@ -200,12 +197,10 @@ public final class World {
     return new WindField(wind, spanM);
   }
 
-  /** The water, if there is any. */
   public Optional<Water> water() {
     return water;
   }
 
-  /** All obstacles, as given. */
   public List<ObjectDescription> obstacles() {
     return obstacles;
   }

@@ -12,8 +12,8 @@ import org.u2sa.messages.frame.Gravity;
 class AckermannVehicleTest {
   private static final double CREEP = 0.15; // command for 0.1 m/s
 
-  private final AckermannParameters parameters = AckermannParameters.truck();
-  private final AckermannVehicle vehicle = new AckermannVehicle(parameters);
+  private final AckermannParameters parameters = Truck.with(Payload.none());
+  private final AckermannVehicle vehicle = Truck.vehicle(parameters);
 
   @Test
   void step_straight_drivesStraightNorth() {
@@ -77,8 +77,8 @@ class AckermannVehicleTest {
 
   @Test
   void new_payloadBehindTheRearAxle_isRefusedAsTheFrontLifts() {
-    AckermannParameters tipping = parameters.withPayload(new Payload(5.0, -0.3, 0.0));
-    assertThatThrownBy(() -> new AckermannVehicle(tipping))
+    AckermannParameters tipping = Truck.with(new Payload(5.0, -0.3, 0.0));
+    assertThatThrownBy(() -> Truck.vehicle(tipping))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageStartingWith("payload: the front axle would carry -");
   }

@@ -12,8 +12,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class GroundDeterminismTest {
   static List<Supplier<GroundVehicle>> vehicles() {
     return List.of(
-        () -> new DifferentialVehicle(DifferentialParameters.miniMolle()),
-        () -> new AckermannVehicle(AckermannParameters.truck()));
+        () -> new DifferentialVehicle(DifferentialParameters.miniMolle()), () -> Truck.vehicle());
   }
 
   @ParameterizedTest

@@ -29,9 +29,8 @@ class GroundVehicleProperties {
       @ForAll long seed,
       @ForAll @DoubleRange(min = 0.0, max = 2.0) double payloadKg,
       @ForAll @DoubleRange(min = 0.02, max = 1.2) double grip) {
-    AckermannParameters parameters =
-        AckermannParameters.truck().withPayload(new Payload(payloadKg, 0.1, 0.0));
-    wild(new AckermannVehicle(parameters), seed, grip);
+    AckermannParameters parameters = Truck.with(new Payload(payloadKg, 0.1, 0.0));
+    wild(Truck.vehicle(parameters), seed, grip);
   }
 
   @Property(tries = 20)
@@ -49,8 +48,8 @@ class GroundVehicleProperties {
   @Property(tries = 20)
   void step_mirroredCommands_mirrorsAnAckermannToTheLastBit(@ForAll long seed) {
     mirrored(
-        new AckermannVehicle(AckermannParameters.truck()),
-        new AckermannVehicle(AckermannParameters.truck()),
+        Truck.vehicle(),
+        Truck.vehicle(),
         seed,
         command -> new DriveCommand(command.first(), -command.second()));
   }

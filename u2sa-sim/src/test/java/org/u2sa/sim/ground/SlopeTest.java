@@ -95,10 +95,10 @@ class SlopeTest {
 
   @Test
   void step_truckUphill_losesSpeedAndKeepsBothAxlesLoaded() {
-    AckermannVehicle truck = new AckermannVehicle(AckermannParameters.truck());
+    AckermannVehicle truck = Truck.vehicle();
     truck.enter(World.at(HERE).with(Terrain.slope(Math.toRadians(10.0), UP_NORTH)));
     truck.step(new DriveCommand(0.8, 0.0), 5.0);
-    AckermannVehicle level = new AckermannVehicle(AckermannParameters.truck());
+    AckermannVehicle level = Truck.vehicle();
     level.step(new DriveCommand(0.8, 0.0), 5.0);
     assertThat(truck.state().forwardMps()).isBetween(0.3, level.state().forwardMps() - 0.1);
   }

@@ -18,12 +18,11 @@ import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.sim.aircraft.Cessna172;
 import org.u2sa.sim.aircraft.RunwayStart;
 import org.u2sa.sim.atmosphere.Wind;
-import org.u2sa.sim.ground.AckermannParameters;
-import org.u2sa.sim.ground.AckermannVehicle;
 import org.u2sa.sim.ground.DifferentialParameters;
 import org.u2sa.sim.ground.DifferentialVehicle;
 import org.u2sa.sim.ground.GroundStart;
 import org.u2sa.sim.ground.GroundVehicle;
+import org.u2sa.sim.ground.Truck;
 import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
@@ -34,7 +33,7 @@ class VehicleRunTest {
   static Stream<SimulatedVehicle> vehicles() {
     return Stream.of(
         new DifferentialVehicle(DifferentialParameters.miniMolle()),
-        new AckermannVehicle(AckermannParameters.truck()),
+        Truck.vehicle(),
         Cessna172.onRunway(new RunwayStart(11.0, 48.0, 500.0, 1.0), Wind.calm(), true));
   }
 

@@ -32,14 +32,12 @@ public final class CourseCamera extends CameraSensor {
   private final Optional<CameraImages> images; // empty: not published
   private long pictures;
 
-  /** Launcher constructor: opens the configured camera. */
   public CourseCamera(ServiceContext context) {
     super(context, "CourseCamera");
     reading = reading(context);
     images = images();
   }
 
-  /** Uses the given camera, e.g. of a phone or a simulated one. */
   public CourseCamera(ServiceContext context, Camera camera) {
     super(context, "CourseCamera", camera);
     reading = reading(context);

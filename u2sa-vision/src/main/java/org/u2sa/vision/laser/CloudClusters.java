@@ -41,7 +41,6 @@ public final class CloudClusters extends EventDrivenService {
   private final Variables settings;
   private long clouds;
 
-  /** Called by the launcher. */
   public CloudClusters(ServiceContext context) {
     super(context, ServiceRole.EXTEROCEPTIVE_SENSOR, "CloudClusters");
     settings = settings(Variables.class).get();

@@ -36,7 +36,6 @@ public final class MarineCamera extends CameraSensor {
   private final Optional<JpegDecoder> jpeg;
   private int seenLast;
 
-  /** Launcher constructor: opens the configured camera. */
   public MarineCamera(ServiceContext context) {
     super(context, "MarineCamera");
     MarineVariables variables = settings(MarineVariables.class).get();
@@ -48,7 +47,6 @@ public final class MarineCamera extends CameraSensor {
     jpeg = decoder();
   }
 
-  /** Uses the given camera, e.g. of a phone or a simulated one. */
   public MarineCamera(ServiceContext context, Camera camera) {
     super(context, "MarineCamera", camera);
     MarineVariables variables = settings(MarineVariables.class).get();

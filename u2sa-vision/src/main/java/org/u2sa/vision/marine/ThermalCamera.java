@@ -19,31 +19,19 @@ import org.u2sa.vision.ground.CameraMount;
  * sensed-objects in BODY: HotTarget with the time of the image and the excess temperature.
  */
 public final class ThermalCamera extends CameraSensor {
-  private final ThermalVariables variables;
-  private final SoughtKinds sought;
-  private final LensChoice lenses;
-  private final ThermalSight sight;
-  private final MarineMessages messages;
+  private final ThermalVariables variables = settings(ThermalVariables.class).get();
+  private final SoughtKinds sought = sought();
+  private final LensChoice lenses = new LensChoice(Optional.empty(), variables.angleOfView());
+  private final ThermalSight sight = new ThermalSight(variables);
+  private final MarineMessages messages = messages();
   private int seenLast;
 
-  /** Launcher constructor: opens the configured camera. */
   public ThermalCamera(ServiceContext context) {
     super(context, "ThermalCamera");
-    variables = settings(ThermalVariables.class).get();
-    sought = sought();
-    lenses = new LensChoice(Optional.empty(), variables.angleOfView());
-    sight = new ThermalSight(variables);
-    messages = messages();
   }
 
-  /** Uses the given camera, e.g. a simulated one. */
   public ThermalCamera(ServiceContext context, Camera camera) {
     super(context, "ThermalCamera", camera);
-    variables = settings(ThermalVariables.class).get();
-    sought = sought();
-    lenses = new LensChoice(Optional.empty(), variables.angleOfView());
-    sight = new ThermalSight(variables);
-    messages = messages();
   }
 
   private SoughtKinds sought() {

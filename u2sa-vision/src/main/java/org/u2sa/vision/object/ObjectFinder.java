@@ -233,7 +233,7 @@ public final class ObjectFinder {
     }
     Point camera = view.camera();
     double clearance = view.heightM() - lowM;
-    double lowRange = range(low.get(), camera);
+    double lowRange = low.get().flatDistanceTo(camera);
     RangeEstimate byLow =
         new RangeEstimate(
             lowRange,
@@ -316,7 +316,7 @@ public final class ObjectFinder {
     double edgeRad = Math.hypot(EDGE_PX / view.lens().pinhole().focalY(), sigma.tiltRad());
     double clearance = Math.max(0.1, view.heightM() - edgeM);
     return view.atHeight(middle, patch.bottom() + 0.5, edgeM)
-        .map(edge -> range(edge, view.camera()))
+        .map(edge -> edge.flatDistanceTo(view.camera()))
         .map(
             range ->
                 new RangeEstimate(
@@ -364,10 +364,6 @@ public final class ObjectFinder {
     Point b = right.get();
     double cosine = (a.x() * b.x() + a.y() * b.y() + a.z() * b.z()) / (a.distance() * b.distance());
     return Math.acos(Math.max(-1.0, Math.min(1.0, cosine)));
-  }
-
-  private static double range(Point level, Point camera) {
-    return Math.hypot(level.x() - camera.x(), level.y() - camera.y());
   }
 
   private static boolean isCut(ColourPatch patch, CameraFrame frame) {

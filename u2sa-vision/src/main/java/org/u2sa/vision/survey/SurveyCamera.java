@@ -72,7 +72,6 @@ public final class SurveyCamera extends CameraSensor {
   private long images;
   private long withoutState;
 
-  /** Launcher constructor: opens the configured camera. */
   public SurveyCamera(ServiceContext context) {
     super(context, "SurveyCamera");
     mount = listen();
@@ -80,7 +79,6 @@ public final class SurveyCamera extends CameraSensor {
     terrain = HeightGrid.named(variables.get().terrain(), context.configuration()::resolve);
   }
 
-  /** Uses the given camera, e.g. a simulated one. */
   public SurveyCamera(ServiceContext context, Camera camera) {
     super(context, "SurveyCamera", camera);
     mount = listen();

@@ -44,7 +44,7 @@ record BearingLine(Point from, Point direction, double rangeM) {
       for (BearingLine line : lines) {
         Point way = place.minus(line.from);
         double sigmaM = sigmaRad * Math.max(NEAREST_M, way.distance());
-        double errors = way.minus(line.direction.times(dot(way, line.direction))).distance();
+        double errors = way.minus(line.direction.times(way.dot(line.direction))).distance();
         double sigmas = errors / sigmaM;
         double trust = Math.pow(1.0 + sigmas * sigmas / (TRUSTED_SIGMAS * TRUSTED_SIGMAS), -2.0);
         squares += sigmas * sigmas;
@@ -74,10 +74,6 @@ record BearingLine(Point from, Point direction, double rangeM) {
         right[i] += weight * part * p[j];
       }
     }
-  }
-
-  private static double dot(Point a, Point b) {
-    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
   }
 
   private static double minor(double[][] m, int i, int j) {

@@ -6,7 +6,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.u2sa.interfaces.configuration.Configurator;
+import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
@@ -22,9 +24,18 @@ import org.u2sa.world.modeller.Sighting;
  * mission named the area do not count.
  */
 public final class CoverageModeller implements Modeller {
+  private record Variables(
+      @Variable(unit = "m", min = 0.5, max = 100, ifAbsent = 5)
+          @Description("Side of the cells into which search areas are divided.")
+          double coverageCell,
+      @Variable(unit = "m", min = 0, max = 50, ifAbsent = 2)
+          @Description(
+              "Margin by which the ground that an image shows is reduced on all sides, for errors of the vehicle's position and attitude.")
+          double coverageMargin) {}
+
   private static final int MAX_AREAS = 20;
 
-  private final Settings<CoverageVariables> settings;
+  private final Settings<Variables> settings;
   private final Map<String, AreaCells> areas = new LinkedHashMap<>();
   private long images;
   private int refused;
@@ -33,7 +44,7 @@ public final class CoverageModeller implements Modeller {
    * @param configuration configuration of the World Modeler
    */
   public CoverageModeller(Configurator configuration) {
-    settings = configuration.settings(CoverageVariables.class);
+    settings = configuration.settings(Variables.class);
   }
 
   @Override

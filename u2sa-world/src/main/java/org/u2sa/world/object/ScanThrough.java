@@ -30,8 +30,8 @@ final class ScanThrough {
    */
   boolean passed(Point place, double radius) {
     Point way = place.minus(pose.place());
-    double ahead = dot(way, pose.ahead());
-    double aside = dot(way, pose.aside());
+    double ahead = way.dot(pose.ahead());
+    double aside = way.dot(pose.aside());
     double distance = Math.hypot(ahead, aside);
     double off = Math.sqrt(Math.max(0.0, square(way.distance()) - square(distance)));
     double behind = distance + radius + MARGIN_M;
@@ -61,10 +61,6 @@ final class ScanThrough {
     double turn = Math.abs(2.0 * Math.PI / scan.angleIncrement());
     double beam = (angle - scan.startAngle()) / scan.angleIncrement();
     return beam - turn * Math.floor(beam / turn);
-  }
-
-  private static double dot(Point a, Point b) {
-    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
   }
 
   private static double square(double value) {

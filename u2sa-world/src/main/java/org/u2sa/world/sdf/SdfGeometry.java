@@ -78,7 +78,7 @@ final class SdfGeometry {
   }
 
   private static ObjectDescription box(XmlElement shape, SdfPose pose) {
-    double[] size = SdfNumbers.of(SdfNumbers.required(shape, "size"), 3);
+    double[] size = SdfNumbers.of(shape.requiredChild("size"), 3);
     for (double each : size) {
       if (!(each > 0.0)) {
         throw shape.error("<size> " + each + ": expected numbers above 0");
@@ -131,7 +131,7 @@ final class SdfGeometry {
 
   private Optional<ObjectDescription> mesh(
       XmlElement shape, SdfPose pose, String name, Path folder) {
-    String uri = SdfNumbers.required(shape, "uri").text();
+    String uri = shape.requiredChild("uri").text();
     double[] scale =
         shape.child("scale").map(each -> SdfNumbers.of(each, 3)).orElse(new double[] {1, 1, 1});
     Optional<Path> file = resources.find(uri, folder);

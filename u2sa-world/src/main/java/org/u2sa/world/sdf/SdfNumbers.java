@@ -3,7 +3,7 @@ package org.u2sa.world.sdf;
 import org.u2sa.interfaces.xml.XmlElement;
 
 /** Numbers in elements of SDFormat, separated by spaces. */
-final class SdfNumbers {
+public final class SdfNumbers {
   private static final double LARGEST = 1e7;
 
   private SdfNumbers() {}
@@ -20,29 +20,32 @@ final class SdfNumbers {
     }
     double[] numbers = new double[count];
     for (int i = 0; i < count; i++) {
-      try {
-        numbers[i] = Double.parseDouble(words[i]);
-      } catch (NumberFormatException e) {
-        throw element.error("\"" + words[i] + "\" is not a number", e);
-      }
-      if (!(Math.abs(numbers[i]) <= LARGEST)) {
-        throw element.error("\"" + words[i] + "\": expected a number of at most 10,000,000");
-      }
+      numbers[i] = parsed(element, words[i]);
     }
     return numbers;
   }
 
+  /** A number among the words of an element. */
+  public static double parsed(XmlElement element, String word) {
+    double number;
+    try {
+      number = Double.parseDouble(word);
+    } catch (NumberFormatException e) {
+      throw element.error("\"" + word + "\" is not a number", e);
+    }
+    if (!(Math.abs(number) <= LARGEST)) {
+      throw element.error("\"" + word + "\": expected a number of at most 10,000,000");
+    }
+    return number;
+  }
+
   /** A number above 0 in a required child. */
   static double positive(XmlElement parent, String name) {
-    XmlElement child = required(parent, name);
+    XmlElement child = parent.requiredChild(name);
     double value = of(child, 1)[0];
     if (!(value > 0.0)) {
       throw child.error("\"" + child.text() + "\": expected a number above 0");
     }
     return value;
-  }
-
-  static XmlElement required(XmlElement parent, String name) {
-    return parent.child(name).orElseThrow(() -> parent.error("lacks <" + name + ">"));
   }
 }

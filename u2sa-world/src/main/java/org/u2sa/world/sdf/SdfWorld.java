@@ -147,7 +147,7 @@ public final class SdfWorld {
       Path folder,
       Map<String, SdfPose> states,
       int depth) {
-    String uri = SdfNumbers.required(include, "uri").text();
+    String uri = include.requiredChild("uri").text();
     String name = include.child("name").map(XmlElement::text).orElse(lastPart(uri));
     Optional<Path> file =
         resources

@@ -23,11 +23,6 @@ public final class OfferedFiles {
     this.recordings = recordings;
   }
 
-  /** Component metadata. */
-  public ComponentMetadataFiles metadata() {
-    return metadata;
-  }
-
   /** Recordings, oldest name first. */
   List<RecordingFolder.Entry> recordings() throws IOException {
     return recordings.isPresent() ? recordings.get().entries() : List.of();

@@ -85,7 +85,6 @@ final class FenceShapes {
         MavMissionResult.MAV_MISSION_UNSUPPORTED, "fence item " + (index + 1) + ": " + why);
   }
 
-  /** Items of areas. */
   static List<MissionItem> items(List<StationPlan.Area> areas) {
     List<MissionItem> items = new ArrayList<>();
     for (StationPlan.Area area : areas) {

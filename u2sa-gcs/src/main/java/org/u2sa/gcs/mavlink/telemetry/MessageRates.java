@@ -92,7 +92,6 @@ public final class MessageRates {
     return intervals.getOrDefault(id, 0L).intValue();
   }
 
-  /** Sets the rate of a stream of messages. */
   public void stream(int stream, int hz, boolean on) {
     STREAMS.forEach(
         (id, messages) -> {

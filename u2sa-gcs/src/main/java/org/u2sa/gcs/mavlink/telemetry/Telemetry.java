@@ -14,25 +14,21 @@ public final class Telemetry {
   /** HEARTBEAT. */
   public static final int HEARTBEAT = 0;
 
-  /** MISSION_CURRENT. */
   public static final int MISSION_CURRENT = 42;
 
   /** AUTOPILOT_VERSION. */
   public static final int AUTOPILOT_VERSION = 148;
 
-  /** HOME_POSITION. */
   public static final int HOME_POSITION = 242;
 
   /** PROTOCOL_VERSION. */
   public static final int PROTOCOL_VERSION = 300;
 
-  /** COMPONENT_METADATA. */
   public static final int COMPONENT_METADATA = 397;
 
   /** CURRENT_EVENT_SEQUENCE. */
   public static final int CURRENT_EVENT_SEQUENCE = 411;
 
-  /** AVAILABLE_MODES. */
   public static final int AVAILABLE_MODES = 435;
 
   /**

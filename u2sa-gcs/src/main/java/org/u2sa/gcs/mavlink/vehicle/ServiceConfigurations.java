@@ -65,7 +65,6 @@ public final class ServiceConfigurations {
     }
   }
 
-  /** Configurations by service. */
   public Map<String, ConfigurationResponse> byService() {
     return byService;
   }

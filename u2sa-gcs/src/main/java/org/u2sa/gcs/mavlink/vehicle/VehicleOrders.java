@@ -168,7 +168,6 @@ public final class VehicleOrders {
     send(id, Kind.OTHER, Channels.FENCE_ORDERS, order.requestId(id).operator(operator), answer);
   }
 
-  /** Changes the configuration. */
   public void configure(ConfigurationTransaction change, Answer answer) {
     String id = UUID.randomUUID().toString();
     send(id, Kind.OTHER, Channels.CONFIGURATION, change.requestId(id).author(operator), answer);

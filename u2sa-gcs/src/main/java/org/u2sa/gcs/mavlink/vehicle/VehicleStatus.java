@@ -9,7 +9,6 @@ import java.util.function.LongSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.BatteryState;
-import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ConfigurationRequest;
 import org.u2sa.messages.contract.DiscoveryRequest;
@@ -59,7 +58,6 @@ public final class VehicleStatus {
           Channels.EMERGENCY_STOP,
           Channels.HEALTH,
           Channels.POWER,
-          Channels.NAVIGATION,
           Channels.CONFIGURATION,
           Channels.DISCOVERY);
 
@@ -84,7 +82,6 @@ public final class VehicleStatus {
   private volatile FenceState fence;
   private volatile ManualState manual;
   private volatile BatteryState battery;
-  private volatile NavigationPoint navigation;
 
   /**
    * @param micros real time [µs]
@@ -118,8 +115,6 @@ public final class VehicleStatus {
       manual = now;
     } else if (message instanceof BatteryState now) {
       battery = now;
-    } else if (message instanceof NavigationPoint now) {
-      navigation = now;
     } else if (message instanceof EmergencyStop stop) {
       take(stop);
     } else if (message instanceof DiscoveryResponse response) {
@@ -208,11 +203,6 @@ public final class VehicleStatus {
   /** Newest battery state. */
   public Optional<BatteryState> battery() {
     return Optional.ofNullable(battery);
-  }
-
-  /** Newest navigation point. */
-  public Optional<NavigationPoint> navigation() {
-    return Optional.ofNullable(navigation);
   }
 
   /** Whether the vehicle may move; false if unknown. */

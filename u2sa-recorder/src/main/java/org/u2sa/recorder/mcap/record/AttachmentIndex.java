@@ -16,7 +16,6 @@ public record AttachmentIndex(
     out.end();
   }
 
-  /** Reads the fields of a record. */
   public static AttachmentIndex read(RecordFields in) throws McapException {
     return new AttachmentIndex(
         in.uint64(), in.uint64(), in.uint64(), in.uint64(), in.uint64(), in.string(), in.string());

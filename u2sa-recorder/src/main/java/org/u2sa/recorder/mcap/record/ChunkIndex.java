@@ -36,7 +36,6 @@ public record ChunkIndex(
     out.uint64(messageIndexLength).string(compression).uint64(compressedSize).uint64(size).end();
   }
 
-  /** Reads the fields of a record. */
   public static ChunkIndex read(RecordFields in) throws McapException {
     long start = in.uint64();
     long end = in.uint64();

@@ -20,7 +20,6 @@ public record McapAttachment(
     out.uint32(out.crcOfContent()).end();
   }
 
-  /** Reads the fields of a record. */
   public static McapAttachment read(RecordFields in) throws McapException {
     long logTime = in.uint64();
     long createTime = in.uint64();

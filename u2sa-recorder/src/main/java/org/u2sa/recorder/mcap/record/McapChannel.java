@@ -19,7 +19,6 @@ public record McapChannel(
     out.map(metadata).end();
   }
 
-  /** Reads the fields of a record. */
   public static McapChannel read(RecordFields in) throws McapException {
     return new McapChannel(in.uint16(), in.uint16(), in.string(), in.string(), in.map());
   }

@@ -11,7 +11,6 @@ public class McapException extends IOException {
     super(message);
   }
 
-  /** Creates an exception with a message and a cause. */
   public McapException(String message, Throwable cause) {
     super(message, cause);
   }

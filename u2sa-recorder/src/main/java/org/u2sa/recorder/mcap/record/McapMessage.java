@@ -20,7 +20,6 @@ public record McapMessage(
     out.uint64(logTimeNanos).uint64(publishTimeNanos).bytes(data, 0, data.length).endAsIs();
   }
 
-  /** Reads the fields of a record. */
   public static McapMessage read(RecordFields in) throws McapException {
     return new McapMessage(
         in.uint16(), in.uint32(), in.uint64(), in.uint64(), in.bytes(in.remaining()));

@@ -14,7 +14,6 @@ public record McapMetadata(String name, Map<String, String> entries) {
     out.begin(Opcode.METADATA).string(name).map(entries).end();
   }
 
-  /** Reads the fields of a record. */
   public static McapMetadata read(RecordFields in) throws McapException {
     return new McapMetadata(in.string(), in.map());
   }

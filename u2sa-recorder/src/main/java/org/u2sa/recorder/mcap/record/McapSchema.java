@@ -15,7 +15,6 @@ public record McapSchema(int id, String name, String encoding, byte[] data) {
     out.uint32(data.length).bytes(data, 0, data.length).end();
   }
 
-  /** Reads the fields of a record. */
   public static McapSchema read(RecordFields in) throws McapException {
     return new McapSchema(in.uint16(), in.string(), in.string(), in.bytes(in.uint32()));
   }

@@ -36,7 +36,6 @@ public record McapStatistics(
     out.end();
   }
 
-  /** Reads the fields of a record. */
   public static McapStatistics read(RecordFields in) throws McapException {
     long messages = in.uint64();
     int schemas = in.uint16();

@@ -7,7 +7,6 @@ public record MetadataIndex(long offset, long length, String name) {
     out.begin(Opcode.METADATA_INDEX).uint64(offset).uint64(length).string(name).end();
   }
 
-  /** Reads the fields of a record. */
   public static MetadataIndex read(RecordFields in) throws McapException {
     return new MetadataIndex(in.uint64(), in.uint64(), in.string());
   }

@@ -20,7 +20,7 @@ public record Gate(Point left, Point right) {
     for (Point left : lefts) {
       Point partner = nearest(left, rights);
       if (partner != null && nearest(partner, lefts).equals(left)) {
-        double width = distance(left, partner);
+        double width = left.flatDistanceTo(partner);
         if (width >= NARROWEST_M && width <= WIDEST_M) {
           gates.add(new Gate(left, partner));
         }
@@ -32,21 +32,16 @@ public record Gate(Point left, Point right) {
   private static Point nearest(Point to, List<Point> among) {
     Point nearest = null;
     for (Point each : among) {
-      if (nearest == null || distance(to, each) < distance(to, nearest)) {
+      if (nearest == null || to.flatDistanceTo(each) < to.flatDistanceTo(nearest)) {
         nearest = each;
       }
     }
     return nearest;
   }
 
-  /** Level distance [m]. */
-  public static double distance(Point a, Point b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
-  }
-
   /** Half its width, between the centres of its buoys [m]. */
   public double halfM() {
-    return distance(left, right) / 2.0;
+    return left.flatDistanceTo(right) / 2.0;
   }
 
   public Point middle() {
@@ -55,7 +50,7 @@ public record Gate(Point left, Point right) {
 
   /** Unit vector of the way through. */
   public Point way() {
-    double width = distance(left, right);
+    double width = left.flatDistanceTo(right);
     return Point.of((right.y() - left.y()) / width, (left.x() - right.x()) / width, 0.0);
   }
 

@@ -22,7 +22,7 @@ public record GateLine(Point from, Point over, Point to) {
   }
 
   private double lengthM() {
-    return Math.max(MIN_LENGTH_M, Gate.distance(from, over));
+    return Math.max(MIN_LENGTH_M, from.flatDistanceTo(over));
   }
 
   /** Place this far ahead of a boat that is abreast of the piece to the gate. */
@@ -35,7 +35,7 @@ public record GateLine(Point from, Point over, Point to) {
     double reached = along + metres;
     return reached <= length
         ? between(from, over, reached / length)
-        : between(over, to, (reached - length) / Math.max(MIN_LENGTH_M, Gate.distance(over, to)));
+        : between(over, to, (reached - length) / Math.max(MIN_LENGTH_M, over.flatDistanceTo(to)));
   }
 
   /** Place between two others, or beyond them. */

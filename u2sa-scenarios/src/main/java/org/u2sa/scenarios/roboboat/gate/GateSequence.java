@@ -30,7 +30,7 @@ public final class GateSequence {
   public boolean move(List<Gate> seen, Point here) {
     gates = new ArrayList<>(seen);
     aimed
-        .filter(gate -> Gate.distance(gate.middle(), here) < KEPT_M)
+        .filter(gate -> gate.middle().flatDistanceTo(here) < KEPT_M)
         .filter(gate -> nearest(gate.middle(), SAME_M).isEmpty())
         .ifPresent(gates::add);
     Optional<Point> from = before;
@@ -63,7 +63,7 @@ public final class GateSequence {
   }
 
   private boolean isPassed(Gate gate) {
-    return passed.stream().anyMatch(old -> Gate.distance(old, gate.middle()) < SAME_M);
+    return passed.stream().anyMatch(old -> old.flatDistanceTo(gate.middle()) < SAME_M);
   }
 
   /** The newest estimate of a gate that has not been passed. */
@@ -74,8 +74,8 @@ public final class GateSequence {
   /** The gate nearest to a place that has not been passed. */
   public Optional<Gate> nearest(Point place, double withinM) {
     return gates.stream()
-        .filter(gate -> !isPassed(gate) && Gate.distance(gate.middle(), place) < withinM)
-        .min(Comparator.comparingDouble(gate -> Gate.distance(gate.middle(), place)));
+        .filter(gate -> !isPassed(gate) && gate.middle().flatDistanceTo(place) < withinM)
+        .min(Comparator.comparingDouble(gate -> gate.middle().flatDistanceTo(place)));
   }
 
   /** The gate nearest to a place, ahead of it and behind another gate. */
@@ -83,7 +83,7 @@ public final class GateSequence {
     return gates.stream()
         .filter(gate -> !isPassed(gate) && gate.aheadM(here) > -BEHIND_M)
         .filter(gate -> behind.aheadM(gate.middle()) < -SAME_M)
-        .filter(gate -> Gate.distance(gate.middle(), here) < REACH_M)
-        .min(Comparator.comparingDouble(gate -> Gate.distance(gate.middle(), here)));
+        .filter(gate -> gate.middle().flatDistanceTo(here) < REACH_M)
+        .min(Comparator.comparingDouble(gate -> gate.middle().flatDistanceTo(here)));
   }
 }

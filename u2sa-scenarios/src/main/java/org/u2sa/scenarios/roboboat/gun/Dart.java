@@ -29,11 +29,8 @@ public record Dart(Point from, Point velocity) {
             -SPEED_MPS * Math.sin(up));
     Point muzzle = boat.attitude().nedFromFrd().times(MUZZLE);
     Point way = boat.attitude().nedFromFrd().times(frd);
-    return new Dart(boat.position().plus(enu(muzzle)), boat.velocity().plus(enu(way)));
-  }
-
-  private static Point enu(Point ned) {
-    return Point.of(ned.y(), ned.x(), -ned.z());
+    return new Dart(
+        boat.position().plus(muzzle.axesExchanged()), boat.velocity().plus(way.axesExchanged()));
   }
 
   /** Whether it flies through an upright hoop in LOCAL_ENU. */

@@ -1,6 +1,5 @@
 package org.u2sa.scenarios.roboboat.subvehicle;
 
-import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
@@ -27,14 +26,10 @@ public final class FetchJudge {
   public void see(VehicleTruth quadrotor, VehicleTruth boat, boolean isDocked) {
     gripper.see(quadrotor);
     boolean isOnDeck =
-        level(quadrotor.position(), boat.position()) < DECK_M
+        quadrotor.position().flatDistanceTo(boat.position()) < DECK_M
             && quadrotor.position().z() < LANDED_M;
     isLeft |= !isDocked && !isOnDeck && !isBack;
     isBack |= gripper.isHolding() && isOnDeck && !isLeft;
-  }
-
-  private static double level(Point a, Point b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
   }
 
   /** Whether it gripped the puck. */

@@ -47,12 +47,10 @@ public final class GripperSensor extends DeviceSensor<LoadCell.Load> {
   private double smoothedN;
   private long beforeMicros = Long.MIN_VALUE;
 
-  /** Launcher constructor: opens the configured load cell. */
   public GripperSensor(ServiceContext context) {
     super(context, KIND);
   }
 
-  /** Uses the given load cell, e.g. a simulated one. */
   public GripperSensor(ServiceContext context, LoadCell loadCell) {
     super(context, KIND, loadCell);
   }

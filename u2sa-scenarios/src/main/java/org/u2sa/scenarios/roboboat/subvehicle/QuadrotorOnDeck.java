@@ -53,7 +53,6 @@ public final class QuadrotorOnDeck implements AutoCloseable {
     this.seed = seed;
   }
 
-  /** Its gripper. */
   public PuckGripper gripper() {
     return gripper;
   }

@@ -22,13 +22,10 @@ final class Projectiles {
     random = new Random(seed);
   }
 
-  private static Point ned(Point enu) {
-    return Point.of(enu.y(), enu.x(), -enu.z());
-  }
-
   /** Where a marker that is released now comes to lie on the floor. */
   Point landing(VehicleTruth truth, double floorM) {
-    Point from = ned(truth.position()).plus(ned(truth.velocity()).times(SLOWED_S));
+    Point from =
+        truth.position().axesExchanged().plus(truth.velocity().axesExchanged().times(SLOWED_S));
     double sinkingS = Math.max(0.0, floorM - from.z() - BELOW_M) / SINKING_MPS;
     return Point.of(
         from.x() + DRIFT_MPS * random.nextGaussian() * sinkingS,
@@ -46,14 +43,10 @@ final class Projectiles {
     Point aim =
         Point.of(1.0, SPREAD_RAD * random.nextGaussian(), SPREAD_RAD * random.nextGaussian());
     Point way = truth.attitude().nedFromFrd().times(aim);
-    Point off = hoop.minus(ned(truth.position()));
-    double reach = dot(off, normal) / dot(way, normal);
+    Point off = hoop.minus(truth.position().axesExchanged());
+    double reach = off.dot(normal) / way.dot(normal);
     return reach > 0.0 && reach < REACH_M
         ? Optional.of(off.minus(way.times(reach)).distance())
         : Optional.empty();
-  }
-
-  private static double dot(Point a, Point b) {
-    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
   }
 }

@@ -110,7 +110,6 @@ public record SubCourse(
     return stages.stream().flatMap(List::stream).collect(Collectors.toList());
   }
 
-  /** All objects. */
   public List<ObjectDescription> objects() {
     return tasks().stream().flatMap(task -> task.objects().stream()).collect(Collectors.toList());
   }

@@ -35,12 +35,14 @@ public record MarkerGate(Point port, Point starboard, Place place) {
     List<MarkerGate> gates = new ArrayList<>();
     for (Port port : ports) {
       Optional<Point> partner =
-          starboards.stream().min((a, b) -> Double.compare(apart(a, port.at), apart(b, port.at)));
+          starboards.stream()
+              .min((a, b) -> Double.compare(a.flatDistanceTo(port.at), b.flatDistanceTo(port.at)));
       if (partner.isEmpty()) {
         continue;
       }
-      double width = apart(partner.get(), port.at);
-      boolean isMutual = ports.stream().allMatch(other -> apart(other.at, partner.get()) >= width);
+      double width = partner.get().flatDistanceTo(port.at);
+      boolean isMutual =
+          ports.stream().allMatch(other -> other.at.flatDistanceTo(partner.get()) >= width);
       if (isMutual && width >= NARROWEST_M && width <= WIDEST_M) {
         gates.add(new MarkerGate(port.at, partner.get(), port.gate));
       }
@@ -48,12 +50,8 @@ public record MarkerGate(Point port, Point starboard, Place place) {
     return gates;
   }
 
-  public static double apart(Point a, Point b) {
-    return Math.hypot(a.x() - b.x(), a.y() - b.y());
-  }
-
   public double widthM() {
-    return apart(port, starboard);
+    return port.flatDistanceTo(starboard);
   }
 
   public Point middle() {

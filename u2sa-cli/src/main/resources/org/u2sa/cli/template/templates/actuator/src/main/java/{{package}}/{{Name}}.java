@@ -24,7 +24,6 @@ public final class {{Name}} extends Actuator {
     this(context, pulseMicros -> {});
   }
 
-  /** Uses the given servo, e.g. in tests. */
   {{Name}}(ServiceContext context, DoubleConsumer servo) {
     super(context, "{{Name}}");
     this.servo = servo;

@@ -29,7 +29,6 @@ public final class {{Name}} extends ControlSystem {
 
   private final Settings<Variables> tuning = settings(Variables.class);
 
-  /** Called by the launcher. */
   public {{Name}}(ServiceContext context) {
     super(context, "{{Name}}");
   }

@@ -34,7 +34,6 @@ public final class SimulatedRover extends ProprioceptiveSensor {
   private double eastM;
   private double headingRad; // clockwise from north
 
-  /** Called by the launcher. */
   public SimulatedRover(ServiceContext context) {
     super(context, "SimulatedRover", RATE_HZ);
     // Without mass it stops immediately: each step asks for percentages, and a stopped motor

@@ -20,7 +20,6 @@ public final class {{Name}} extends ProprioceptiveSensor {
   private final Settings<Variables> tuning = settings(Variables.class);
   private final Random random;
 
-  /** Called by the launcher. */
   public {{Name}}(ServiceContext context) {
     super(context, "{{Name}}", RATE_HZ);
     random = new Random(context.seed());

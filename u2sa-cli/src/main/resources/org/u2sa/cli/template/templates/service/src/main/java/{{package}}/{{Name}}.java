@@ -13,7 +13,6 @@ public final class {{Name}} extends U2SAService {
 
   private volatile double altitudeM; // written by run(), read by callback(): two threads
 
-  /** Called by the launcher. */
   public {{Name}}(ServiceContext context) {
     super(context, ServiceRole.PROPRIOCEPTIVE_SENSOR, "{{Name}}");
     getVariable("NOISE"); // without it in the file, the service does not start
