@@ -178,7 +178,7 @@ class VerticalRoomTest {
     assertThat(choice.toDownM()).isLessThan(HERE - 20.0);
   }
 
-  /** An aircraft of the same speed flies beside it, between it and its goal. */
+  /** An aircraft of the same speed flies beside it, somewhat behind, between it and its goal. */
   @Test
   void along_trafficOfTheSameSpeedBeside_climbsOnTheCourseThatAvoidsIt() {
     costs.update(i -> false, i -> false);
@@ -187,8 +187,8 @@ class VerticalRoomTest {
             "T",
             0L,
             0.0,
-            new double[] {0.0},
-            new double[] {45.0},
+            new double[] {-15.0},
+            new double[] {35.0},
             10.0,
             0.0,
             RADIUS,
