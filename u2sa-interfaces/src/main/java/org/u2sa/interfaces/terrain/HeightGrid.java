@@ -23,6 +23,7 @@ import org.u2sa.messages.frame.Geodetic;
 public final class HeightGrid {
   private static final int MAX_CELLS = 4_000_000;
   private static final int MAX_LINE = 1_000_000; // characters
+  private static final long MAX_BYTES = 100_000_000L; // in one line at worst
   private static final double FULL_TURN_DEG = 360.0;
   private static final Set<String> KEYS =
       Set.of(
@@ -105,6 +106,9 @@ public final class HeightGrid {
       throw new BadInputException(file + ": height map: there is no such regular file");
     }
     try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.US_ASCII)) {
+      if (Files.size(file) > MAX_BYTES) {
+        throw new IOException("more than " + MAX_BYTES + " bytes");
+      }
       return read(in, file.toString());
     } catch (IOException e) {
       throw new BadInputException(file + ": height map: " + e.getMessage(), e);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.assertj.core.data.Offset;
@@ -89,6 +90,17 @@ class HeightGridTest {
     assertThatThrownBy(() -> grid(head + "1 2 3 4 5 6"))
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining(reason);
+  }
+
+  @Test
+  void read_oneEndlessLine_isRefusedBeforeItIsRead() throws IOException {
+    Path file = folder.resolve("endless.asc");
+    try (RandomAccessFile sparse = new RandomAccessFile(file.toFile(), "rw")) {
+      sparse.setLength(1L << 40);
+    }
+    assertThatThrownBy(() -> HeightGrid.read(file))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("endless.asc: height map: more than 100000000 bytes");
   }
 
   @Test
