@@ -55,7 +55,7 @@ final class CarmenDrift {
   private record Shot(double[] ranges, Pose2 pose, Pose2 odometry) {}
 
   private final ErrorStateFilter filter = new ErrorStateFilter(FilterTuning.of(MotionDomain.GROUND));
-  private final MeasurementReader reader = new MeasurementReader(UsualSigmas.ORDINARY);
+  private final MeasurementReader reader = new MeasurementReader(new UsualSigmas(3.0, 0.3, 0.05, 0.015, 0.35, 1.0));
   private final Measurement measurement = new Measurement();
   private final LocalOdometry local = new LocalOdometry();
   private final GridModeller grid;

@@ -42,7 +42,6 @@ public final class Planning {
     GridPath path = search.plan(frame.indexAt(5.0, 5.0)).orElseThrow();
     System.out.printf(Locale.ROOT, "D* Lite 1000 x 1000: costs %.1f ms, first route %.1f ms%n", costsMs, ms(start));
     double[] times = new double[200];
-    CostGrid.Area before = null;
     for (int k = 0; k < times.length; k++) {
       double[] ahead = along(path.corners(), 3.0);
       int row = frame.row(ahead[0]);
@@ -51,15 +50,15 @@ public final class Planning {
           new CostGrid.Area(row - 3, column - 3, Math.min(cells - 1, row + 3), Math.min(cells - 1, column + 3));
       double[] next = along(path.corners(), 0.3);
       start = CPU.getCurrentThreadCpuTime();
-      if (before != null) {
-        costs.update(before, i -> occupied[i], i -> false);
-      }
-      costs.update(area, i -> true, i -> false);
+      costs.update(i -> occupied[i] || isIn(area, i / cells, i % cells), i -> false);
       path = search.plan(costs.nearestFree(next[0], next[1], 2.0)).orElseThrow();
       times[k] = ms(start);
-      before = area;
     }
     print("D* Lite 1000 x 1000, repaired", times);
+  }
+
+  private static boolean isIn(CostGrid.Area area, int row, int column) {
+    return row >= area.firstRow() && row <= area.lastRow() && column >= area.firstColumn() && column <= area.lastColumn();
   }
 
   private static void hybrid(double density, OptionalDouble heading) {

@@ -44,7 +44,7 @@ final class Replay {
   private static final long OUTPUT_MICROS = 50_000;
 
   private final ErrorStateFilter filter;
-  private final MeasurementReader reader = new MeasurementReader(UsualSigmas.ORDINARY);
+  private final MeasurementReader reader = new MeasurementReader(new UsualSigmas(3.0, 0.3, 0.05, 0.015, 0.35, 1.0));
   private final Measurement measurement = new Measurement();
   private final Map<String, StateField> fields = new TreeMap<>();
 

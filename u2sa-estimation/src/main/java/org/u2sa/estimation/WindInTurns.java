@@ -14,7 +14,7 @@ final class WindInTurns {
   private static final int ENOUGH = 4; // with a wind
   private static final double SAME_MPS = 3.0; // from their mean
   private static final double SMOOTHING_S = 4.0;
-  private static final double VISIT_S = 10.0; // a longer absence begins the sector anew
+  private static final double VISIT_S = 10.0; // after a longer absence the sector starts again
   private static final double VALID_S = 120.0;
 
   private final double[] north = new double[SECTORS]; // towards which it blows [m/s]

@@ -73,6 +73,11 @@ public final class SurveyTarget extends ObjectDescription {
     return put(LETTER_COLOUR, fields.get(3)).put(ORIENTATION, fields.get(4));
   }
 
+  /** Standard deviation of the place, per axis [m]; 0 if unknown. */
+  public double sigma() {
+    return get(SIGMA).orElse(0.0);
+  }
+
   SurveyTarget sigma(double metres) {
     return put(SIGMA, metres);
   }
