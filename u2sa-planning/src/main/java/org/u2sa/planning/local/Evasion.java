@@ -127,9 +127,9 @@ final class Evasion {
   }
 
   /**
-   * Altitude to which the best motion leads away from that of the traffic: beside an aircraft of
-   * the same speed a vehicle that cannot stop comes to the boundary, or over it. NaN if there is
-   * none: that of the goal.
+   * Altitude, up or down, at which the best motion keeps its distance, too: a vehicle that cannot
+   * stop and turns away at one altitude from an aircraft of the same speed ends at the boundary.
+   * NaN if there is none: that of the goal.
    */
   private double apart() {
     double[] altitudes = room.altitudes(limits.horizonS());

@@ -15,7 +15,7 @@ import org.u2sa.planning.seen.PlanarShape;
  * @param clearanceM distance to keep above and below [m], above 0
  * @param groundM distance to keep from the ground [m]
  * @param besideM distance to keep beside obstacles at other altitudes [m]
- * @param topDownM highest altitude allowed; −∞ if any
+ * @param topDownM highest altitude allowed; −∞ without a limit
  * @param bottomDownM lowest altitude allowed; ∞ if unknown
  * @param elsewhere static obstacles at other altitudes than those between vehicle and goal
  * @param ground down coordinate of the ground at north and east; NaN if unknown
