@@ -24,37 +24,38 @@ import org.u2sa.messages.schema.MessageTypes;
 class MosquittoRightsTest {
   private static final MessageTypes TYPES = StandardTypes.registry();
 
-  private final List<String> writable = new ArrayList<>();
-  private final List<String> denied = new ArrayList<>();
+  /** Filters, split into levels. */
+  private final List<String[]> writable = new ArrayList<>();
+
+  private final List<String[]> denied = new ArrayList<>();
 
   private void read(String rights) {
     for (String line : rights.split("\n")) {
       if (line.startsWith("topic write ")) {
-        writable.add(line.substring("topic write ".length()));
+        writable.add(line.substring("topic write ".length()).split("/"));
       } else if (line.startsWith("topic deny ")) {
-        denied.add(line.substring("topic deny ".length()));
+        denied.add(line.substring("topic deny ".length()).split("/"));
       }
     }
   }
 
   /** "Any deny topics are handled before topics that grant access", mosquitto.conf(5). */
   private boolean isLetThrough(String topic) {
-    return denied.stream().noneMatch(filter -> matches(filter, topic))
-        && writable.stream().anyMatch(filter -> matches(filter, topic));
+    String[] levels = topic.split("/", -1);
+    return denied.stream().noneMatch(filter -> matches(filter, levels))
+        && writable.stream().anyMatch(filter -> matches(filter, levels));
   }
 
-  private static boolean matches(String filter, String topic) {
-    String[] levels = topic.split("/", -1);
-    String[] wanted = filter.split("/", -1);
-    for (int i = 0; i < wanted.length; i++) {
-      if (wanted[i].equals("#")) {
+  private static boolean matches(String[] filter, String[] levels) {
+    for (int i = 0; i < filter.length; i++) {
+      if (filter[i].equals("#")) {
         return true;
       }
-      if (i >= levels.length || !wanted[i].equals("+") && !wanted[i].equals(levels[i])) {
+      if (i >= levels.length || !filter[i].equals("+") && !filter[i].equals(levels[i])) {
         return false;
       }
     }
-    return levels.length == wanted.length;
+    return levels.length == filter.length;
   }
 
   private static List<List<String>> chains() {
@@ -94,8 +95,9 @@ class MosquittoRightsTest {
     User user = new User("somebody", EnumSet.of(role), List.of("cessna"), none);
     read(MosquittoFiles.rights(Collections.singleton(user), TYPES));
     List<String> wrong = new ArrayList<>();
+    List<List<String>> chains = chains();
     for (Channel<?> channel : Channels.all()) {
-      for (List<String> chain : chains()) {
+      for (List<String> chain : chains) {
         String topic = "u2sa/cessna/" + channel + "/" + String.join("/", chain);
         boolean source = channel.isRetainedBySource() && chain.get(chain.size() - 1).equals("Tide");
         if (!source && isLetThrough(topic) != isAllowed(role, channel, chain)) {

@@ -42,6 +42,8 @@ class DashedLaneTest {
         1,
         "--snapshot-every",
         "0",
+        "--minutes",
+        "1",
         "--set",
         "PathPlanner:GIVE UP AFTER=25");
   }
