@@ -24,6 +24,7 @@ import org.u2sa.scenarios.run.RunPlans;
 import org.u2sa.scenarios.run.SimulatedWorld;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
+import org.u2sa.vision.survey.CameraGimbal;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -106,6 +107,12 @@ final class SuasDemo implements Callable<Integer>, Demo {
           "Make a mosaic of the search area on the ground, with pixels of this size [m], mosaic.png.")
   private double mosaicM;
 
+  @Option(
+      names = "--gimbal",
+      paramLabel = "DEG",
+      description = "The camera is on a gimbal that takes up this much roll and pitch.")
+  private double gimbalDeg;
+
   private SuasField field; // of the newest run
 
   @Override
@@ -184,6 +191,12 @@ final class SuasDemo implements Callable<Integer>, Demo {
     return times;
   }
 
+  private Optional<CameraGimbal> gimbal() {
+    return gimbalDeg > 0.0
+        ? Optional.of(new CameraGimbal(Math.toRadians(gimbalDeg)))
+        : Optional.empty();
+  }
+
   @Override
   public Trial trial(Mission given, Path directory, long seed) {
     SuasField level = SuasFieldGenerator.field(seed, windMps);
@@ -213,6 +226,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
         new SurveyPictures(
             SurveyPictures.USUAL,
             placed.run(),
+            gimbal(),
             new FieldPainter(
                 drawn.targets(), SurveyPictures.USUAL, seed, mosaic.map(FieldMosaic::ground)),
             cells::see);
@@ -248,6 +262,9 @@ final class SuasDemo implements Callable<Integer>, Demo {
             launch.override("PathPlanner", "TERRAIN", map.toString());
             launch.override("SurveyCamera", "TERRAIN", map.toString());
           }
+          gimbal()
+              .ifPresent(
+                  each -> launch.override("SurveyCamera", "GIMBAL LIMIT", each.limitRad()));
           mosaic.ifPresent(each -> each.start(launch));
           launch.override("WorldModeler", "WORLD", world.toAbsolutePath().toString());
           launch.override("SafetyManager", "FENCE", fence.toAbsolutePath().toString());

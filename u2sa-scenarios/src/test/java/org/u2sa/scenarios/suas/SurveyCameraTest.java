@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
 import org.u2sa.interfaces.communication.Channels;
@@ -23,6 +25,7 @@ import org.u2sa.report.mosaic.SurveyMosaic;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;
 import org.u2sa.testkit.ServiceKit;
+import org.u2sa.vision.survey.CameraGimbal;
 import org.u2sa.vision.survey.SurveyCamera;
 import org.u2sa.vision.survey.SurveyTarget;
 
@@ -34,6 +37,8 @@ class SurveyCameraTest {
 
   private CameraFrame frame; // the newest
   private Optional<FieldGround> ground = Optional.empty();
+  private Optional<CameraGimbal> gimbal = Optional.empty();
+  private Attitude banked = new Attitude(0.03, 0.08, 0.0);
 
   private Camera camera() {
     return new Camera() {
@@ -70,11 +75,12 @@ class SurveyCameraTest {
           new VehicleTruth(
               0.5 * (image + i),
               at,
-              new Attitude(0.03, 0.08, psi),
+              new Attitude(banked.phi(), banked.theta(), psi),
               Point.ORIGIN,
               Point.ORIGIN,
               Point.ORIGIN);
-      byte[] pixels = new FieldPainter(List.of(target), OPTICS, 77L + image, ground).picture(truth);
+      VehicleTruth seen = gimbal.map(each -> SurveyPictures.levelled(each, truth)).orElse(truth);
+      byte[] pixels = new FieldPainter(List.of(target), OPTICS, 77L + image, ground).picture(seen);
       frame =
           new CameraFrame(
               kit.clock().micros(),
@@ -90,8 +96,8 @@ class SurveyCameraTest {
               .x(place.longitudeDeg())
               .y(place.latitudeDeg())
               .z(place.altitudeM())
-              .phi(0.03)
-              .theta(0.08)
+              .phi(banked.phi())
+              .theta(banked.theta())
               .psi(Math.IEEEremainder(psi, 2.0 * Math.PI));
       state.timestamp(kit.clock().micros());
       kit.advance(0.2);
@@ -127,6 +133,29 @@ class SurveyCameraTest {
           .hasOnlyElementsOfType(ImageFootprint.class)
           .hasSizeGreaterThan(targets);
       assertThat((double) right / targets).isGreaterThanOrEqualTo(0.9);
+    }
+  }
+
+  /** On a fixed camera, a bank of 24° moves the target out of the image. */
+  @ParameterizedTest
+  @CsvSource({"0.0, 0", "0.38, 1", "0.6, 1"})
+  void look_turning_isSeenIfAGimbalKeepsTheCameraNearlyLevel(double limitRad, int reports) {
+    SuasTarget target = SuasFieldGenerator.field(506, 0.0).targets().get(0);
+    banked = new Attitude(0.42, -0.1, 0.0);
+    gimbal = Optional.of(new CameraGimbal(limitRad));
+    try (ServiceKit kit = new ServiceKit().with("MOUNTED PITCH", -Math.PI / 2.0)) {
+      kit.with("GIMBAL LIMIT", limitRad);
+      kit.start(context -> new SurveyCamera(context, camera()));
+
+      List<SurveyTarget> found = look(kit, target, 9);
+
+      assertThat(found).hasSize(reports).allMatch(each -> isRight(each, target));
+      found.forEach(
+          each -> {
+            Point at = SuasField.plane().point(new Geodetic(each.x(), each.y(), each.z()));
+            assertThat(at.distanceTo(Point.of(target.eastM(), target.northM(), at.z())))
+                .isLessThan(1.0);
+          });
     }
   }
 

@@ -50,7 +50,11 @@ public final class SurveyCamera extends CameraSensor {
           String terrain,
       @Variable(unit = "m", min = -500, max = 9000, ifAbsent = 0)
           @Description("Altitude of the ground in images that no search area asks for.")
-          double groundAltitude) {}
+          double groundAltitude,
+      @Variable(unit = "rad", min = 0, max = 1.57, ifAbsent = 0)
+          @Description(
+              "Largest roll and pitch that the camera's gimbal takes up; 0: the camera is fixed to the vehicle.")
+          double gimbalLimit) {}
 
   private static final int MAX_WAITING = 8; // images for the state of their time
   private static final double MIN_M = 0.7; // of a target
@@ -63,6 +67,7 @@ public final class SurveyCamera extends CameraSensor {
   private final DistanceTrigger trigger = new DistanceTrigger();
   private final PoseHistory poses = new PoseHistory();
   private final Deque<CameraFrame> waiting = new ArrayDeque<>();
+  private final CameraGimbal gimbal = new CameraGimbal(variables.get().gimbalLimit());
   private final CameraMount mount;
   private final TargetLog targets = new TargetLog();
   private final TargetModel model = TargetModel.shipped();
@@ -137,9 +142,9 @@ public final class SurveyCamera extends CameraSensor {
       if (!isWanted || then.filter(SurveyCamera::isPlaced).isEmpty()) {
         withoutState += isWanted ? 1 : 0;
       } else if (area.isPresent()) {
-        see(frame, then.get(), area.get().ground());
+        see(frame, gimbal.of(then.get()), area.get().ground());
       } else if (trigger.isDue(then.get())) {
-        see(frame, then.get(), variables.get().groundAltitude());
+        see(frame, gimbal.of(then.get()), variables.get().groundAltitude());
       }
     }
     remark("TARGETS", String.valueOf(targets.size()));
