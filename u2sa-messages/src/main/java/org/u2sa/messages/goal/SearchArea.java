@@ -16,6 +16,9 @@ import org.u2sa.messages.schema.ValueField;
  * World Modeler records what was seen, the Path Planner flies over what is missing.
  */
 public class SearchArea extends GoalInformation {
+  /** Finest resolution that can be asked for [m]. */
+  public static final double MIN_RESOLUTION_M = 0.005;
+
   private static final int MAX_CORNERS = 200;
   private static final double MAX_RESOLUTION_M = 1.27; // of the coverage ledger
 
@@ -25,7 +28,7 @@ public class SearchArea extends GoalInformation {
       SCHEMA.frame("referenceFrame", ReferenceFrame.GLOBAL);
   private static final ValueField<SearchArea, List<Point>> CORNERS = SCHEMA.points("corners", "m");
   private static final NumberField<SearchArea> RESOLUTION =
-      SCHEMA.requiredNumber("resolution", "m", 0.005, MAX_RESOLUTION_M);
+      SCHEMA.requiredNumber("resolution", "m", MIN_RESOLUTION_M, MAX_RESOLUTION_M);
   private static final NumberField<SearchArea> GROUND = SCHEMA.number("ground", "m", 0.0);
   private static final NumberField<SearchArea> LOWEST = SCHEMA.optionalNumber("lowest", "m");
   private static final NumberField<SearchArea> HIGHEST = SCHEMA.optionalNumber("highest", "m");

@@ -2,10 +2,14 @@ package org.u2sa.scenarios.suas;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.device.port.Camera;
@@ -19,7 +23,10 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
+import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.shape.ImageFootprint;
+import org.u2sa.mission.Mission;
 import org.u2sa.report.mosaic.MosaicGrid;
 import org.u2sa.report.mosaic.SurveyMosaic;
 import org.u2sa.sim.vehicle.VehicleTruth;
@@ -35,6 +42,7 @@ class SurveyCameraTest {
       new SurveyPictures.Optics(2.0, 320, 320, SurveyPictures.USUAL.focalPx());
   private static final double UP_M = 52.0;
 
+  @TempDir private Path folder;
   private CameraFrame frame; // the newest
   private Optional<FieldGround> ground = Optional.empty();
   private Optional<CameraGimbal> gimbal = Optional.empty();
@@ -67,8 +75,14 @@ class SurveyCameraTest {
 
   /** Flies over a target three times; the report. */
   private List<SurveyTarget> look(ServiceKit kit, SuasTarget target, int image) {
-    kit.publish(Channels.GOALS, new GoalList().goals(List.of(area())));
-    for (int i = 0; i < 3; i++) {
+    return look(kit, area(), target, image, 3);
+  }
+
+  /** Flies over a target in a search area some times; the report. */
+  private List<SurveyTarget> look(
+      ServiceKit kit, SearchArea area, SuasTarget target, int image, int times) {
+    kit.publish(Channels.GOALS, new GoalList().goals(List.of(area)));
+    for (int i = 0; i < times; i++) {
       double psi = 0.7 * (image + i);
       Point at = Point.of(target.eastM() + 2.0 * i - 2.0, target.northM() + 1.0, UP_M);
       VehicleTruth truth =
@@ -157,6 +171,40 @@ class SurveyCameraTest {
                 .isLessThan(1.0);
           });
     }
+  }
+
+  /** Seen once, it is not reported, but looked at again; then it is, and not looked at any more. */
+  @Test
+  void look_targetSeenOnce_isLookedAtAgainByAnAreaAroundItThenReported() throws IOException {
+    SuasTarget target = SuasFieldGenerator.field(506, 0.0).targets().get(0);
+    try (ServiceKit kit = new ServiceKit().with("MOUNTED PITCH", -Math.PI / 2.0)) {
+      kit.with("CLOSER LOOKS", 2);
+      kit.start(context -> new SurveyCamera(context, camera()));
+
+      assertThat(look(kit, area(), target, 9, 1)).isEmpty();
+
+      MissionOrder order = (MissionOrder) kit.published(Channels.MISSION).get(0);
+      assertThat(order.action()).isEqualTo(MissionAction.INSERT);
+      assertThat(order.now()).isTrue();
+      SearchArea closer = areaOf(order);
+      assertThat(closer.fault()).isEmpty();
+      assertThat(closer.resolution()).isEqualTo(0.6 * area().resolution());
+      List<Point> corners =
+          closer.corners().stream()
+              .map(at -> SuasField.plane().point(new Geodetic(at.x(), at.y(), 0.0)))
+              .toList();
+      assertThat(SuasField.isInside(corners, target.eastM(), target.northM())).isTrue();
+
+      List<SurveyTarget> found = look(kit, closer, target, 20, 3);
+
+      assertThat(found).hasSize(1).allMatch(each -> isRight(each, target));
+      assertThat(kit.published(Channels.MISSION)).hasSize(1);
+    }
+  }
+
+  private SearchArea areaOf(MissionOrder order) throws IOException {
+    Path file = Files.writeString(folder.resolve("order.xml"), order.goals().orElseThrow());
+    return (SearchArea) Mission.load(file).goals().get(0);
   }
 
   @Test

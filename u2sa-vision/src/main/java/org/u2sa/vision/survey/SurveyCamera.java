@@ -33,7 +33,8 @@ import org.u2sa.world.modeller.PoseHistory;
  * A camera that looks down, while a search area or a goal with a photoDistance is current:
  * publishes which ground each image shows, and afterwards the targets that it found. Of a search
  * area all images count, otherwise one each time the distance has been flown. In: state, goals.
- * Out: sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set.
+ * Out: sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set;
+ * mission, orders for closer looks if CLOSER LOOKS is set.
  * Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
@@ -54,7 +55,14 @@ public final class SurveyCamera extends CameraSensor {
       @Variable(unit = "rad", min = 0, max = 1.57, ifAbsent = 0)
           @Description(
               "Largest roll and pitch that the camera's gimbal takes up; 0: the camera is fixed to the vehicle.")
-          double gimbalLimit) {}
+          double gimbalLimit,
+      @Variable(min = 0, max = 100, ifAbsent = 0)
+          @Description(
+              "Targets per mission that are looked at again where they could not be read; on a secured broker the camera's account needs the role operator for it.")
+          int closerLooks,
+      @Variable(min = 0.1, max = 1, ifAbsent = 0.6)
+          @Description("Resolution of a closer look, as a share of the area's.")
+          double closerResolution) {}
 
   private static final int MAX_WAITING = 8; // images for the state of their time
   private static final double MIN_M = 0.7; // of a target
@@ -73,6 +81,8 @@ public final class SurveyCamera extends CameraSensor {
   private final TargetModel model = TargetModel.shipped();
   private final Optional<CameraImages> pictures; // empty: not published
   private final Optional<HeightGrid> terrain;
+  private final CloserLook closer = new CloserLook(variables.get().closerResolution());
+  private int looks; // ordered
   private Optional<SearchArea> area = Optional.empty();
   private long images;
   private long withoutState;
@@ -95,6 +105,9 @@ public final class SurveyCamera extends CameraSensor {
     subscribe(Channels.STATE, this::onState);
     subscribe(Channels.GOALS, this::onGoals);
     registerPublisher(SurveyTarget.CHANNEL);
+    if (variables.get().closerLooks() > 0) {
+      registerPublisher(Channels.MISSION);
+    }
     return CameraMount.of(settings(MountingPose.class).get(), 0.0);
   }
 
@@ -109,7 +122,7 @@ public final class SurveyCamera extends CameraSensor {
 
   private void onGoals(GoalList goals) {
     boolean searched = area.isPresent() || trigger.isOn();
-    boolean ends = area.isPresent();
+    Optional<SearchArea> before = area;
     area = Optional.empty();
     OptionalDouble distance = OptionalDouble.empty();
     for (GoalInformation goal : goals.goals()) {
@@ -120,8 +133,17 @@ public final class SurveyCamera extends CameraSensor {
       }
     }
     trigger.each(distance);
-    if (searched && area.isEmpty() && (ends || !trigger.isOn())) {
+    if (searched && area.isEmpty() && (before.isPresent() || !trigger.isOn())) {
       report();
+      List<Geodetic> unclear =
+          targets.unclear(before.isPresent() ? variables.get().closerLooks() - looks : 0);
+      if (!unclear.isEmpty()) {
+        publish(
+            Channels.MISSION,
+            closer.order(
+                before.get(), unclear, sensorName(), looks + 1, context().clock().micros()));
+        looks += unclear.size();
+      }
     }
   }
 

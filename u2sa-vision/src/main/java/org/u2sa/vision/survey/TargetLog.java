@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -15,6 +16,8 @@ final class TargetLog {
   private static final double SAME_M = 10.0;
   private static final int LEAST = 2; // sightings
   private static final int MAX_TARGETS = 200;
+  private static final int READ = 4; // fields; an orientation may stay open
+  private static final double CLEAR_SHARE = 0.6; // of the votes
 
   private final List<Entry> entries = new ArrayList<>();
   private int reported; // since the start; a correction names the report
@@ -26,6 +29,9 @@ final class TargetLog {
     private double eastM; // sums, from the first
     private double northM;
     private int count;
+    private String uid = ""; // once reported
+    private int reported; // sightings then
+    private boolean isLookedAt;
 
     Entry(Geodetic first) {
       this.first = first;
@@ -33,6 +39,13 @@ final class TargetLog {
 
     Geodetic place() {
       return first.fromEnu(Point.of(eastM / count, northM / count, 0.0));
+    }
+
+    /** Whether it was seen more than once, and most sightings agree on shape, letter and colours. */
+    boolean isClear() {
+      return count >= LEAST
+          && votes.subList(0, READ).stream()
+              .allMatch(each -> each.getOrDefault(most(each), 0) >= CLEAR_SHARE * count);
     }
   }
 
@@ -45,7 +58,7 @@ final class TargetLog {
     }
     if (entry == null) {
       if (entries.size() >= MAX_TARGETS) {
-        return;
+        entries.remove(0);
       }
       entry = new Entry(place);
       entries.add(entry);
@@ -66,18 +79,38 @@ final class TargetLog {
   }
 
   /**
-   * Reports of all targets that were seen more than once, and forgets them.
+   * Places of targets that a closer look may make clear, each of which is given once.
+   *
+   * @param most number of targets
+   */
+  List<Geodetic> unclear(int most) {
+    List<Entry> unclear =
+        entries.stream()
+            .filter(each -> !each.isLookedAt && !each.isClear())
+            .limit(most)
+            .collect(Collectors.toList());
+    unclear.forEach(each -> each.isLookedAt = true);
+    return unclear.stream().map(Entry::place).collect(Collectors.toList());
+  }
+
+  /**
+   * Reports of targets that were seen more than once, and again since they were reported; their
+   * uids stay.
    *
    * @param sigmaM standard deviation of a sighting's place, most of which all share
    */
   List<SurveyTarget> reports(double sigmaM) {
     List<SurveyTarget> reports = new ArrayList<>();
     for (Entry entry : entries) {
-      if (entry.count >= LEAST) {
+      if (entry.count >= LEAST && entry.count > entry.reported) {
+        entry.reported = entry.count;
         List<String> fields = new ArrayList<>();
         entry.votes.forEach(votes -> fields.add(most(votes)));
         SurveyTarget report = new SurveyTarget().fields(fields).sigma(sigmaM);
-        report.uid("target " + ++reported);
+        if (entry.uid.isEmpty()) {
+          entry.uid = "target " + ++reported;
+        }
+        report.uid(entry.uid);
         report.objectType("target");
         report.referenceFrame(ReferenceFrame.GLOBAL);
         report.x(entry.place().longitudeDeg());
@@ -86,7 +119,6 @@ final class TargetLog {
         reports.add(report);
       }
     }
-    entries.clear();
     return reports;
   }
 
