@@ -18,9 +18,9 @@ import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Others: to the place,
- * or to the start of its straight way and along it, then there until its time is over. The time
- * starts again when the vehicle leaves a threshold or the heading.
+ * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Without one, the
+ * vehicle moves to the place, or to the start of its straight way and along it, and stays until the
+ * time is over. The time starts again when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
   private enum Phase {
@@ -156,7 +156,7 @@ final class StationState implements PlannerState {
     return Leg.wrapped(station.psi().getAsDouble() - vehicle.headingRad());
   }
 
-  /** To a point; from afar on a line, if it is the station itself. */
+  /** Moves to a point; from afar along a line, if the point is the station itself. */
   private NavigationPoint towards(
       Point ned, Optional<Place> place, Station station, Vehicle vehicle) {
     boolean isNear = length(ned) <= settings.get().stationTurnWithin();
@@ -175,7 +175,10 @@ final class StationState implements PlannerState {
     return point;
   }
 
-  /** On the straight way: a point ahead on its line, or beside the vehicle while it is off it. */
+  /**
+   * Target on the straight way: a point ahead on its line, or beside the vehicle while it is off
+   * the line.
+   */
   private NavigationPoint along(Point start, Point to, Station station, Vehicle vehicle) {
     StationVariables now = settings.get();
     Leg leg = new Leg(start.x(), start.y(), to.x(), to.y());
