@@ -30,7 +30,7 @@ final class SoughtKinds {
 
   /**
    * @param kinds comma-separated class names that the service can look for
-   * @param always those looked for whatever the goal
+   * @param always the kinds looked for regardless of the goal
    * @param byGoal "SpeedGate: Buoy, Pole; Return:", per goal class
    * @throws BadInputException if a name is not that of a kind
    */
