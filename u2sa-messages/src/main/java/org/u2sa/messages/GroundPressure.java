@@ -24,7 +24,7 @@ public final class GroundPressure extends U2SAData {
     return TYPE;
   }
 
-  /** Who measured it. */
+  /** Author of the measurement. */
   public String operator() {
     return require(OPERATOR);
   }

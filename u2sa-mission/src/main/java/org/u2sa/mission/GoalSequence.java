@@ -121,7 +121,10 @@ final class GoalSequence {
     return book.named(next);
   }
 
-  /** Goals from the one with which the landing starts, as they usually follow; none without one. */
+  /**
+   * Goals of the landing in their usual order, from the one that starts it; empty without a
+   * landing.
+   */
   List<GoalInformation> landing() {
     Set<String> way = new LinkedHashSet<>();
     Optional<String> name = book.names().stream().filter(this::startsLanding).findFirst();

@@ -236,7 +236,7 @@ public final class MissionManager extends PeriodicService {
     }
   }
 
-  /** Who ends driving by hand is to find the vehicle holding, not on its way. */
+  /** After driving by hand, the vehicle holds instead of moving on. */
   private void onManual(ManualState state) {
     boolean isNews = clock().micros() - state.timestamp().orElse(0L) < MANUAL_NEWS_MICROS;
     MissionProgress progress = run.progress();

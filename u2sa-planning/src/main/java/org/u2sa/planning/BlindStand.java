@@ -55,7 +55,7 @@ final class BlindStand {
     }
     if (what.isEmpty()) {
       planner.log(LogLevelEnum.WARN, "surroundings known again: continues");
-      avoidance.begin(); // the time without them was no failure to get on
+      avoidance.begin(); // the time without them does not count as lack of progress
     } else {
       planner.trouble(what);
     }

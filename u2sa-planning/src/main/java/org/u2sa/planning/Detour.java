@@ -50,7 +50,7 @@ final class Detour {
     return avoidance.remainingM().isPresent();
   }
 
-  /** The next step around what is in the way; empty if the straight way is free. */
+  /** The next step around an obstruction; empty if the straight way is free. */
   Optional<Plan> ifHindered(Vehicle vehicle, StateInformation state, Avoidance.Wanted wanted) {
     boolean isHindered = avoidance.isOn() && avoidance.isHindered(vehicle, state, wanted.target());
     if (isHindered != isTaken) {

@@ -5,8 +5,8 @@ import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Fall of a compact payload in steady wind, with drag by the square of its airspeed: a = g − g |v|
- * v / v∞², v through the air, v∞ the terminal speed.
+ * Fall of a compact payload in steady wind, with drag proportional to the square of its airspeed: a
+ * = g − g |v| v / v∞², v through the air, v∞ the terminal speed.
  *
  * @param timeS until the ground [s]
  * @param way over ground: north, east, down [m]

@@ -54,19 +54,18 @@ public class PathPlanner extends EventDrivenService {
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
+  private final GoalReports reports;
+  private final MissionTime time = new MissionTime();
   private final ViewPoints view = new ViewPoints(settings(ViewPoints.Variables.class));
   private Optional<GoalList> goals = Optional.empty();
   // Goal list transferred by the predecessor; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // pursued
-  private Optional<GoalInformation> finished = Optional.empty(); // last one reported
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private boolean byHand; // navigation is not obeyed
   private String foreseen = ""; // UID of the goal expected next
-  private long reportedMicros;
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
-  private long missionMicros = Long.MIN_VALUE; // mission start if its time had always counted
   private String complaint = ""; // last one logged, to log it once
   private String threshold = ""; // last remark on the current goal's threshold
 
@@ -94,6 +93,10 @@ public class PathPlanner extends EventDrivenService {
             this::say,
             this::remark);
     blind = new BlindStand(this, avoidance, () -> avoidance.isOn() || rightOfWay.isOn(), seeing);
+    reports =
+        new GoalReports(
+            report -> publish(Channels.GOAL_REPORTS, report),
+            () -> settings.get().reportIntervalMicros());
     Detour detour = new Detour(avoidance);
     Settings<FlightVariables> flight = settings(FlightVariables.class);
     StationCircle circle =
@@ -103,7 +106,7 @@ public class PathPlanner extends EventDrivenService {
             List.of(
                 new WaypointState(guidance, settings, avoidance, rightOfWay, seeing),
                 new ObjectGoalState(avoidance, seeing),
-                new StationState(guidance, settings(StationVariables.class), circle),
+                new StationState(guidance, settings(StationState.Variables.class), circle),
                 new SearchAreaState(
                     avoidance, guidance, survey, seeing, this::lines, new SurveyHeights(terrain)),
                 new TakeOffState(this::lines, flight),
@@ -141,12 +144,10 @@ public class PathPlanner extends EventDrivenService {
   protected final void handOver(HandOver state) {
     goals.ifPresent(list -> state.message("GOALS", list));
     goal.ifPresent(pursued -> state.message("GOAL", pursued));
-    finished.ifPresent(done -> state.message("FINISHED", done));
+    reports.handOver(state);
     holdAt.ifPresent(place -> place.handOver(state, "HOLD AT"));
-    if (missionMicros != Long.MIN_VALUE) {
-      state.number("MISSION SINCE", Clock.seconds(missionMicros));
-    }
-    state.number("REPORTED AT", Clock.seconds(reportedMicros)).text("FORESEEN", foreseen);
+    time.handOver(state);
+    state.text("FORESEEN", foreseen);
     goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
     end.handOver(state);
     state.text("FAILSAFE", failsafe.name());
@@ -156,9 +157,8 @@ public class PathPlanner extends EventDrivenService {
   protected final void takeOver(HandOver state) {
     goals = state.message("GOALS", GoalList.class);
     takenOver = goals;
-    finished = state.message("FINISHED", GoalInformation.class);
-    reportedMicros = Clock.micros(state.number("REPORTED AT").orElse(0.0));
-    state.number("MISSION SINCE").ifPresent(seconds -> missionMicros = Clock.micros(seconds));
+    reports.takeOver(state);
+    time.takeOver(state);
     holdAt = Place.takenOver(state, "HOLD AT");
     foreseen = state.text("FORESEEN").orElse("");
     goal = state.message("GOAL", GoalInformation.class);
@@ -188,8 +188,8 @@ public class PathPlanner extends EventDrivenService {
       log(list.paused() ? "mission paused" : "mission continues");
       changeHolding();
     }
-    missionMicros = missionBegan(list);
-    if (goal.isPresent() && isFinished(goal.get().uid())) {
+    time.update(list, clock().micros());
+    if (goal.isPresent() && reports.areOf(goal.get().uid())) {
       goal = Optional.empty(); // if listed again, it must be reached again
     }
   }
@@ -238,7 +238,7 @@ public class PathPlanner extends EventDrivenService {
   private void onManual(ManualState state) {
     if (byHand && !state.active()) {
       holdAt = Optional.empty();
-      finished = Optional.empty();
+      reports.forget();
       end.leave();
     }
     byHand = state.active();
@@ -265,7 +265,7 @@ public class PathPlanner extends EventDrivenService {
     if (isHolding()) {
       foreseen = goal.map(GoalInformation::uid).orElse(foreseen);
       goal = Optional.empty();
-      finished = Optional.empty();
+      reports.forget();
     }
     end.leave();
   }
@@ -312,31 +312,14 @@ public class PathPlanner extends EventDrivenService {
 
   private Optional<GoalInformation> choose(StateInformation state, boolean stateless) {
     String preferred =
-        goal.map(GoalInformation::uid).filter(uid -> !isFinished(uid)).orElse(foreseen);
+        goal.map(GoalInformation::uid).filter(uid -> !reports.areOf(uid)).orElse(foreseen);
     return new GoalChoice(goals.get())
         .goal(preferred, option -> distanceM(option, state, stateless));
   }
 
-  /** Mission start: the list's elapsed time ago, or else the arrival of its first goals [µs]. */
-  private long missionBegan(GoalList list) {
-    long now = clock().micros();
-    if (list.elapsed().isPresent()) {
-      return Math.min(now, list.timestamp().orElse(now))
-          - Clock.micros(list.elapsed().getAsDouble());
-    }
-    if (list.goals().isEmpty()) {
-      return Long.MIN_VALUE;
-    }
-    return missionMicros == Long.MIN_VALUE ? now : missionMicros;
-  }
-
   /** Time for which the mission has been pursued [s]. */
   private double missionS() {
-    return missionMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(clock().micros() - missionMicros);
-  }
-
-  private boolean isFinished(String uid) {
-    return finished.filter(done -> done.uid().equals(uid)).isPresent();
+    return time.elapsedS(clock().micros());
   }
 
   private double distanceM(GoalInformation option, StateInformation state, boolean stateless) {
@@ -380,15 +363,15 @@ public class PathPlanner extends EventDrivenService {
             .map(option -> following(option, state));
     boolean begins = goal.filter(current -> current.uid().equals(chosen.uid())).isEmpty();
     Pursuit pursuit =
-        new Pursuit(chosen, begins ? finished : Optional.empty(), after, state, missionS());
+        new Pursuit(chosen, begins ? reports.last() : Optional.empty(), after, state, missionS());
     if (begins) {
       log(
           named(chosen)
               + " begins"
-              + finished.map(done -> ", from \"" + done.uid() + "\"").orElse(""));
+              + reports.last().map(done -> ", from \"" + done.uid() + "\"").orElse(""));
       judgeThreshold(chosen, state);
       planner.get().enter(pursuit);
-      finished = Optional.empty();
+      reports.forget();
     }
     goal = Optional.of(chosen);
     foreseen = after.map(GoalInformation::uid).orElse("");
@@ -399,7 +382,7 @@ public class PathPlanner extends EventDrivenService {
       log(level, named(chosen) + " " + plan.remark());
     }
     if (plan.progress() != Plan.Progress.UNDER_WAY) {
-      report(chosen, plan);
+      reports.report(chosen, plan, clock().micros());
     }
     avoidance.news().ifPresent(path -> show(path, state));
     rightOfWay.news().ifPresent(path -> show(path, state));
@@ -415,34 +398,11 @@ public class PathPlanner extends EventDrivenService {
     return "goal \"" + goal.uid() + "\"";
   }
 
-  /** Reports to the Mission Manager, and repeats after a while if it does not react. */
-  private void report(GoalInformation done, Plan plan) {
-    long now = clock().micros();
-    if (isFinished(done.uid())) {
-      if (now - reportedMicros >= settings.get().reportIntervalMicros()) {
-        publish(Channels.GOAL_REPORTS, finished.get()); // same timestamp: it counts once
-        reportedMicros = now;
-      }
-      return;
-    }
-    GoalInformation report =
-        plan.changed().filter(goal -> goal.uid().equals(done.uid())).orElse(done).copy();
-    report.timestamp(now);
-    report.completed(plan.progress() == Plan.Progress.COMPLETED);
-    report.abandoned(plan.progress() == Plan.Progress.ABANDONED);
-    if (report.abandoned() && !plan.remark().isEmpty()) {
-      report.reason(plan.remark());
-    }
-    publish(Channels.GOAL_REPORTS, report);
-    finished = Optional.of(report);
-    reportedMicros = now;
-  }
-
   private List<NavigationPoint> atEnd(StateInformation state) {
-    if (finished.isPresent()) {
+    if (reports.last().isPresent()) {
       // the path to an abandoned goal may be obstructed: hold here
-      holdAt = WaypointState.placeOf(finished.filter(done -> !done.abandoned()));
-      finished = Optional.empty(); // the next leg does not start at that position
+      holdAt = WaypointState.placeOf(reports.last().filter(done -> !done.abandoned()));
+      reports.forget(); // the next leg does not start at that position
     }
     goal = Optional.empty();
     Vehicle vehicle = Vehicle.of(state).orElseThrow();

@@ -19,12 +19,12 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
 /**
- * {@link PayloadDrop}: flies so that the computed fall ends at the position, upwind of it in a
- * crosswind, and releases where it does. A multirotor hovers upwind of it.
+ * {@link PayloadDrop}: flies such that the computed fall ends at the position, upwind of it in a
+ * crosswind, and releases there. A multirotor hovers upwind of it.
  */
 final class PayloadDropState implements PlannerState {
   private static final int ATTEMPTS = 3;
-  private static final double RELEASING_S = 1.0; // the release is asked for that long
+  private static final double RELEASING_S = 1.0; // duration of the release command
   private static final double HOVERS_MPS = 0.5;
   private static final double HOVER_SHARE = 0.5; // of the threshold, before a hovering release
 

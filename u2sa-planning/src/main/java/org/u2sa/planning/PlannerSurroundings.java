@@ -15,7 +15,7 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.PlanningPlane;
 
-/** PlannerView by the planner's own world and avoidance. */
+/** {@link PlannerView} backed by the planner's own world and avoidance. */
 final class PlannerSurroundings implements PlannerView {
   private final Avoidance avoidance;
   private final DoubleSupplier missionS;

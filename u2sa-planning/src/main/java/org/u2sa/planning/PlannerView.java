@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.planning.seen.PlanarShape;
 
 /**
- * What the planner knows of the vehicle's surroundings, for the {@link PlannerState}s of
+ * The vehicle's surroundings as the planner knows them, for the {@link PlannerState}s of
  * extensions. Confined to the planner's thread.
  */
 public interface PlannerView {

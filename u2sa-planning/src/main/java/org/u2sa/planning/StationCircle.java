@@ -22,11 +22,12 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * A {@link Station} of a vehicle that cannot stop: a circle around it. Duration and turns count
- * from the arrival on the circle at the altitude of the station, whatever the vehicle has to evade
+ * from the arrival on the circle at the altitude of the station, even if the vehicle has to evade
  * later. Where the circle is obstructed, the vehicle is led around to a later part of it.
  */
 final class StationCircle {
-  private static final double LOOKS_AHEAD_RAD = 1.2; // along the circle, for what is in the way
+  private static final double LOOKS_AHEAD_RAD =
+      1.2; // distance along the circle to check for obstructions
   private static final double NEXT_ENTRY_RAD = Math.toRadians(60.0);
   private static final int ENTRIES = 5;
   private static final double UNREACHABLE_S = 4.0; // without a route to an entry
@@ -39,7 +40,8 @@ final class StationCircle {
   private final Supplier<FlightVariables> settings;
   private LoiterCircle circle; // null before the first plan
   private Optional<Place> place = Optional.empty(); // its centre as the station has it
-  private int entry; // led around to, from 1; 0: on the circle or straight to it
+  private int
+      entry; // number of the current detour's entry, from 1; 0: on the circle or straight to it
   private double entryRad; // its direction from the centre
   private long lostSince; // without a route; MAX_VALUE with one
   private long sinceMicros; // counting; MIN_VALUE before
@@ -139,7 +141,7 @@ final class StationCircle {
     return entry == 0 ? Plan.underWay(List.of(point)) : around(station, state, vehicle, point);
   }
 
-  /** Something is in the way to the circle or along it. */
+  /** Whether the way to the circle or along it is obstructed. */
   private boolean isHindered(Vehicle vehicle, StateInformation state) {
     double away = circle.outsideM(vehicle) + circle.radiusM();
     double tangent = away > circle.radiusM() ? Math.acos(circle.radiusM() / away) : 0.0;
@@ -219,7 +221,10 @@ final class StationCircle {
     return turnedRad / (2.0 * Math.PI);
   }
 
-  /** On its course to the next goal, if the station asks for that; anywhere if it is inside. */
+  /**
+   * Whether it is on its course to the next goal, if the station requires that; true anywhere
+   * inside the circle.
+   */
   private boolean mayLeave(Station station, Vehicle vehicle, Optional<GoalInformation> after) {
     Optional<Place> next =
         after

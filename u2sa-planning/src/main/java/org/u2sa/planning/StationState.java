@@ -5,6 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Supplier;
+import org.u2sa.interfaces.configuration.Description;
+import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
@@ -18,11 +20,32 @@ import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Others: to the place,
- * or to the start of its straight way and along it, then there until its time is over. The time
- * starts again when the vehicle leaves a threshold or the heading.
+ * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Without one, the
+ * vehicle moves to the place, or to the start of its straight way and along it, and stays until the
+ * time is over. The time starts again when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
+  /** Configuration variables of stations and berths. */
+  record Variables(
+      @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 5)
+          @Description(
+              "Distance from a station at which the vehicle turns to the heading that it is to keep there.")
+          double stationTurnWithin,
+      @Variable(unit = "deg", min = 0.1, max = 180, ifAbsent = 5)
+          @Description(
+              "Heading error up to which a vehicle counts as being on a station's heading.")
+          double stationAngle,
+      @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 0.3)
+          @Description(
+              "Distance from the start of the straight way to a berth at which the vehicle enters it, and from the way's line at which it waits until it is back.")
+          double berthAccuracy,
+      @Variable(unit = "m/s", min = 0.01, max = 10, ifAbsent = 0.3)
+          @Description("Speed on the straight way to a berth that specifies none.")
+          double berthSpeed,
+      @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 1)
+          @Description("Look-ahead distance on the straight way to a berth.")
+          double berthLookAhead) {}
+
   private enum Phase {
     /** To the station, or to the start of the straight way. */
     TRANSIT,
@@ -33,14 +56,13 @@ final class StationState implements PlannerState {
   }
 
   private final WaypointGuidance guidance;
-  private final Supplier<StationVariables> settings;
+  private final Supplier<Variables> settings;
   private final StationCircle circle;
   private Optional<Place> here = Optional.empty(); // where it began, for a station without a place
   private Phase phase = Phase.TRANSIT;
   private long sinceMicros = Long.MIN_VALUE; // on station
 
-  StationState(
-      WaypointGuidance guidance, Supplier<StationVariables> settings, StationCircle circle) {
+  StationState(WaypointGuidance guidance, Supplier<Variables> settings, StationCircle circle) {
     this.guidance = guidance;
     this.settings = settings;
     this.circle = circle;
@@ -156,7 +178,7 @@ final class StationState implements PlannerState {
     return Leg.wrapped(station.psi().getAsDouble() - vehicle.headingRad());
   }
 
-  /** To a point; from afar on a line, if it is the station itself. */
+  /** Moves to a point; from afar along a line, if the point is the station itself. */
   private NavigationPoint towards(
       Point ned, Optional<Place> place, Station station, Vehicle vehicle) {
     boolean isNear = length(ned) <= settings.get().stationTurnWithin();
@@ -175,9 +197,12 @@ final class StationState implements PlannerState {
     return point;
   }
 
-  /** On the straight way: a point ahead on its line, or beside the vehicle while it is off it. */
+  /**
+   * Target on the straight way: a point ahead on its line, or beside the vehicle while it is off
+   * the line.
+   */
   private NavigationPoint along(Point start, Point to, Station station, Vehicle vehicle) {
-    StationVariables now = settings.get();
+    Variables now = settings.get();
     Leg leg = new Leg(start.x(), start.y(), to.x(), to.y());
     boolean isOff = Math.abs(leg.acrossM(0.0, 0.0)) > now.berthAccuracy();
     double ahead = leg.alongM(0.0, 0.0) + (isOff ? 0.0 : now.berthLookAhead());

@@ -8,23 +8,22 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * Which sensors should be measuring and are not. A sighting says nothing about the next one, since
- * there may be nothing to see; a scanner, however, scans empty ground too, and so does one that
- * publishes its scans as clouds of points.
+ * Detects sensors that should be measuring but are silent. A silent camera may just have nothing to
+ * see; a scanner publishes even over empty ground, as scans or as point clouds.
  */
 final class AwaitedSensors {
-  /** Stands for a scanner whose name is not known because it never scanned. */
+  /** Placeholder for a scanner that never scanned, so that its name is unknown. */
   static final String ANY_SCANNER = "any scanner";
 
   private static final double MISSED = 2.0; // intervals after which a slow scanner is silent
-  private static final long LONGEST_MICROS = 5_000_000; // interval that is allowed for
+  private static final long LONGEST_MICROS = 5_000_000; // maximum interval taken into account
 
   /**
-   * What is known of a scanner.
+   * Timing of a scanner's messages.
    *
    * @param newest end of its newest scan [µs]
    * @param interval since the previous message [µs]
-   * @param usual the shorter one of the last two intervals: a gap is no habit [µs]
+   * @param usual the shorter of the last two intervals, so that a single gap does not count [µs]
    */
   private record Scans(long newest, long interval, long usual) {
     Scans then(long micros) {
@@ -34,7 +33,7 @@ final class AwaitedSensors {
   }
 
   private final Map<String, Scans> scanned = new TreeMap<>(); // by scanner, of either kind
-  private final Set<String> cloudy = new TreeSet<>(); // of them those of clouds
+  private final Set<String> cloudy = new TreeSet<>(); // scanners that publish clouds
   private final Map<String, Long> seen = new TreeMap<>(); // newest sighting of each sensor [µs]
 
   /** Registers a scan that was placed on the map and ended at a time. */
@@ -56,7 +55,7 @@ final class AwaitedSensors {
     seen.merge(sensor, micros, Math::max);
   }
 
-  /** Those heard of whose scans are not clouds. */
+  /** Scanners heard so far that do not publish clouds. */
   List<String> scanners() {
     List<String> names = new ArrayList<>(scanned.keySet());
     names.removeAll(cloudy);
@@ -70,12 +69,12 @@ final class AwaitedSensors {
   /**
    * Sensors that should be measuring and are silent.
    *
-   * @param expected names of the sensors that should; if empty, each scanner that was ever heard
+   * @param expected names of the sensors to expect; empty: every scanner heard so far
    * @param needsScans whether at least one scan, other than a cloud, is needed if nothing is named
    *     as expected
    * @param nowMicros time of the map [µs]
-   * @param silentMicros age from which a measurement is too old; without expected names, a scanner
-   *     whose scans are rarer may take twice its usual interval [µs]
+   * @param silentMicros age from which a measurement is too old; without expected names, a slower
+   *     scanner may take twice its usual interval [µs]
    */
   List<String> silent(
       List<String> expected, boolean needsScans, long nowMicros, long silentMicros) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
@@ -18,11 +17,9 @@ import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
-import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.ImageFootprint;
-import org.u2sa.messages.shape.MovingSphere;
 import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
@@ -33,7 +30,6 @@ import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.PoseHistory;
 import org.u2sa.world.modeller.ScanPoses;
 import org.u2sa.world.modeller.Sighting;
-import org.u2sa.world.xml.WorldFile;
 
 /**
  * Maintains the world model (thesis 3.2.3.3): passes each sighting and scan, with the vehicle's
@@ -59,8 +55,7 @@ public final class WorldModeler extends PeriodicService {
   private final SightingCount count = new SightingCount();
   private final AwaitedSensors sensors = new AwaitedSensors();
   private MapFrame frame = MapFrame.BODY;
-  private List<ObjectDescription> known;
-  private long knownMicros; // start time of the motion of the file's moving objects
+  private final KnownObjects known;
   private long heardStateMicros; // run clock, not the state's timestamp
   private boolean isMeasuring; // has registered for what modellers that measure the state need
   private boolean isSensing; // has subscribed to what the vehicle's own sensors measure
@@ -74,51 +69,12 @@ public final class WorldModeler extends PeriodicService {
             this, context.configuration()::resolve, context.execution().writesNamedFiles());
     registerPublisher(Channels.OBJECTS);
     registerPublisher(Channels.GRID);
-    known = known();
-    knownMicros = clock().micros();
+    known = new KnownObjects(context, settings);
     choose();
     subscribe(Channels.STATE, this::onState);
     subscribe(Channels.SENSED_OBJECTS, this::onArrival);
     subscribe(Channels.SCANS, this::onArrival);
     subscribe(Channels.GOALS, this::onGoals);
-  }
-
-  /** A priori objects of the world file. */
-  private List<ObjectDescription> known() {
-    List<ObjectDescription> all = file(settings.get().world());
-    return settings.get().worldMovers()
-        ? all
-        : all.stream().filter(object -> !moves(object)).collect(Collectors.toList());
-  }
-
-  /** Reloads the a priori objects; those defined relative to the vehicle keep their positions. */
-  private List<ObjectDescription> known(List<ObjectDescription> before) {
-    Map<String, ObjectDescription> placed =
-        before.stream()
-            .collect(Collectors.toMap(ObjectDescription::uid, each -> each, (a, b) -> a));
-    return known().stream()
-        .map(each -> isAround(each) ? placed.getOrDefault(each.uid(), each) : each)
-        .collect(Collectors.toList());
-  }
-
-  /** Omits objects defined relative to the start pose until a state gives that pose. */
-  private List<ObjectDescription> placed() {
-    return known.stream().filter(each -> !isAround(each)).collect(Collectors.toList());
-  }
-
-  private static boolean isAround(ObjectDescription object) {
-    return object.referenceFrame().isBody();
-  }
-
-  private static boolean moves(ObjectDescription object) {
-    boolean turns = object instanceof MovingSphere sphere && !sphere.trajectory().isEmpty();
-    return turns || object.motion().velocity().filter(v -> !v.equals(Point.ORIGIN)).isPresent();
-  }
-
-  private List<ObjectDescription> file(String path) {
-    return path.isEmpty()
-        ? List.of()
-        : WorldFile.load(context.configuration().resolve(path), context.messageTypes()).objects();
   }
 
   private void choose() {
@@ -136,7 +92,7 @@ public final class WorldModeler extends PeriodicService {
     }
     modellers
         .choose(names, frame, now())
-        .forEach(modeller -> modeller.known(placed(), known(now())));
+        .forEach(modeller -> modeller.known(known.placed(), known.since(now())));
     if (!isSensing && working().anyMatch(Modeller::needsSensedState)) {
       isSensing = true;
       subscribe(
@@ -148,16 +104,11 @@ public final class WorldModeler extends PeriodicService {
     return modellers.working().values().stream();
   }
 
-  /** A priori objects are known from when the file was loaded, whichever modeller asks later. */
-  private Sighting known(Sighting now) {
-    return new Sighting(knownMicros, now.frame(), now.vehicle());
-  }
-
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     try {
       modellers.names((String) values.get(WorldVariables.MODELLERS));
-      file((String) values.get(WorldVariables.WORLD));
+      known.file((String) values.get(WorldVariables.WORLD));
       return Optional.empty();
     } catch (IllegalArgumentException | BadInputException e) {
       return Optional.of(e.getMessage());
@@ -169,10 +120,9 @@ public final class WorldModeler extends PeriodicService {
     if (variableNames.contains(WorldVariables.WORLD)
         || variableNames.contains(WorldVariables.WORLD_MOVERS)) {
       if (variableNames.contains(WorldVariables.WORLD)) {
-        known = known();
-        knownMicros = clock().micros();
+        known.load();
       } else {
-        known = known(known);
+        known.reload();
       }
       tellKnown(now());
     }
@@ -207,16 +157,9 @@ public final class WorldModeler extends PeriodicService {
 
   /** Fixes the file's vehicle-relative objects at the first state. */
   private void tellKnown(Sighting now) {
-    if (!now.frame().frame().isBody()) {
-      known =
-          known.stream()
-              .map(
-                  each ->
-                      isAround(each) ? now.frame().placed(each, now.vehicle()).orElse(each) : each)
-              .collect(Collectors.toList());
-    }
-    Sighting since = known(now);
-    modellers.working().values().forEach(modeller -> modeller.known(placed(), since));
+    known.place(now);
+    Sighting since = known.since(now);
+    modellers.working().values().forEach(modeller -> modeller.known(known.placed(), since));
   }
 
   private void onArrival(U2SAData measured) {
@@ -350,8 +293,7 @@ public final class WorldModeler extends PeriodicService {
     List<ObjectDescription> objects = new ArrayList<>();
     modellers.working().values().forEach(modeller -> objects.addAll(modeller.objects(now)));
     if (modellers.working().values().stream().noneMatch(Modeller::publishesKnown)) {
-      double sinceS = Clock.seconds(micros - knownMicros);
-      placed().forEach(object -> objects.add(object.after(sinceS)));
+      objects.addAll(known.placedAt(micros));
     }
     ObjectList list =
         new ObjectList()
@@ -399,9 +341,7 @@ public final class WorldModeler extends PeriodicService {
   protected void handOver(HandOver state) {
     poses.newest().ifPresent(newest -> state.message("STATE", newest));
     frame.handOver(state);
-    state.text("WORLD", settings.get().world());
-    state.number("WORLD SINCE", Clock.seconds(knownMicros));
-    state.messages("KNOWN", known);
+    known.handOver(state);
     state.texts("WANTED TYPES", relevance.types());
     state.texts("SCANNERS", sensors.scanners());
     state.texts("CLOUD SCANNERS", sensors.cloudScanners());
@@ -417,13 +357,10 @@ public final class WorldModeler extends PeriodicService {
     state.texts("SCANNERS").forEach(scanner -> sensors.scan(scanner, clock().micros()));
     state.texts("CLOUD SCANNERS").forEach(scanner -> sensors.cloud(scanner, clock().micros()));
     frame = MapFrame.takenOver(state).orElse(frame);
-    if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
-      knownMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(knownMicros)));
-      known = known(state.messages("KNOWN", ObjectDescription.class));
-    }
+    known.takeOver(state);
     Sighting now = now();
     for (Modeller modeller : modellers.working().values()) {
-      modeller.known(placed(), known(now));
+      modeller.known(known.placed(), known.since(now));
       modeller.enter(frame, now);
       modeller.takeOver(state, now);
     }

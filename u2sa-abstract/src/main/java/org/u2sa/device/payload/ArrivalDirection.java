@@ -6,8 +6,8 @@ import org.u2sa.messages.frame.Point;
 /**
  * Direction of a distant sound source by its arrival times at an array of hydrophones: the unit
  * vector u to the source that minimises Σ (c·(tᵢ − t̄) + u·(pᵢ − p̄))², by Gauss-Newton on the unit
- * sphere. An array in one plane cannot tell a source below it from its mirror image above: the one
- * below is taken.
+ * sphere. An array in one plane cannot tell a source below it from its mirror image above: the
+ * result is the one below.
  *
  * @param direction unit vector to the source, in the axes of the hydrophones' places
  * @param sigmaRad standard deviation of the less certain of two angles across the direction [rad]
@@ -17,7 +17,7 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
   private static final int STEPS = 30;
   private static final int STARTS = 8; // azimuths, below and above
   private static final double SMALL = 1e-10;
-  private static final double TIE = 1e-6; // two minima as deep as each other
+  private static final double TIE = 1e-6; // minima of equal depth
   private static final double ZERO = 1e-18; // [m²]
 
   /**
@@ -45,7 +45,7 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
         Math.sqrt(array.cost(best) / places.size()) / soundMps);
   }
 
-  /** End of the steps from a start. */
+  /** Minimum reached from a start. */
   private static Point descended(Array array, Point start) {
     Point best = unit(start);
     for (int i = 0; i < STEPS; i++) {

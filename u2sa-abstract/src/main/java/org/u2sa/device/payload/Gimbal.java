@@ -5,7 +5,7 @@ import org.u2sa.device.port.Device;
 /** A gimbal with a pan and a tilt axis, for a camera or another instrument. */
 public interface Gimbal extends Device<Gimbal.Pointing> {
   /**
-   * What the gimbal reports.
+   * Status reported by the gimbal.
    *
    * @param panRad angle of its pan axis from straight ahead, to the left positive [rad]
    * @param tiltRad angle of its tilt axis, up positive [rad]

@@ -19,7 +19,7 @@ public interface HydrophoneArray extends Device<HydrophoneArray.Heard> {
    * Direction of one ping.
    *
    * @param frequencyHz its frequency [Hz]
-   * @param azimuthRad direction it comes from, from the array's own zero, to the left positive
+   * @param azimuthRad direction of the source, relative to the array's zero, positive to the left
    *     [rad], −π…π
    * @param elevationRad above the array's plane, up positive [rad], −π/2…π/2
    * @param sigmaRad standard deviation of either angle [rad]; empty if the array does not say

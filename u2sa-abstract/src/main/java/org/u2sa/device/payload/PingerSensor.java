@@ -49,7 +49,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
           double frequencyTolerance,
       @Variable(ifAbsentText = "pinger") @Description("Type of the object.") String objectType,
       @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 10)
-          @Description("Distance at which the object is put, as none is measured.")
+          @Description("Assumed distance of the object, because none is measured.")
           double range,
       @Variable(unit = "m", min = 0.01, max = 10_000, ifAbsent = 10)
           @Description("Standard deviation of that distance.")
@@ -69,7 +69,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
           double arrivalSigma,
       @Variable(min = 1, max = 1000, ifAbsent = 4)
           @Description(
-              "RMS error of the arrival times, in standard deviations, above which they are no plane wave: an echo, and ignored.")
+              "RMS error of the arrival times, in standard deviations, above which a ping is ignored as an echo.")
           double echoGate) {
     Variables {
       places(hydrophonePlaces);

@@ -3,12 +3,12 @@ package org.u2sa.device.payload;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Guards a release against commands by accident. It fires once, if the vehicle is armed and has no
- * emergency stop, and after that became so the safe position was commanded, and from then on the
- * release without a gap for the hold time. Not thread-safe.
+ * Guards a release against accidental commands. It fires once, after this sequence: the vehicle is
+ * armed without an emergency stop, then the safe position is commanded, then the release without
+ * interruption for the hold time. Not thread-safe.
  */
 final class ReleaseInterlock {
-  /** What is commanded. */
+  /** The commanded state. */
   enum Wanted {
     NOTHING,
     SAFE,
@@ -36,7 +36,7 @@ final class ReleaseInterlock {
     fireMicros = Clock.micros(fireS);
   }
 
-  /** Forgets all that was commanded. */
+  /** Forgets all commands. */
   void lock() {
     state = State.LOCKED;
   }
@@ -61,7 +61,10 @@ final class ReleaseInterlock {
     return state == State.FIRING;
   }
 
-  /** Whether a release that is commanded now can only fail, as safe was not commanded before. */
+  /**
+   * Whether a release commanded now cannot fire, because the safe position was not commanded
+   * before.
+   */
   boolean isLocked() {
     return state == State.LOCKED;
   }

@@ -1,7 +1,7 @@
 package org.u2sa.device.payload;
 
 /**
- * Kinds of switched payloads, by how they behave at the start, without commands, at an emergency
+ * Kinds of switched payloads, by their behaviour at the start, without commands, at an emergency
  * stop, while disarmed, and when the service ends.
  */
 public enum SwitchKind {

@@ -6,7 +6,7 @@ import org.u2sa.device.port.Device;
 /** The output that moves a switched payload: a relay, a dimmer, or the pulse of a servo. */
 public interface SwitchOutput extends Device<SwitchOutput.Level> {
   /**
-   * What the output is set to.
+   * The commanded state.
    *
    * @param percent level, 0…100 [%]; empty before it was set
    */

@@ -21,8 +21,8 @@ import org.u2sa.service.handover.HandOver;
  * Actuator service of a payload with named positions: gripper, drop mechanism, launcher, brake or
  * light (thesis 2.2, 3.2.2.5). In: actuation, emergency-stop, arming-state. Out: actuators.
  *
- * <p>A command is the level of a position [%]; the nearest one counts. Its {@link SwitchKind} says
- * how it behaves without commands. A RELEASE obeys its {@link ReleaseInterlock} only.
+ * <p>A command is the level of a position [%]; the nearest one counts. Its {@link SwitchKind}
+ * determines the behaviour without commands. A RELEASE obeys its {@link ReleaseInterlock} only.
  */
 public final class SwitchedActuator extends PeriodicService implements ActuatorOwner {
   private static final double STEPS_PER_S = 50.0;

@@ -19,11 +19,11 @@ import org.u2sa.service.ServiceContext;
  * Publishes the acceleration that a measured thrust gives the vehicle, along the thruster's axis,
  * in BODY, once per reading (thesis 4.2.1.1). Out: sensed-state.
  *
- * <p>The cell feels neither drag nor gravity nor other thrusters: OTHER FORCES SIGMA stands for
- * them in the standard deviation.
+ * <p>The cell feels neither drag nor gravity nor other thrusters: OTHER FORCES SIGMA adds them to
+ * the standard deviation.
  */
 public final class ThrustSensor extends DeviceSensor<LoadCell.Load> {
-  private static final double ALONG = 1.0e-3; // smaller components of the axis count as none
+  private static final double ALONG = 1.0e-3; // smaller components of the axis count as 0
 
   private static final StateField[] ACCELERATION = {
     StateField.X_DOUBLE_DOT, StateField.Y_DOUBLE_DOT, StateField.Z_DOUBLE_DOT

@@ -1,9 +1,9 @@
 package org.u2sa.device.payload;
 
-/** Where a joint or an axis goes without commands, at an emergency stop and while disarmed. */
+/** Behaviour of a joint or axis without commands, at an emergency stop and while disarmed. */
 public enum WithoutCommands {
-  /** To its neutral angle, at its rate limit. */
+  /** Moves to its neutral angle at its rate limit. */
   NEUTRAL,
-  /** It stays where it is. */
+  /** Keeps its angle. */
   HOLD
 }

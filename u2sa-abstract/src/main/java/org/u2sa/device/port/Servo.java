@@ -5,7 +5,7 @@ import java.util.OptionalDouble;
 /** A servo, which turns a control surface, a rudder or a camera to an angle and holds it. */
 public interface Servo extends Device<Servo.Position> {
   /**
-   * What the servo reports.
+   * Status reported by the servo.
    *
    * @param angleRad its angle, positive as commanded [rad]; empty if it does not measure it
    */

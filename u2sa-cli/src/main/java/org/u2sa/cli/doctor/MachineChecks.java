@@ -61,7 +61,7 @@ final class MachineChecks {
         return Finding.failure(
             "disk",
             there + " cannot be written to",
-            "change to a folder of yours: runs write to out/");
+            "change to a writable folder: runs write to out/");
       }
       return free < MIN_DISK
           ? Finding.warning("disk", found, "make room: an hour of recording takes up to 120 MB")

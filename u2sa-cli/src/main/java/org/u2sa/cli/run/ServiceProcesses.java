@@ -108,9 +108,9 @@ final class ServiceProcesses implements AutoCloseable {
   }
 
   /**
-   * Ends the service's process, if alive, and starts a new one. One that works is asked to end
-   * (SIGTERM), so that it leaves its outputs neutral and closes its files, and has 2 s for that;
-   * one that is silent is killed.
+   * Ends the service's process, if alive, and starts a new one. A working process is asked to end
+   * (SIGTERM) within 2 s, so that it sets its outputs to neutral and closes its files; one that is
+   * silent is killed.
    *
    * @param speaks whether the service is known to work
    * @return whether it was started; false during shutdown

@@ -8,6 +8,7 @@ import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,62 @@ import picocli.CommandLine;
 @NeedsProgram("mvn")
 class MavenBuildTest {
   private static final Path ROOT = Path.of("").toAbsolutePath().getParent();
+
+  private static final Pattern OTHER_MODULES =
+      Pattern.compile(
+          "<dependency>\\s*<groupId>org.u2sa</groupId>\\s*<artifactId>u2sa-(?!estimation|bom)"
+              + "[^<]*</artifactId>.*?</dependency>",
+          Pattern.DOTALL);
+
+  private static final String ESTIMATION_TEST =
+      """
+      import static org.junit.jupiter.api.Assertions.assertEquals;
+
+      import java.util.ArrayList;
+      import java.util.List;
+      import java.util.Map;
+      import org.junit.jupiter.api.Test;
+      import org.u2sa.estimation.PassThroughStateEstimator;
+      import org.u2sa.interfaces.communication.Channels;
+      import org.u2sa.interfaces.communication.LocalBus;
+      import org.u2sa.interfaces.configuration.XmlConfiguration;
+      import org.u2sa.interfaces.time.LockstepClock;
+      import org.u2sa.messages.StateInformation;
+      import org.u2sa.messages.frame.ReferenceFrame;
+      import org.u2sa.service.ServiceContext;
+
+      class EstimationTest {
+        @Test
+        void estimator_fix_becomesTheState() throws Exception {
+          LockstepClock clock = new LockstepClock();
+          LocalBus bus = new LocalBus("consumer");
+          List<StateInformation> states = new ArrayList<>();
+          bus.attach(
+              (channel, message) -> {
+                if (channel.equals(Channels.STATE)) {
+                  states.add((StateInformation) message);
+                }
+              });
+          PassThroughStateEstimator estimator =
+              new PassThroughStateEstimator(
+                  ServiceContext.of("consumer", XmlConfiguration.inMemory("test", Map.of()))
+                      .clock(clock)
+                      .transport(bus)
+                      .build());
+          estimator.start();
+          clock.advance(0);
+          StateInformation fix = new StateInformation().sensorName("gps");
+          fix.referenceFrame(ReferenceFrame.LOCAL_NED).x(3.0).y(4.0).psi(0.5);
+          fix.systemId("consumer");
+          fix.timestamp(clock.micros());
+          fix.freeze();
+          bus.deliver(Channels.SENSED_STATE, fix);
+          clock.advance(1_000_000);
+          estimator.shutDown();
+          assertEquals(3.0, states.get(0).x().orElseThrow());
+        }
+      }
+      """;
 
   @TempDir Path folder;
 
@@ -82,5 +139,22 @@ class MavenBuildTest {
     maven(folder.resolve("boat"), repository, "verify");
     assertThat(folder.resolve("boat/target/boat-1.0.jar")).exists();
     assertThat(folder.resolve("boat/target/surefire-reports")).isNotEmptyDirectory();
+  }
+
+  /** A project that uses the State Estimator alone, without launcher or Communication Manager. */
+  @Test
+  void verify_projectThatDependsOnEstimationAlone_succeeds() throws Exception {
+    Path repository = repository();
+    maven(ROOT, repository, "install", "-DskipTests", "-pl", "u2sa-estimation,u2sa-bom", "-am");
+    new NewProject(folder).make("vehicle", "boat");
+    Path project = Files.createDirectories(folder.resolve("consumer"));
+    String pom = Files.readString(folder.resolve("boat/pom.xml"));
+    Files.writeString(project.resolve("pom.xml"), OTHER_MODULES.matcher(pom).replaceAll(""));
+    Path tests = Files.createDirectories(project.resolve("src/test/java"));
+    Files.writeString(tests.resolve("EstimationTest.java"), ESTIMATION_TEST);
+    maven(project, repository, "verify");
+    assertThat(project.resolve("target/surefire-reports/TEST-EstimationTest.xml"))
+        .content()
+        .contains("tests=\"1\"");
   }
 }

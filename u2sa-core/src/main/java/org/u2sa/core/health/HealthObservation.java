@@ -29,7 +29,7 @@ final class HealthObservation {
   private final Set<String> former = new LinkedHashSet<>();
   private String instance = ""; // empty until known
   private HealthReport last; // of the current instance; null until heard
-  private double heardS; // last report by the current instance or, for it, its launcher
+  private double heardS; // last report by the current instance or by its launcher
   private double spokeS; // last report by the instance itself
   private double sinceS; // start of waiting, or first report of the current instance
   private boolean lost; // its connection

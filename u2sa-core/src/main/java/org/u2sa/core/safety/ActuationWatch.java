@@ -111,7 +111,7 @@ final class ActuationWatch implements Watch {
     state.flag(ARMED, armed).texts(REFUSING, values);
   }
 
-  /** A service that refused everything does so until it obeys, or refuses no more. */
+  /** A service that refused everything counts as refusing until it obeys or stops refusing. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     armed = state.flag(ARMED);

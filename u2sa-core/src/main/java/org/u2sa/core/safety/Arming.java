@@ -55,7 +55,7 @@ final class Arming {
     state.flag(WAITS, waits);
   }
 
-  /** Goes on waiting like the Safety Manager that it replaces at a swap. */
+  /** Continues waiting like the Safety Manager that it replaces at a swap. */
   void takeOver(HandOver state) {
     waits = state.flag(WAITS);
   }

@@ -44,7 +44,7 @@ final class FenceFile {
         : Optional.of(read(configuration.resolve(path), settings.fenceMargin()));
   }
 
-  /** The file no longer counts: another fence is in force. */
+  /** Stops watching the file, because another fence is in force. */
   void forget() {
     loaded = Optional.empty();
   }

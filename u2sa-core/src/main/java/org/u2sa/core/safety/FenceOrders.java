@@ -32,7 +32,7 @@ final class FenceOrders {
   }
 
   /**
-   * Carries out an order unless already done. Returns the answer of the manager of that name.
+   * Carries out an order unless already done. Returns the answer in the name of the manager.
    *
    * @param armed whether the vehicle is armed: it must then be well within the new fence
    */
@@ -103,7 +103,7 @@ final class FenceOrders {
     }
   }
 
-  /** Those of the fence before may be outside: the vehicle just does not use them. */
+  /** Positions of the previous fence may be outside: the vehicle just does not use them. */
   private void checkNewRallyPoints(GivenFence given) {
     List<RallyPoint> before = watch.fence().map(Fence::rally).orElse(List.of());
     for (RallyPoint point : given.fence().rally()) {

@@ -12,9 +12,9 @@ import org.u2sa.messages.safety.FenceState;
 /**
  * A fence and where it comes from.
  *
- * @param file its file, or who ordered it
+ * @param file its file, or the operator who ordered it
  * @param xml its text, without an XML declaration
- * @param fence as the vehicle keeps it: drawn in by the margin
+ * @param fence the fence in force, shrunk by the margin
  */
 record GivenFence(String file, String xml, Fence fence) {
   /**
@@ -34,7 +34,10 @@ record GivenFence(String file, String xml, Fence fence) {
     }
   }
 
-  /** Its encoding was the file's; the line break stays, so that errors name the file's lines. */
+  /**
+   * Removes the XML declaration, whose encoding was the file's, but keeps its line break, so that
+   * errors name the file's lines.
+   */
   private static String withoutDeclaration(String text) {
     int end = text.startsWith("<?xml") ? text.indexOf("?>") : -1;
     return end < 0 ? text : text.substring(end + 2);

@@ -7,9 +7,9 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * The previous Safety Manager of the same run, so that a restart in flight neither disarms the
- * vehicle nor drops a failsafe. What it demanded is known from the state it saved. Its last
- * retained message only proves that this is no longer ago than a restart takes, because others
- * could have published it.
+ * vehicle nor drops a failsafe. Its demands are known from its saved state. Its last retained
+ * message only proves that it ran recently enough for a restart, because others could have
+ * published it.
  */
 final class Predecessor {
   private static final double LISTEN_S = 0.5; // until a broker has sent retained messages

@@ -15,8 +15,8 @@ import org.u2sa.interfaces.time.SystemClock;
  * Exchanges datagrams with a device that sends to a local port, or with one at a known address.
  * Datagram payloads are treated as a byte stream.
  *
- * <p>At a local port the first sender is the device until it is silent: a stranger's datagram must
- * not divert commands, an emergency stop among them, nor be read in between.
+ * <p>At a local port, the first sender counts as the device until it falls silent. Datagrams of
+ * other senders are ignored, so they cannot divert commands such as an emergency stop.
  */
 final class UdpOpener implements Port.Opener {
   private static final int LARGEST = 65_507;
@@ -100,7 +100,7 @@ final class UdpOpener implements Port.Opener {
       return length > 0;
     }
 
-    /** Whether it is the device, which a sender becomes if there is none. */
+    /** Whether the sender is the device; without a device, the sender becomes it. */
     private boolean isPeer(SocketAddress sender) {
       long now = stopwatch.micros();
       boolean isVacant = peer == null || known == null && now - heardMicros > silenceMicros;

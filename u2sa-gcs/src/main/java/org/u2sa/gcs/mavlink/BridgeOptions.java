@@ -11,9 +11,9 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 
 /**
- * Where a bridge meets its stations and as what.
+ * Options of a bridge: its link to the stations, and how it presents the vehicle.
  *
- * @param place where they are
+ * @param place link to the stations
  * @param systemId MAVLink system ID of the vehicle, 1…250
  * @param kind kind of the vehicle; empty: by its control service
  * @param key file with the passphrase of message signing; empty: unsigned

@@ -18,7 +18,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
-/** What all stations of a bridge share: one vehicle and its identity. */
+/** The vehicle and its identity, shared by all stations of a bridge. */
 final class BridgedVehicle {
   final VehicleOrders orders;
   final VehicleStatus model;
@@ -38,7 +38,7 @@ final class BridgedVehicle {
   /**
    * @param systemId the vehicle's U2SA system ID
    * @param mavlinkId the vehicle's MAVLink system ID
-   * @param recordings what stations may download; empty: none
+   * @param recordings folder whose recordings stations may download; empty: none
    * @param clock real time [µs since 1970]
    */
   BridgedVehicle(

@@ -1,8 +1,8 @@
 package org.u2sa.gcs.mavlink;
 
 /**
- * Limits what is handled of a link, on average and in a burst: its bytes, and 400 more for each
- * message or false start of one: each such byte costs a checksum of 280 bytes.
+ * Limits the bytes handled per link, on average and in a burst. Each message, or byte that looks
+ * like the start of one, counts as 400 more bytes because it costs a checksum of 280 bytes.
  */
 final class ByteAllowance {
   private static final double BYTES_PER_S = 100_000.0;
@@ -26,7 +26,7 @@ final class ByteAllowance {
     left -= bytes;
   }
 
-  /** Counts messages that are handled, and bytes that begin a packet but do not hold one. */
+  /** Counts handled messages and false packet starts. */
   void useMessages(long count) {
     left -= PER_MESSAGE * count;
   }

@@ -26,8 +26,8 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Presents a vehicle to MAVLink stations. One thread does it all; the vehicle's messages arrive on
- * the link's thread in a {@link VehicleStatus}.
+ * Presents a vehicle to MAVLink stations. One thread does all the work; only the vehicle's messages
+ * arrive on the link's thread in a {@link VehicleStatus}.
  */
 public final class MavlinkBridge implements AutoCloseable {
   private static final long TURN_MS = 10;
@@ -130,7 +130,9 @@ public final class MavlinkBridge implements AutoCloseable {
       ask(nowMicros);
       vehicle.model.refresh();
     } catch (CommunicationException e) {
-      asked = Math.max(0, asked - 1); // the broker is away; the link reports it, and asks later
+      asked =
+          Math.max(
+              0, asked - 1); // the broker is unreachable; the link reports it and retries later
     }
     vehicle.orders.step(nowMicros);
     List<Object> reached = vehicle.progress.reached();

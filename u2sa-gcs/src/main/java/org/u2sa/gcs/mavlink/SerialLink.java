@@ -4,8 +4,8 @@ import java.util.List;
 import org.u2sa.interfaces.communication.SerialLine;
 
 /**
- * One station at a serial line. What is sent keeps to the line's rate, so that little waits in
- * front of an answer.
+ * One station at a serial line. Sends no faster than the line's rate, so that answers are not
+ * queued behind telemetry.
  */
 final class SerialLink implements StationLink {
   private static final int BITS_PER_BYTE = 10; // with start and stop bit
@@ -49,7 +49,7 @@ final class SerialLink implements StationLink {
 
   private void send() {
     for (byte[] packet = next(); packet != null; packet = next()) {
-      line.write(packet); // lost if nobody is there, as by radio: what comes later is newer
+      line.write(packet); // lost without a listener, as by radio: later packets are newer
       allowed -= packet.length;
     }
   }

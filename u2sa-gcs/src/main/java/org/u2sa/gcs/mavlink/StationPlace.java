@@ -2,7 +2,7 @@ package org.u2sa.gcs.mavlink;
 
 import java.net.InetSocketAddress;
 
-/** Where a bridge meets its stations. */
+/** Link between a bridge and its stations. */
 sealed interface StationPlace {
   /**
    * Stations connect by TCP.

@@ -27,7 +27,7 @@ import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
 
 /**
- * One station: decodes its packets, hands them to the microservices, and queues what it gets.
+ * One station: decodes its packets, passes them to the microservices, and queues packets for it.
  * Confined to the bridge's thread.
  */
 final class StationSession implements GroundStation {
@@ -156,7 +156,7 @@ final class StationSession implements GroundStation {
     roomBytes = bytes;
   }
 
-  /** Sends what is due: telemetry and bulk messages share a slow link by taking turns. */
+  /** Sends due messages: telemetry and bulk messages take turns on a slow link. */
   void step(long micros) {
     events.step();
     boolean isTelemetryFirst = steps++ % 2 == 0;

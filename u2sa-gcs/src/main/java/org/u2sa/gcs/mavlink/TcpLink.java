@@ -13,7 +13,10 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.function.Supplier;
 
-/** Stations that connect by TCP. One that floods is read slowly, one that does not read is lost. */
+/**
+ * Stations that connect by TCP. A station that floods is throttled; one that does not read is
+ * disconnected.
+ */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;
   private static final int CHUNK = 4096;
@@ -56,7 +59,8 @@ final class TcpLink implements StationLink {
     try {
       accept(nowMicros);
     } catch (IOException e) {
-      // No descriptor is free, or the station has left already: those that are connected go on.
+      // No free file descriptor, or the station has already left; connected stations are
+      // unaffected.
     }
     Iterator<Peer> all = peers.iterator();
     while (all.hasNext()) {

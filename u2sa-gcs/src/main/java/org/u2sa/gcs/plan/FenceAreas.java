@@ -15,7 +15,7 @@ public final class FenceAreas {
   /**
    * Areas of an element {@code <fence>}, in its order.
    *
-   * @param lost receives what areas cannot say, a line each
+   * @param lost receives what areas cannot express, one line each
    * @throws org.u2sa.interfaces.BadInputException naming file, line and element
    */
   public static List<StationPlan.Area> read(XmlElement root, List<String> lost) {

@@ -57,7 +57,7 @@ public final class GoalItems {
   private final List<String> details;
   private final List<PlanItem> items = new ArrayList<>();
   private final List<String> names = new ArrayList<>();
-  private final Map<String, Integer> idOfGoal = new HashMap<>(); // of the first item to it
+  private final Map<String, Integer> idOfGoal = new HashMap<>(); // ID of the first item of a goal
   private final WayOrders orders;
 
   private GoalItems(List<GoalInformation> goals, List<String> lost, List<String> details) {
@@ -70,8 +70,8 @@ public final class GoalItems {
    * Converts goals in file order.
    *
    * @param goals at least one
-   * @param lost receives what items cannot say of the way, a line each
-   * @param details receives what else they cannot say
+   * @param lost receives what items cannot express of the route, one line each
+   * @param details receives everything else they cannot express
    */
   public static GoalItems of(List<GoalInformation> goals, List<String> lost, List<String> details) {
     GoalItems made = new GoalItems(goals, lost, details);
@@ -84,7 +84,7 @@ public final class GoalItems {
     return items;
   }
 
-  /** Name of the goal to which each item belongs, or leads; "" if there is none. */
+  /** Name of the goal to which each item belongs or leads; "" if none. */
   public List<String> names() {
     return names;
   }
@@ -120,7 +120,7 @@ public final class GoalItems {
         .forEach(goal -> lose(goal, "is not on the way from goal to goal"));
   }
 
-  /** The goals that follow each other from the first, until one comes again or none follows. */
+  /** The chain of goals from the first, until one recurs or has no successor. */
   private List<GoalInformation> way(GoalInformation first, Map<String, GoalInformation> byName) {
     Set<GoalInformation> way = new LinkedHashSet<>();
     GoalInformation goal = first;

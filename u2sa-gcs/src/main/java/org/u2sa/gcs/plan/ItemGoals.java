@@ -22,7 +22,7 @@ public final class ItemGoals {
   private final Map<Integer, Integer> goalFrom = new HashMap<>(); // index by ID of item before it
   private final List<Integer> pending = new ArrayList<>(); // items whose goal follows
   private final List<List<String>> next = new ArrayList<>();
-  private boolean isOver; // an item that ends the way came
+  private boolean isOver; // set by an item that ends the mission
 
   private ItemGoals(StationPlan plan, List<String> lost, List<String> details) {
     items = plan.items();
@@ -36,8 +36,8 @@ public final class ItemGoals {
   /**
    * Converts the items of a plan.
    *
-   * @param lost receives the items that no goals stand for, a line each
-   * @param details receives parameters that goals do not have
+   * @param lost receives the items without a corresponding goal, one line each
+   * @param details receives parameters without a corresponding field
    */
   public static ItemGoals of(StationPlan plan, List<String> lost, List<String> details) {
     ItemGoals made = new ItemGoals(plan, lost, details);
@@ -54,7 +54,7 @@ public final class ItemGoals {
     return goals;
   }
 
-  /** Name of the goal to which each item belongs, or leads; "" if there is none. */
+  /** Name of the goal to which each item belongs or leads; "" if none. */
   public List<String> names() {
     List<String> names = new ArrayList<>();
     for (PlanItem item : items) {
@@ -108,7 +108,7 @@ public final class ItemGoals {
     next.add(List.of());
   }
 
-  /** Jumps back: a number of times is a repetition, endless ones are the way itself. */
+  /** Jumps back: a counted jump becomes a repetition, an endless jump a loop of the mission. */
   private void jump(PlanItem item) {
     Integer target = goalFrom.get((int) item.parameter(1));
     double times = item.parameter(2);
@@ -137,7 +137,7 @@ public final class ItemGoals {
     isOver = true;
   }
 
-  /** One goal that names its next makes all name theirs. */
+  /** If one goal names its successor, all must. */
   private void link() {
     if (next.stream().allMatch(List::isEmpty)) {
       return;

@@ -30,7 +30,7 @@ final class ItemOrders {
     this.details = details;
   }
 
-  /** Takes an order; false if the item is none of these. */
+  /** Takes an order; false if the item is another command. */
   boolean take(PlanItem item) {
     switch (item.command()) {
       case PlanItem.CHANGE_SPEED -> speed(item);
@@ -94,7 +94,7 @@ final class ItemOrders {
     return Optional.of(Point.of(item.parameter(6), item.parameter(5), altitude.getAsDouble()));
   }
 
-  /** Sets what was ordered at the next goal. */
+  /** Applies the orders to the next goal. */
   void applyTo(Waypoint goal, int index) {
     if (speed != WayOrders.VEHICLE_CHOOSES) {
       goal.speed(speed);
@@ -113,7 +113,7 @@ final class ItemOrders {
     isStated = false;
   }
 
-  /** Notes a jump to a goal that other orders hold for than where it comes from. */
+  /** Reports a jump to a goal for which other orders hold than at its origin. */
   void jump(PlanItem item, Waypoint target, int index) {
     boolean isSame =
         speed == target.speed().orElse(WayOrders.VEHICLE_CHOOSES)

@@ -9,7 +9,7 @@ import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 
-/** Items as waypoints, stations and landings, without names, speeds and order. */
+/** Converts items to waypoints, stations and landings, without names, speeds and order. */
 final class ItemPlaces {
   /** Commands of items that are goals. */
   static final Set<Integer> COMMANDS =
@@ -39,8 +39,8 @@ final class ItemPlaces {
 
   /**
    * @param home for altitudes relative to it
-   * @param lost receives items that are no place, a line each
-   * @param details receives parameters that goals do not have
+   * @param lost receives items that are not places, one line each
+   * @param details receives parameters without a corresponding field
    */
   ItemPlaces(Optional<StationPlan.Place> home, List<String> lost, List<String> details) {
     homeAltitudeM = home.map(StationPlan.Place::altitudeM).orElse(OptionalDouble.empty());
@@ -48,7 +48,7 @@ final class ItemPlaces {
     this.details = details;
   }
 
-  /** The goal that an item is; empty if it is lost. */
+  /** The goal of an item; empty if it cannot be expressed. */
   Optional<Waypoint> waypoint(PlanItem item) {
     return switch (item.command()) {
       case PlanItem.LOITER_UNLIMITED -> circle(item, new Station(), item.parameter(3), 0.0);
@@ -124,7 +124,7 @@ final class ItemPlaces {
         : goal;
   }
 
-  /** With a place it is the waypoint behind: vehicles take off by themselves. */
+  /** With a place, it becomes a waypoint there: vehicles take off by themselves. */
   private Optional<Waypoint> takeOff(PlanItem item) {
     if (item.parameter(1) > 0.0) {
       detail(item, "a pitch of " + item.parameter(1) + " deg");
@@ -170,7 +170,7 @@ final class ItemPlaces {
         && !(latitude == 0.0 && longitude == 0.0);
   }
 
-  /** Altitude above mean sea level [m]; empty if the item has none, or it is lost. */
+  /** Altitude above mean sea level [m]; empty if the item has none, or it cannot be expressed. */
   OptionalDouble altitude(PlanItem item) {
     double z = item.parameter(7);
     if (Double.isNaN(z)) {

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * One item of a mission as MAVLink has it (MISSION_ITEM, mavlink.io/en/messages/common.html).
+ * One mission item in MAVLink's form (MISSION_ITEM, mavlink.io/en/messages/common.html).
  *
  * @param command number of its MAV_CMD
  * @param frame number of its MAV_FRAME
@@ -119,7 +119,7 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return ORDERS.contains(command);
   }
 
-  /** Whether its place is to be looked at, not to be gone to. */
+  /** Whether its place is a point to look at rather than a destination. */
   public boolean isView() {
     return command == VIEW || command == ANY_VIEW;
   }
@@ -128,17 +128,17 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return !isOrder() && !isView();
   }
 
-  /** From a writer that knows no empty heading and writes 0. */
+  /** For items of a writer that has no empty heading and writes 0. */
   public PlanItem withoutHeading0() {
     return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
   }
 
-  /** For a reader that takes a heading of 0 as none: north is 360. */
+  /** For a reader that treats a heading of 0 as none: north becomes 360. */
   public PlanItem withNorth360() {
     return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, NORTH_DEG) : this;
   }
 
-  /** For messages: its number and command. */
+  /** Number and command, for messages. */
   public String title() {
     String name = NAMES.get(command);
     return "item " + id + " (" + (name == null ? "command " + command : "MAV_CMD_" + name) + ")";

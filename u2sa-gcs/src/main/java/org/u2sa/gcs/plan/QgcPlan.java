@@ -15,7 +15,7 @@ import org.u2sa.report.message.JsonReader;
  */
 public final class QgcPlan {
   private static final int GENERIC = 0; // MAV_AUTOPILOT_GENERIC, MAV_TYPE_GENERIC
-  private static final double SPEED_MPS = 5.0; // for the station's estimate of the time only
+  private static final double SPEED_MPS = 5.0; // only for the station's estimate of the duration
   private static final String VERSION = "version";
   private static final String ITEMS = "items";
   private static final String CIRCLES = "circles";
@@ -33,7 +33,7 @@ public final class QgcPlan {
    * Reads a plan.
    *
    * @param origin name of the file, for errors
-   * @param lost receives what plans here cannot say, a line each
+   * @param lost receives what cannot be expressed here, one line each
    * @throws BadInputException naming the field
    */
   public static StationPlan read(String origin, String text, List<String> lost) {

@@ -17,7 +17,7 @@ final class StationItems {
    * @param place latitude, longitude and altitude; 0, 0 for the present position
    * @param thresholdM horizontal threshold; 0 without one
    * @param heading on the station [deg], or NaN
-   * @param detail receives what the item cannot say
+   * @param detail receives what the item cannot express
    */
   static PlanItem of(
       int id,

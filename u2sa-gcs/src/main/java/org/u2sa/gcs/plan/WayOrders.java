@@ -25,7 +25,8 @@ final class WayOrders {
   private Optional<Point> view = Optional.empty();
 
   /**
-   * @param goals all of the mission: where none uses the camera, nothing is ordered of it
+   * @param goals all goals of the mission; without any that uses the camera, no camera orders are
+   *     written
    */
   WayOrders(List<GoalInformation> goals) {
     hasImages = goals.stream().anyMatch(goal -> imageDistanceM(goal) > 0.0);
@@ -40,8 +41,8 @@ final class WayOrders {
   /**
    * The orders before a goal.
    *
-   * @param isTarget whether the mission jumps to it: then it states everything again, whatever was
-   *     ordered where it jumped
+   * @param isTarget whether the mission jumps to it: then all orders are repeated, because those at
+   *     the jump's origin are unknown
    * @param id number of the first order
    */
   List<PlanItem> before(Waypoint goal, boolean isTarget, int id) {

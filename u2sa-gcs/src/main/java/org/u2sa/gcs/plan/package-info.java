@@ -1,6 +1,6 @@
 /**
- * Missions as other ground stations have them, item by item as MAVLink defines them, and in the
- * file formats: QGroundControl's plans and lists of waypoints (QGC WPL 110). What items or goals
- * cannot say is named.
+ * Missions in the form of other ground stations: MAVLink's items, and the files of QGroundControl
+ * (plans) and of QGC WPL 110 (waypoint lists). Conversions name everything that the other form
+ * cannot express.
  */
 package org.u2sa.gcs.plan;

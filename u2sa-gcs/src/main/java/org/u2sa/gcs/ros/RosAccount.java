@@ -19,8 +19,8 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * The broker's user as which a client of the bridge acts, and its own connection to the broker,
- * which judges everything that the client sends. Thread-safe.
+ * The broker's user for whom a bridge client acts, with its own connection, so that the broker
+ * checks everything the client sends. Thread-safe.
  */
 final class RosAccount {
   private static final double ANSWER_WITHIN_S = 3.0;
@@ -96,7 +96,7 @@ final class RosAccount {
 
   /**
    * Requires that people may publish the type on the channel, and that this user may: the broker
-   * drops what is not allowed without a word.
+   * drops unauthorised messages silently.
    *
    * @throws BadInputException saying what is needed
    */

@@ -3,8 +3,8 @@ package org.u2sa.gcs.ros;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Limits what waits in all queues of one client together, in characters of JSON: a queue holds maps
- * of megabytes for as long as its client says. Thread-safe.
+ * Limits the total size of one client's queues in characters of JSON, because a queue may hold maps
+ * of megabytes for as long as the client requests. Thread-safe.
  */
 final class RosBacklog {
   private static final long LARGEST = 4L << 20;
@@ -22,7 +22,7 @@ final class RosBacklog {
     return new RosBacklog(Math.min(LARGEST, Runtime.getRuntime().maxMemory() / HEAP_PART));
   }
 
-  /** Holds that many characters; false if there is no room for them. */
+  /** Reserves this many characters; false if there is no room. */
   boolean hold(int length) {
     boolean fits = held.addAndGet(length) <= most;
     if (!fits) {

@@ -41,7 +41,7 @@ final class RosMarkers {
     this.frames = frames;
   }
 
-  /** All objects: what was drawn before disappears. */
+  /** All objects, replacing those drawn before. */
   Optional<Object> of(ObjectList list) {
     RosSpelling.Time stamp = RosStates.stamp(list);
     List<Object> markers = new ArrayList<>();

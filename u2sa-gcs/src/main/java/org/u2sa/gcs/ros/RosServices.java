@@ -17,8 +17,8 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * The services that clients may call: those of rosapi, with which ROS tools list topics, services,
- * nodes and parameters. Calls may take seconds.
+ * Services that clients may call: rosapi, with which ROS tools list topics, services, nodes and
+ * parameters. Calls may take seconds.
  */
 final class RosServices {
   private static final long NANOS_PER_MICRO = 1_000L;

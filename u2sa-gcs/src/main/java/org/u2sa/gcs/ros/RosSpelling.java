@@ -7,7 +7,7 @@ import java.util.Map;
 import org.u2sa.interfaces.JsonText;
 
 /**
- * How a client spells types and times: {@code nav_msgs/Odometry} with {@code secs} and {@code
+ * A client's notation of types and times: {@code nav_msgs/Odometry} with {@code secs} and {@code
  * nsecs} (ROS 1), or {@code nav_msgs/msg/Odometry} with {@code sec} and {@code nanosec} (ROS 2).
  */
 enum RosSpelling {
@@ -52,8 +52,8 @@ enum RosSpelling {
   }
 
   /**
-   * A value as {@link JsonText} takes it. Numbers that JSON does not have are null, as rosbridge's
-   * own server has it.
+   * A value as {@link JsonText} takes it. Numbers that JSON cannot represent become null, as in
+   * rosbridge's own server.
    */
   Object json(Object value) {
     if (value instanceof Time time) {

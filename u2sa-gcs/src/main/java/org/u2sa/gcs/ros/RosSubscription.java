@@ -31,12 +31,12 @@ final class RosSubscription {
   private final Deque<String> waiting = new ArrayDeque<>(); // guarded by this
   private long next = Long.MIN_VALUE; // earliest time of the next message [µs]; guarded by this
   private boolean ended; // guarded by this
-  private Future<?> turn; // of the oldest that waits; null if none does; guarded by this
+  private Future<?> turn; // task of the oldest waiting message, or null; guarded by this
 
   /**
    * @param throttleMs least time between messages [ms]
    * @param backlog of the client
-   * @param writer writes a message; what waits is text, whose size is known
+   * @param writer writes a message as text, in which form it waits, because its size is then known
    * @param out sends a text, or does not ask for it
    * @param later runs a task after a time [ms], unless it is cancelled before
    */

@@ -24,7 +24,7 @@ import org.u2sa.report.message.MessageJson;
  *
  * @param name name with its slash
  * @param type type in the spelling of ROS 2
- * @param sources channels that it is made of
+ * @param sources channels from which it is made
  * @param maker message as fields for {@link RosSpelling#json}; empty if the vehicle's message makes
  *     none
  */

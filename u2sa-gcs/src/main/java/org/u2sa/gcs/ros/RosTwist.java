@@ -18,7 +18,7 @@ final class RosTwist {
   /**
    * Reads a twist.
    *
-   * @param operator who drives
+   * @param operator name of the driver
    * @throws BadInputException naming a component that is no number, or that a vehicle on the ground
    *     or water does not have
    */
@@ -39,7 +39,7 @@ final class RosTwist {
     Object vector = twist.get(name.substring(0, dot));
     Object value = vector instanceof Map<?, ?> map ? map.get(name.substring(dot + 1)) : null;
     if (value == null) {
-      return 0.0; // as rosbridge fills in what is left out
+      return 0.0; // as rosbridge fills in omitted fields
     }
     if (value instanceof Number number && Double.isFinite(number.doubleValue())) {
       return number.doubleValue();

@@ -29,7 +29,7 @@ final class RosTypes {
   private static final int SCALAR = -1;
 
   /**
-   * @param length of an array; 0 if it varies, -1 if the field is none
+   * @param length of an array; 0 if it varies, -1 if the field is not an array
    */
   record Field(String type, int length, String name) {}
 
@@ -64,7 +64,7 @@ final class RosTypes {
         field.group(4));
   }
 
-  /** Answer of {@code rosapi/message_details}: the type and all that it contains. */
+  /** Answer of {@code rosapi/message_details}: the type and all types that it contains. */
   Optional<List<Object>> details(String type) {
     String name = RosSpelling.ros2(type).replace("/msg/", "/");
     if (!types.containsKey(name)) {

@@ -22,8 +22,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.report.message.MessageFromJson;
 
 /**
- * What one client has subscribed to and advertised, and the operations of the protocol. Confined to
- * the client's thread, except for messages of the vehicle, which come on the transport's.
+ * One client's subscriptions and advertisements, and the operations of the protocol. Confined to
+ * the client's thread, except for the vehicle's messages, which arrive on the transport's thread.
  */
 final class RosbridgeSession {
   private static final int MAX_SUBSCRIPTIONS = 256;
@@ -37,7 +37,8 @@ final class RosbridgeSession {
   private final Map<String, RosSubscription> subscriptions = new ConcurrentHashMap<>(); // by ID
   private final Map<String, Consumer<U2SAData>> listeners = new HashMap<>(); // by channel
   private final Map<String, String> advertised = new HashMap<>(); // type by topic
-  private Optional<String> driver = Optional.empty(); // who drives by hand through this client
+  private Optional<String> driver =
+      Optional.empty(); // name of the person driving by hand through this client
   private final AtomicLong dropped = new AtomicLong();
   private final RosBacklog backlog = RosBacklog.ofClient();
 
@@ -60,7 +61,7 @@ final class RosbridgeSession {
       case "unadvertise" -> advertised.remove(operation.topic());
       case "publish" -> publish(operation);
       case "auth" -> authenticate(operation);
-      case "set_level", "status" -> {} // all that is said are errors and warnings
+      case "set_level", "status" -> {} // only errors and warnings are reported
       default ->
           throw new BadInputException(
               "\""
@@ -301,7 +302,7 @@ final class RosbridgeSession {
     return RosSpelling.ROS_2.json(values);
   }
 
-  /** Tells the client what went wrong. */
+  /** Reports an error to the client. */
   void status(String level, String text, String id) {
     JsonText status = new JsonText().put("op", "status").put("level", level).put("msg", text);
     socket.text((id.isEmpty() ? status : status.put("id", id)).line());

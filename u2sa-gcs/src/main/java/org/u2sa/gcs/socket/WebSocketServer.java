@@ -34,7 +34,9 @@ import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.RunFailedException;
 
-/** Accepts WebSocket clients on a TCP port, with bounds on all that they may send or keep open. */
+/**
+ * Accepts WebSocket clients on a TCP port, with limits on everything they may send or keep open.
+ */
 public final class WebSocketServer implements AutoCloseable {
   private static final int LONGEST_REQUEST = 1 << 16;
   private static final int LONGEST_FRAME = 1 << 20;
@@ -45,7 +47,7 @@ public final class WebSocketServer implements AutoCloseable {
   private static final int END_MS = 500;
 
   /**
-   * What a server offers.
+   * Settings of a server.
    *
    * @param address where it listens
    * @param subprotocols names, separated by commas; empty: none is agreed
@@ -60,7 +62,7 @@ public final class WebSocketServer implements AutoCloseable {
       int maxClients,
       Optional<SecurityDirectory> security) {}
 
-  /** What a client's messages and its end lead to. Called on the server's thread. */
+  /** Receives a client's messages and its disconnection, on the server's thread. */
   public interface Conversation {
     void text(String text);
 
@@ -113,7 +115,7 @@ public final class WebSocketServer implements AutoCloseable {
     }
   }
 
-  /** Clients that read nothing, all together, must leave the vehicle its heap. */
+  /** Limits the memory of all clients that do not read, so that the vehicle keeps its heap. */
   static WriteBufferWaterMark buffer(int clients) {
     long share = Runtime.getRuntime().maxMemory() / HEAP_PART / clients;
     int high = (int) Math.min(LARGEST_BUFFER, share);

@@ -126,7 +126,7 @@ public class SearchArea extends GoalInformation {
   }
 
   /**
-   * What makes the area impossible to search, with field, value and expectation; empty if nothing.
+   * Reason why the area cannot be searched, with field, value and expectation; empty if nothing.
    */
   public Optional<String> fault() {
     List<Point> outline = corners();
@@ -173,7 +173,7 @@ public class SearchArea extends GoalInformation {
   private static final class Outline {
     private Outline() {}
 
-    /** Which edges of an outline cross, or that it encloses nothing. */
+    /** Error of an outline: its edges cross, or it encloses nothing. */
     static Optional<String> crossing(List<Point> corners) {
       int count = corners.size();
       Point origin = corners.get(0);

@@ -83,7 +83,7 @@ public final class MissionOrder extends U2SAData {
     return put(NOW, value);
   }
 
-  /** Who gave the order. */
+  /** Author of the order. */
   public String operator() {
     return require(OPERATOR);
   }

@@ -60,7 +60,7 @@ public final class FenceOrder extends U2SAData {
     return put(FILE, value);
   }
 
-  /** Who gave the order. */
+  /** Author of the order. */
   public String operator() {
     return require(OPERATOR);
   }

@@ -33,7 +33,7 @@ public final class ManualState extends U2SAData {
     return put(ACTIVE, value);
   }
 
-  /** Who drives, or drove last. */
+  /** Name of the current or last driver. */
   public String operator() {
     return require(OPERATOR);
   }

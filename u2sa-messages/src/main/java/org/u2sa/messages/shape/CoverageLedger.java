@@ -9,8 +9,9 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * What of a search area was seen (thesis 4.4.1.3): for each cell the best resolution, and the angle
- * and the image of that view. Readers that do not know this class see the outline of the area.
+ * Observed parts of a search area (thesis 4.4.1.3): for each cell the best resolution, and the
+ * angle and the image of that view. Readers that do not know this class see the outline of the
+ * area.
  *
  * <p>Cells lie in rows from west to east, the rows from south to north; cell (0, 0) has its
  * south-west corner at {@link #corner}. Cells outside the area have {@link #OUTSIDE} as angle.

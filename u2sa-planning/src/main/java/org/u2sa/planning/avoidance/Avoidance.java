@@ -16,20 +16,17 @@ import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.planning.avoidance.GoalAttempt.TrafficHold;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
-import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
-import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 
@@ -41,12 +38,6 @@ import org.u2sa.planning.seen.SeenWorld;
 public final class Avoidance {
   private static final String NONE = "NONE";
 
-  /** Fraction of its speed below which a vehicle that cannot stop or hover has not taken off. */
-  private static final double SHARE_FLYING = 0.5;
-
-  /** Height above the place of landing below which obstacles are not looked for [m]. */
-  private static final double LOWEST_M = 2.0;
-
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
@@ -57,21 +48,11 @@ public final class Avoidance {
   private final RouteKeeper routes;
   private final PathNews news;
   private final VerticalEvasion climbing;
+  private final StraightFlight straight;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
   private boolean makesRoom; // to turn in place
-  private Optional<Held> held = Optional.empty();
-
-  /** The last choice of a vehicle that cannot stop: it holds for a few metres of flight. */
-  private record Held(ArcChoice choice, Wanted wanted, long micros) {
-    private static final long LASTS_MICROS = 100_000;
-
-    boolean isFor(Wanted now, long nowMicros) {
-      return now.goal().equals(wanted.goal())
-          && now.target().equals(wanted.target())
-          && nowMicros - micros < LASTS_MICROS;
-    }
-  }
+  private Optional<HeldChoice> held = Optional.empty();
 
   /**
    * Next step of the vehicle.
@@ -129,6 +110,7 @@ public final class Avoidance {
     routes = new RouteKeeper(world, obstacles, passages, () -> planners.get(chosen.get()), say);
     news = new PathNews(settings, say);
     climbing = new VerticalEvasion(terrain, say);
+    straight = new StraightFlight(world);
   }
 
   public boolean isOn() {
@@ -140,7 +122,7 @@ public final class Avoidance {
   }
 
   public boolean turnsOnTheSpot() {
-    return turnRadiusM(0.0) == 0.0;
+    return Situation.turnRadiusM(settings.get(), lines.get(), 0.0) == 0.0;
   }
 
   /** Remaining length of the route [m]; empty without one. */
@@ -176,20 +158,7 @@ public final class Avoidance {
   public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     boolean hasTraffic = comesTraffic(vehicle, state, to);
     AvoidanceVariables now = settings.get();
-    Point at = vehicle.on(plane);
-    Point way = vehicle.nedOf(to);
-    double keptM = body(now).circleM() + now.clearance();
-    for (PlanarShape shape : world.shapes()) {
-      double stepM = Math.max(1.0, 0.5 * keptM);
-      int steps = (int) Math.ceil(Math.hypot(way.x(), way.y()) / stepM);
-      for (int i = 0; i <= steps; i++) {
-        double share = steps == 0 ? 0.0 : (double) i / steps;
-        if (shape.distanceM(at.x() + share * way.x(), at.y() + share * way.y()) < keptM) {
-          return true;
-        }
-      }
-    }
-    return hasTraffic;
+    return straight.isObstructed(vehicle, vehicle.on(plane), to, body(now), now) || hasTraffic;
   }
 
   /**
@@ -199,28 +168,7 @@ public final class Avoidance {
   public boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
     AvoidanceVariables now = settings.get();
     Point at = vehicle.on(world.plane(state));
-    Point end = vehicle.nedOf(to);
-    Point way = end.minus(vehicle.nedOf(from));
-    double circleM = body(now).circleM();
-    double stepM = Math.max(1.0, 0.5 * circleM);
-    List<PlanarShape> shapes = new ArrayList<>(world.shapes());
-    shapes.addAll(world.shapesElsewhere());
-    for (double share = 1.0; share * way.z() > LOWEST_M; share -= stepM / way.distance()) {
-      double aboveM = share * way.z();
-      double north = at.x() + end.x() - share * way.x();
-      double east = at.y() + end.y() - share * way.y();
-      double down = at.z() + end.z() - aboveM;
-      for (PlanarShape shape : shapes) {
-        boolean isAsHigh =
-            now.verticalClearance() == 0.0
-                || shape.reaches(down, down, Math.min(now.verticalClearance(), 0.5 * aboveM));
-        double keptM = circleM + Math.min(now.clearance(), aboveM);
-        if (isAsHigh && shape.distanceM(north, east) < keptM) {
-          return true;
-        }
-      }
-    }
-    return false;
+    return straight.blocksDescent(vehicle, at, from, to, body(now), now);
   }
 
   /**
@@ -233,12 +181,7 @@ public final class Avoidance {
     lieOn(world.plane(state));
     Point at = vehicle.on(plane);
     world.update(state, at.x(), at.y(), at.z(), at.z() + vehicle.nedOf(to).z());
-    return TrafficHold.comesNear(
-        world.movers(),
-        vehicle,
-        at,
-        body(now).circleM() + 2.0 * now.trafficClearance(),
-        now.trafficHorizon());
+    return straight.comesTraffic(vehicle, at, body(now), now);
   }
 
   /** Called when a waypoint was reached: blocks the way back. */
@@ -269,12 +212,6 @@ public final class Avoidance {
     return now.body(turnsOnTheSpot());
   }
 
-  private double turnRadiusM(double speedMps) {
-    AvoidanceVariables now = settings.get();
-    double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.minSpeed()));
-    return now.turnRadius() > 0.0 ? now.turnRadius() : lines.get().turns().radiusM(speed);
-  }
-
   public Step step(Vehicle vehicle, StateInformation state, Wanted wanted) {
     AvoidanceVariables now = settings.get();
     long micros = vehicle.timestampMicros();
@@ -295,18 +232,8 @@ public final class Avoidance {
     }
     world.update(state, at.x(), at.y(), at.z(), at.z() + toGoal.z());
     Situation situation =
-        new Situation(
-            pose,
-            at.x() + toGoal.x(),
-            at.y() + toGoal.y(),
-            wanted.headingRad(),
-            wanted.thresholdM(),
-            limits(vehicle, wanted, now),
-            world.costs().frame().cellM(),
-            body(now),
-            turnRadiusM(0.0),
-            now,
-            micros);
+        Situation.of(
+            pose, toGoal, wanted, vehicle, world.costs().frame().cellM(), now, lines.get());
     routes.update(situation);
     Optional<VerticalRoom> room =
         climbing.room(state, at, toGoal, wanted.target(), now, world, plane);
@@ -314,8 +241,9 @@ public final class Avoidance {
     climbing.chosen(choice, at, micros);
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
     Optional<String> givenUp = current.judge(choice, isTrafficNear(situation), situation);
-    announce(status(choice, givenUp, current), givenUp, wanted, at);
-    held = now.stops() ? Optional.empty() : Optional.of(new Held(choice, wanted, micros));
+    PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
+    announce(status, givenUp, wanted, at);
+    held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, wanted, micros));
     return step(choice, at, toGoal, wanted, givenUp);
   }
 
@@ -327,34 +255,9 @@ public final class Avoidance {
             choice.northM() - at.x(),
             choice.eastM() - at.y(),
             Double.isNaN(choice.toDownM()) ? toGoal.z() : choice.toDownM() - at.z()),
-        now.stops() ? choice.speedMps() : wantedMps(wanted, now),
+        now.stops() ? choice.speedMps() : Situation.wantedMps(wanted, now),
         choice.backwards(),
         givenUp);
-  }
-
-  /** Wanted speed of the vehicle; airspeed for aircraft [m/s]. */
-  private static double wantedMps(Wanted wanted, AvoidanceVariables now) {
-    return Math.max(now.minSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
-  }
-
-  private MotionLimits limits(Vehicle vehicle, Wanted wanted, AvoidanceVariables now) {
-    double wantedMps = wantedMps(wanted, now);
-    // Wind adds to an aircraft's speed: plan with its ground speed.
-    boolean drifts = !now.stops() && vehicle.speedMps() > SHARE_FLYING * wantedMps;
-    return new MotionLimits(
-        drifts ? vehicle.speedMps() : wantedMps,
-        now.plannedAcceleration(),
-        now.plannedBraking(),
-        turnRadiusM(vehicle.speedMps()),
-        now.stops(),
-        now.reverses(),
-        lines.get().lookAheadM(vehicle.speedMps()),
-        now.touchM(world.costs().frame().cellM()),
-        now.preferredClearance(),
-        now.trafficClearance(),
-        now.trafficHorizon(),
-        now.reactionTime(),
-        Math.toRadians(now.plannedTurnRate()));
   }
 
   private ArcChooser arcs(Situation now, Vehicle vehicle, Optional<VerticalRoom> room) {
@@ -373,23 +276,9 @@ public final class Avoidance {
   }
 
   private boolean isTrafficNear(Situation now) {
-    MotionLimits limits = now.limits();
+    var limits = now.limits();
     double kept = now.body().circleM() + limits.trafficM() + limits.lookAheadM();
     return TrafficHold.isNear(world.movers(), now.pose(), kept, limits.horizonS(), now.micros());
-  }
-
-  private PathStatus status(ArcChoice choice, Optional<String> givenUp, GoalAttempt current) {
-    if (givenUp.isPresent()) {
-      return PathStatus.GIVEN_UP;
-    }
-    if (choice.kind() == ArcChoice.Kind.BRAKE) {
-      return PathStatus.BRAKING;
-    }
-    boolean isFreeing = routes.track().isEmpty() && routes.obstacle().isEmpty();
-    if (isFreeing && current.hasRecovered()) {
-      return PathStatus.RECOVERING;
-    }
-    return choice.kind() == ArcChoice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
   }
 
   private void announce(PathStatus status, Optional<String> givenUp, Wanted wanted, Point at) {

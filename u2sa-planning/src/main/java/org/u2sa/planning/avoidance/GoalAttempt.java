@@ -1,19 +1,10 @@
 package org.u2sa.planning.avoidance;
 
-import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
-import org.u2sa.interfaces.time.Clock;
-import org.u2sa.messages.frame.Point;
-import org.u2sa.planning.avoidance.Behaviour.BackingOut;
-import org.u2sa.planning.avoidance.Behaviour.Following;
-import org.u2sa.planning.avoidance.Behaviour.Searching;
-import org.u2sa.planning.curve.Pose;
-import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
 import org.u2sa.planning.local.RouteTrack;
-import org.u2sa.planning.seen.Mover;
 
 /**
  * The attempt to reach one goal, a state machine:
@@ -128,74 +119,5 @@ final class GoalAttempt {
     long until = now.micros() + now.settings().stuckMicros() / BACKING_SHARE;
     behaviour = new BackingOut(until, new Searching(routes, now.micros()));
     routes.dropUntil(until - now.settings().replanMicros()); // replan then
-  }
-
-  /**
-   * Measures the time in which traffic blocks the vehicle: it waits, or backs off from slow
-   * oncoming traffic. Such time does not count as lack of progress. Confined to the planner's
-   * thread.
-   */
-  static final class TrafficHold {
-    /** Maximum hold; longer blockage by traffic counts as permanent [s]. */
-    private static final double PATIENCE_S = 300.0;
-
-    private long lastMicros;
-    private long heldMicros;
-
-    TrafficHold(long micros) {
-      lastMicros = micros;
-    }
-
-    /**
-     * Updates the hold at a new time.
-     *
-     * @return part of the time since the last call that was lost to traffic [µs]
-     */
-    long pass(ArcChoice.Kind kind, boolean isNear, long micros) {
-      long since = micros - lastMicros;
-      lastMicros = micros;
-      boolean holds =
-          isNear && kind != ArcChoice.Kind.FOLLOW && heldMicros < Clock.micros(PATIENCE_S);
-      long held = holds ? since : 0L;
-      heldMicros += held;
-      return held;
-    }
-
-    /** Whether traffic comes near a vehicle that moves straight on, within a time. */
-    static boolean comesNear(
-        List<Mover> movers, Vehicle vehicle, Point at, double keptM, double withinS) {
-      for (Mover mover : movers) {
-        double age = mover.ageS(vehicle.timestampMicros());
-        double north = mover.northAfterM(age) - at.x();
-        double east = mover.eastAfterM(age) - at.y();
-        double northMps = mover.northMps() - vehicle.northMps();
-        double eastMps = mover.eastMps() - vehicle.eastMps();
-        double square = northMps * northMps + eastMps * eastMps;
-        double nearestS = square == 0.0 ? 0.0 : -(north * northMps + east * eastMps) / square;
-        double then = Math.max(0.0, Math.min(withinS, nearestS));
-        if (Math.hypot(north + then * northMps, east + then * eastMps) < mover.radiusM() + keptM) {
-          return true;
-        }
-      }
-      return false;
-    }
-
-    /**
-     * Whether traffic can reach the vehicle within a time.
-     *
-     * @param keptM clearance beyond the traffic's own radius [m]
-     */
-    static boolean isNear(
-        List<Mover> movers, Pose at, double keptM, double withinS, long nowMicros) {
-      for (Mover mover : movers) {
-        double age = mover.ageS(nowMicros);
-        double away = at.distanceM(mover.northAfterM(age), mover.eastAfterM(age));
-        double reach = Math.hypot(mover.northMps(), mover.eastMps()) * withinS;
-        if (away < mover.radiusM() + keptM + reach) {
-          return true;
-        }
-      }
-      return false;
-    }
   }
 }

@@ -8,6 +8,7 @@ import java.util.function.Supplier;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.seen.PlanningPlane;
 
@@ -37,6 +38,26 @@ final class PathNews {
     Optional<PlannedPath> now = path;
     path = Optional.empty();
     return now;
+  }
+
+  /**
+   * Status of the path after a step.
+   *
+   * @param hasRecovered whether the vehicle had to free itself on the way to this goal
+   */
+  static PathStatus status(
+      ArcChoice choice, Optional<String> givenUp, boolean hasRecovered, RouteKeeper routes) {
+    if (givenUp.isPresent()) {
+      return PathStatus.GIVEN_UP;
+    }
+    if (choice.kind() == ArcChoice.Kind.BRAKE) {
+      return PathStatus.BRAKING;
+    }
+    boolean isFreeing = routes.track().isEmpty() && routes.obstacle().isEmpty();
+    if (isFreeing && hasRecovered) {
+      return PathStatus.RECOVERING;
+    }
+    return choice.kind() == ArcChoice.Kind.WAIT ? PathStatus.WAITING : PathStatus.FOLLOWED;
   }
 
   /**

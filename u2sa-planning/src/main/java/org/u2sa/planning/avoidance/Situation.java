@@ -1,7 +1,11 @@
 package org.u2sa.planning.avoidance;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.avoidance.Avoidance.Wanted;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.guidance.LineSettings;
+import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.search.BodyDiscs;
 
@@ -33,6 +37,68 @@ record Situation(
     AvoidanceVariables settings,
     long micros) {
   private static final double PROGRESS_CELLS = 2.0;
+
+  /** Fraction of its speed below which a vehicle that cannot stop or hover has not taken off. */
+  private static final double SHARE_FLYING = 0.5;
+
+  /**
+   * @param toGoal vector to the goal: north, east, down [m]
+   * @param cellM edge of a cell of the cost grid [m]
+   */
+  static Situation of(
+      Pose pose,
+      Point toGoal,
+      Wanted wanted,
+      Vehicle vehicle,
+      double cellM,
+      AvoidanceVariables now,
+      LineSettings lines) {
+    double slowRadiusM = turnRadiusM(now, lines, 0.0);
+    return new Situation(
+        pose,
+        pose.northM() + toGoal.x(),
+        pose.eastM() + toGoal.y(),
+        wanted.headingRad(),
+        wanted.thresholdM(),
+        limits(vehicle, wanted, now, lines, cellM),
+        cellM,
+        now.body(slowRadiusM == 0.0),
+        slowRadiusM,
+        now,
+        vehicle.timestampMicros());
+  }
+
+  private static MotionLimits limits(
+      Vehicle vehicle, Wanted wanted, AvoidanceVariables now, LineSettings lines, double cellM) {
+    double wantedMps = wantedMps(wanted, now);
+    // Wind adds to an aircraft's speed: plan with its ground speed.
+    boolean drifts = !now.stops() && vehicle.speedMps() > SHARE_FLYING * wantedMps;
+    return new MotionLimits(
+        drifts ? vehicle.speedMps() : wantedMps,
+        now.plannedAcceleration(),
+        now.plannedBraking(),
+        turnRadiusM(now, lines, vehicle.speedMps()),
+        now.stops(),
+        now.reverses(),
+        lines.lookAheadM(vehicle.speedMps()),
+        now.touchM(cellM),
+        now.preferredClearance(),
+        now.trafficClearance(),
+        now.trafficHorizon(),
+        now.reactionTime(),
+        Math.toRadians(now.plannedTurnRate()));
+  }
+
+  /** Wanted speed of the vehicle; airspeed for aircraft [m/s]. */
+  static double wantedMps(Wanted wanted, AvoidanceVariables now) {
+    return Math.max(now.minSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
+  }
+
+  /** Minimum turn radius at a speed, at least the planned one [m]; 0 if it turns in place. */
+  static double turnRadiusM(AvoidanceVariables now, LineSettings lines, double speedMps) {
+    double speed = Math.max(speedMps, Math.max(now.plannedSpeed(), now.minSpeed()));
+    return now.turnRadius() > 0.0 ? now.turnRadius() : lines.turns().radiusM(speed);
+  }
 
   /** Smaller movements do not count as progress [m]. */
   double progressM() {

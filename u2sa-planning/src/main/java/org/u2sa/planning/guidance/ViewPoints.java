@@ -17,7 +17,7 @@ public final class ViewPoints {
   private static final String VEHICLE = "VEHICLE";
   private static final double OVERHEAD_M = 1.0; // nearer, it is in no direction
 
-  /** Which subsystem looks. */
+  /** The subsystem that looks. */
   public record Variables(
       @Variable(ifAbsentText = "GIMBAL")
           @Description(

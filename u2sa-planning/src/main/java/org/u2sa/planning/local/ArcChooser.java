@@ -16,7 +16,6 @@ import org.u2sa.planning.seen.Mover;
 public final class ArcChooser {
   private static final int FAN = 10; // arcs to each side
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
-  private static final double CREEPS_MPS = 0.15;
   private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
   private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
@@ -30,7 +29,7 @@ public final class ArcChooser {
   private final double speedMps;
   private final MotionForecast forecast;
   private final Evasion evasion;
-  private final boolean makesRoom;
+  private final TurnRoom turnRoom;
 
   /**
    * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
@@ -49,12 +48,12 @@ public final class ArcChooser {
       long nowMicros,
       boolean makesRoom,
       Optional<VerticalRoom> room) {
-    this.makesRoom = makesRoom;
     this.costs = costs;
     this.body = body;
     this.limits = limits;
     this.pose = pose;
     this.speedMps = speedMps;
+    turnRoom = new TurnRoom(costs, body, limits, pose, speedMps, makesRoom);
     VerticalRoom heights = room.orElse(null);
     TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
     forecast = new MotionForecast(costs, body, traffic, heights, limits, pose, speedMps);
@@ -124,36 +123,24 @@ public final class ArcChooser {
   }
 
   private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {
-    if (spareM() < 0.0) {
+    if (turnRoom.isTooNarrow()) {
       return makeRoom(ArcChoice.Kind.EVADE);
     }
     if (forecast.standing(Double.NaN).meetsS() < limits.horizonS()) {
       return evade(track);
     }
-    return turnsAtOnce()
+    return turnRoom.turnsAtOnce()
         ? new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.FOLLOW)
         : stand(ArcChoice.Kind.EVADE);
   }
 
   /** Moves to a position with room to turn; stops first if still rolling. */
   private ArcChoice makeRoom(ArcChoice.Kind standing) {
-    if (Math.abs(speedMps) > CREEPS_MPS && !makesRoom) {
+    if (turnRoom.standsFirst()) {
       return stand(standing);
     }
     ArcChoice out = backOut(2.0 * body.circleM());
     return out.kind() == ArcChoice.Kind.EVADE ? out.as(ArcChoice.Kind.MAKE_ROOM) : out;
-  }
-
-  /** Clearance for turning in place where it stops, corners included [m]; negative: too little. */
-  private double spareM() {
-    double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
-    Pose there = pose.along(stopping, 0.0);
-    return costs.distanceM(there.northM(), there.eastM()) - body.circleM();
-  }
-
-  /** Whether it may already turn while braking, which causes a sideways drift. */
-  private boolean turnsAtOnce() {
-    return spareM() >= limits.slipM(Math.abs(speedMps));
   }
 
   /** Maximum speed to stop straight ahead [m/s]: a new route may demand a turn in place. */
@@ -163,7 +150,7 @@ public final class ArcChooser {
     }
     Motion straight = Motion.arc(0.0, false, limits.speedMps(), limits.lookAheadM());
     double freeM = forecast.play(straight).freeM();
-    return Math.max(2.0 * CREEPS_MPS, limits.stoppableMps(freeM - costs.frame().cellM()));
+    return Math.max(2.0 * TurnRoom.CREEPS_MPS, limits.stoppableMps(freeM - costs.frame().cellM()));
   }
 
   private ArcChoice evade(RouteTrack track) {
@@ -198,11 +185,11 @@ public final class ArcChooser {
     if (!limits.turnsOnTheSpot() || forecast.standing(Double.NaN).meetsS() < limits.horizonS()) {
       return withoutRoute();
     }
-    if (spareM() < 0.0) {
+    if (turnRoom.isTooNarrow()) {
       return makeRoom(ArcChoice.Kind.WAIT);
     }
     double off = Math.abs(Pose.wrapped(headingRad - pose.headingRad()));
-    return off < LOOKS_RAD || !turnsAtOnce()
+    return off < LOOKS_RAD || !turnRoom.turnsAtOnce()
         ? stand(ArcChoice.Kind.WAIT)
         : new ArcChoice(
             pose.northM() + limits.lookAheadM() * Math.cos(headingRad),

@@ -80,7 +80,7 @@ final class TrafficForecast {
   }
 
   /**
-   * Whether traffic is too near at a time, and nearer than it is now. What is kept is a cylinder
+   * Whether traffic is too near at a time, and nearer than it is now. The clearance is a cylinder
    * or, if heights matter, a spheroid.
    *
    * @param downM down coordinate of the vehicle then [m]

@@ -21,7 +21,7 @@ public record OwnShip(
     Limits limits) {
 
   /**
-   * What the vehicle can do. Immutable.
+   * Limits of the vehicle's motion. Immutable.
    *
    * @param radiusM radius around its reference point [m]
    * @param turnRadPerS turn rate at its speed [rad/s]

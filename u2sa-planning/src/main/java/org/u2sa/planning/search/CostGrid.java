@@ -122,7 +122,10 @@ public final class CostGrid {
       last[row] = Math.max(last[row], to);
     }
 
-    /** Computes costs around them. Returns the cells whose cost may have changed; null if none. */
+    /**
+     * Computes the costs around changed cells. Returns the cells whose cost may have changed; null
+     * if none.
+     */
     Area compute() {
       if (!occupied.isEmpty()) {
         int[] near =

@@ -95,8 +95,12 @@ final class AvoidanceBench {
   }
 
   Situation at(double seconds, double northM, double eastM) {
+    return at(seconds, northM, eastM, 0.0);
+  }
+
+  Situation at(double seconds, double northM, double eastM, double headingRad) {
     return new Situation(
-        new Pose(northM, eastM, 0.0),
+        new Pose(northM, eastM, headingRad),
         GOAL_M,
         0.0,
         OptionalDouble.empty(),

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.planning.avoidance.GoalAttempt.TrafficHold;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.ArcChoice.Kind;
 import org.u2sa.planning.seen.Mover;

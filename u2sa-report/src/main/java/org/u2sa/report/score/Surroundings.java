@@ -11,7 +11,7 @@ import org.u2sa.messages.shape.Polygon;
 
 /**
  * Ground truth of the static and moving objects of a run, whether known to the vehicle or not.
- * Those of level HINDRANCE may be touched.
+ * Objects of level HINDRANCE may be touched.
  *
  * @param objects in GLOBAL, UTM, or a local frame with its origin at the vehicle's start
  * @param reachM radius of the vehicle around its reference point [m]; nearer objects are touched

@@ -17,8 +17,8 @@ import org.u2sa.planning.rightofway.Rule;
 
 /**
  * A published encounter with one to three vessels, scaled to a small boat: its speed becomes {@link
- * #OWN_MPS} and time passes {@link #FASTER} times as fast, so lengths shrink by the quotient of the
- * speeds and that. The boat starts at the origin, northbound. Immutable.
+ * #OWN_MPS} and time passes {@link #FASTER} times as fast, so lengths scale by the ratio of the
+ * speeds divided by that factor. The boat starts at the origin, northbound. Immutable.
  *
  * @param name such as {@code dnv-07}
  * @param vessels the others

@@ -148,7 +148,7 @@ final class EncounterDemo implements Callable<Integer>, Demo {
 
   @Override
   public OptionalDouble captureRadiusM() {
-    return OptionalDouble.of(2.0 * THRESHOLD_M); // the end of the way is no part of the case
+    return OptionalDouble.of(2.0 * THRESHOLD_M); // the end of the route is not part of the case
   }
 
   @Override
@@ -194,7 +194,7 @@ final class EncounterDemo implements Callable<Integer>, Demo {
     return Mission.load(file);
   }
 
-  /** The radar's noise; and the area that the wind finds, which the model of the Otter lacks. */
+  /** Sets the radar's noise, and the area exposed to wind, which the model of the Otter lacks. */
   private Map<String, String> changes(long seed) {
     Map<String, String> changes = new LinkedHashMap<>();
     if (vary) {

@@ -24,9 +24,10 @@ final class EncounterScore {
   /** Required distance of the centres [m]. */
   static final double REQUIRED_M = PASSING_M + VESSEL_M + BOAT_M;
 
-  private static final double NEAR = 3.0; // required distances in which the side matters
+  private static final double NEAR =
+      3.0; // multiple of the required distance within which the side of passing matters
   private static final double GIVE_WAY_S = 120.0;
-  private static final double EARLY_S = 60.0; // at least so long before the closest point
+  private static final double EARLY_S = 60.0; // minimum time before the closest point
   private static final double STAND_ON_S = 60.0;
   private static final double STAND_ON_RANGES = 1.5;
   private static final double TOLERANCE_S = 5.0;
@@ -44,7 +45,7 @@ final class EncounterScore {
       turnRad; // largest change of course to the side of the first action, positive to starboard
   private double slowest = 1.0; // share of the speed
 
-  /** How one vessel was passed. */
+  /** Record of passing one vessel. */
   private static final class Passage {
     private final Vessel vessel;
     private String applied = "";
@@ -103,7 +104,7 @@ final class EncounterScore {
     }
   }
 
-  /** Processes the planner's remark on all encounters, as of its health report. */
+  /** Processes the planner's remark on all encounters, from its health report. */
   void hear(String remark) {
     for (Passage each : passages.values()) {
       for (Rule rule : Rule.values()) {

@@ -3,7 +3,7 @@ package org.u2sa.scenarios.robosub;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
-/** Goes where the path marker of the first type points. */
+/** Moves in the direction of the path marker of the first type. */
 public final class FollowMarker extends SubTask {
   private static final Schema<FollowMarker> SCHEMA =
       Schema.of(FollowMarker.class, FollowMarker::new, SubTask.TYPE);

@@ -10,7 +10,8 @@ import org.u2sa.planning.PlannerView;
 
 /** {@link PassGate}: through the middle between two poles and on (thesis 4.3.1.3). */
 final class GateState extends SightState {
-  private static final double BEFORE_M = 2.0; // place on the gate's axis to come to first
+  private static final double BEFORE_M =
+      2.0; // distance of the place on the gate's axis to approach first
   private static final double ON_AXIS_M = 0.3;
   private static final double BEYOND_M = 1.0;
   private static final double AHEAD_M = 1.2; // of the point on the axis to steer to

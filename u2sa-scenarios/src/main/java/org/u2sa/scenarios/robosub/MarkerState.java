@@ -11,7 +11,8 @@ import org.u2sa.planning.PlannerView;
 /** {@link FollowMarker}: above a path marker, then along it, onwards. */
 final class MarkerState extends SightState {
   private static final double ABOVE_M = 0.3; // level distance from the marker
-  private static final double ALONG_M = 1.2; // way along it, after which the direction is taken
+  private static final double ALONG_M =
+      1.2; // distance along it after which the direction counts as followed
   private static final double FACING_RAD = 0.2;
   private static final double AHEAD_M = 1.0; // of the point on the axis to steer to
 
@@ -35,7 +36,8 @@ final class MarkerState extends SightState {
 
   @Override
   Plan approach(SubTask task, StateInformation state, Point way) {
-    Point ahead = Point.of(1.0, 0.0, 0.0); // without a state: it faces its way
+    Point ahead =
+        Point.of(1.0, 0.0, 0.0); // without a state, the vehicle faces its direction of motion
     came = came.or(() -> Optional.of(state.referenceFrame().isLocal() ? ahead : way));
     boolean isAbove = axis.isPresent() || Math.hypot(way.x(), way.y()) < ABOVE_M;
     if (isAbove && (axis.isEmpty() || state.referenceFrame().isLocal())) {

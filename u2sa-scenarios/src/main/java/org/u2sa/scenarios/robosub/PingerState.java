@@ -10,11 +10,11 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 
 /**
- * {@link HomeOnPinger}: a little up, then level until the pinger is straight below. Its direction
- * suffices, with or without its distance.
+ * {@link HomeOnPinger}: up a little, then level until the pinger is straight below. Only its
+ * direction is needed, not its distance.
  */
 final class PingerState extends SightState {
-  private static final double CLIMB_S = 4.0; // first, over what may stand in the way
+  private static final double CLIMB_S = 4.0; // initial climb, to clear obstacles
   private static final double CLIMB_M = 2.0; // far enough for full speed
   private static final double ABOVE_M = 0.3; // level distance that counts as above it
   private static final double SLOPE = 0.12; // or the level distance per height: 7 degrees

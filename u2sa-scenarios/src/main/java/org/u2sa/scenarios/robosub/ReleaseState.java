@@ -9,9 +9,9 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 
-/** Releases what the vehicle carries, twice, whenever it is aimed (thesis 4.3.1.5). */
+/** Releases a payload twice, each time the vehicle is aimed (thesis 4.3.1.5). */
 abstract class ReleaseState extends SightState {
-  private static final int SHOTS = 2; // what a vehicle may carry
+  private static final int SHOTS = 2; // maximum number of payloads
   private static final double COMMANDED_S = 1.0; // longer than the release's hold time
   private static final double PAUSE_S = 1.5; // for the mechanism to lock again
 
@@ -33,7 +33,7 @@ abstract class ReleaseState extends SightState {
     shotMicros = Long.MIN_VALUE / 2;
   }
 
-  /** Releases once more if aimed; else keeps to a plan. */
+  /** Releases again if aimed; otherwise follows a plan. */
   final Plan release(boolean isAimed, Plan holding, StateInformation state) {
     double sinceS = Clock.seconds(state.timestamp().orElseThrow() - shotMicros);
     if (sinceS < COMMANDED_S) {

@@ -13,10 +13,10 @@ import org.u2sa.planning.PlannerView;
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
   private static final double DEPTH_M = 1.5; // below the ring on the way there
-  private static final double CLIMB_M = 0.3; // too deep by more than this, it climbs on the spot
+  private static final double CLIMB_M = 0.3; // deeper by more than this, it climbs in place
   private static final double ABOVE_M =
-      1.0; // the ring's height is known roughly: rise until it ends
-  private static final double STEP_M = 0.05; // a smaller rise is none
+      1.0; // the ring's height is known only roughly: rise until the depth stops changing
+  private static final double STEP_M = 0.05; // smaller rises are ignored
   private static final double AT_TOP_S = 3.0; // without a rise
 
   private boolean isRising;
@@ -52,7 +52,7 @@ final class RingState extends SightState {
     if (!isRising) {
       double upM = way.z() + DEPTH_M; // down to that depth
       if (upM < -CLIMB_M) {
-        return to(task, state, Point.of(0.0, 0.0, upM)); // over what may stand in the way
+        return to(task, state, Point.of(0.0, 0.0, upM)); // to clear obstacles
       }
       if (Math.hypot(way.x(), way.y()) > BELOW_M) {
         return to(task, state, Point.of(way.x(), way.y(), upM));

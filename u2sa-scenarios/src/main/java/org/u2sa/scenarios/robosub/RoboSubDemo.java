@@ -38,7 +38,7 @@ final class RoboSubDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--without-estimator",
-      description = "Run without a State Estimator: all goals relative to what is seen and heard.")
+      description = "Run without a State Estimator: all goals are relative to detected objects.")
   private boolean isWithoutEstimator;
 
   private SubCourse course; // of the newest run

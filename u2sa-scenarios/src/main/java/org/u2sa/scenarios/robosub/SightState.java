@@ -20,8 +20,8 @@ import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
 /**
- * Approaches a place that objects of the world model define, as far as its task wants; searches
- * ahead and then around while they are unknown, and gives up after a while.
+ * Approaches a place defined by objects of the world model, up to the task's distance. Searches
+ * ahead and then around while the objects are unknown, and gives up after a while.
  */
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
@@ -29,7 +29,8 @@ abstract class SightState implements PlannerState {
   private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
   private static final double AROUND_S = 15.0;
   private static final double AROUND_RAD = 0.3; // heading ahead of the vehicle's, to keep turning
-  private static final double FACED_M = 0.7; // nearer places are gone to without turning to them
+  private static final double FACED_M =
+      0.7; // nearer places are approached without turning toward them
 
   final PlannerView surroundings;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
@@ -41,14 +42,14 @@ abstract class SightState implements PlannerState {
   }
 
   /**
-   * Where to go, on the planner's plane; empty while it is out of sight. Unless overridden, the
-   * object of the first type.
+   * Target on the planner's plane; empty while out of sight. By default, the object of the first
+   * type.
    */
   Optional<Point> aim(SubTask task, StateInformation state) {
     return task.objectTypes().stream().findFirst().flatMap(type -> place(type, state));
   }
 
-  /** How many types of objects the goal must name; 0 unless overridden. */
+  /** Minimum number of object types that the goal must name; 0 by default. */
   int typesNeeded() {
     return 0;
   }
@@ -65,14 +66,14 @@ abstract class SightState implements PlannerState {
     begin();
   }
 
-  /** Resets what a task remembers. */
+  /** Resets the task's own state. */
   void begin() {}
 
   private static long micros(StateInformation state) {
     return state.timestamp().orElseThrow();
   }
 
-  /** Objects in the vehicle's own axes suffice. */
+  /** Objects in BODY are sufficient. */
   @Override
   public final boolean needsNoState() {
     return true;
@@ -121,7 +122,7 @@ abstract class SightState implements PlannerState {
     return Plan.underWay(List.of(point.speed(task.speed())));
   }
 
-  /** The object of a type; if one was mapped twice, the entry that is known best. */
+  /** The object of a type; if it was mapped twice, the more certain entry. */
   private Optional<ObjectDescription> object(String type) {
     return surroundings.objects().stream()
         .filter(object -> object.objectType().equals(type))
@@ -169,13 +170,13 @@ abstract class SightState implements PlannerState {
         object.referenceFrame().equals(ReferenceFrame.LOCAL_ENU) ? Math.PI / 2.0 - psi : psi);
   }
 
-  /** An axis, or its opposite, whichever leads rather towards a way. */
+  /** An axis or its opposite, whichever is closer to a direction. */
   static Point towards(Point axis, Point way) {
     return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
   /**
-   * Straight, and facing ahead, to a place that lies in a direction from the vehicle: north, east,
+   * Moves straight, heading toward it, to a place at this vector from the vehicle: north, east,
    * down [m].
    */
   final Plan to(SubTask task, StateInformation state, Point way) {
@@ -187,7 +188,7 @@ abstract class SightState implements PlannerState {
     return Plan.underWay(List.of(point));
   }
 
-  /** Turn that makes the vehicle, and its camera, face a way: to the right positive [rad]. */
+  /** Turn after which the vehicle and its camera face a direction; positive to the right [rad]. */
   static double turnTo(Point way, StateInformation state) {
     double bearing = Math.atan2(way.y(), way.x());
     return Math.IEEEremainder(bearing - state.psi().orElse(0.0), 2.0 * Math.PI);

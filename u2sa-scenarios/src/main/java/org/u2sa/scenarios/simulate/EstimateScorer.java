@@ -68,7 +68,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
    * @param run the vehicle
    * @param origin origin of local frames
    * @param clock the run's
-   * @param unplaced names of the goals that are no waypoints of the plan
+   * @param unplaced names of the goals that are not waypoints of the plan
    */
   EstimateScorer(RunningVehicle run, Geodetic origin, Clock clock, Set<String> unplaced) {
     this.run = run;

@@ -70,7 +70,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
   @Option(
       names = "--world",
       paramLabel = "FILE",
-      description = "World XML file with what stands and moves around. Default: nothing.")
+      description = "World XML file with the vehicle's surroundings. Default: empty.")
   private Path worldFile; // null for an empty world
 
   @Option(

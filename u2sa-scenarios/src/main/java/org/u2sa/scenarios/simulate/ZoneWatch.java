@@ -13,7 +13,7 @@ final class ZoneWatch {
   private final List<Stay> stays = new ArrayList<>();
   private double lastS = Double.NaN;
 
-  /** What is known of one zone. */
+  /** State of one zone. */
   private static final class Stay {
     private final Zone zone;
     private boolean inside;

@@ -55,7 +55,7 @@ public final class CircleObjects extends GoalInformation {
     return require(WITHIN);
   }
 
-  /** Distance to keep from those to be avoided [m]. */
+  /** Distance to keep from objects to be avoided [m]. */
   public double clearance() {
     return require(CLEARANCE);
   }

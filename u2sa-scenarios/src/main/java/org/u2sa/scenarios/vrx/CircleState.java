@@ -21,13 +21,14 @@ import org.u2sa.planning.Pursuit;
  * tangents from one to the next, and around the others.
  */
 final class CircleState implements PlannerState {
-  private static final double UNKNOWN_M = 1.0e6; // distance of objects that nobody has seen
+  private static final double UNKNOWN_M =
+      1.0e6; // assumed distance of objects that are still unseen
   private static final double FULL_RAD = Math.toRadians(385.0); // of a circle
   private static final double LEAD_RAD = Math.toRadians(50.0); // of the point to steer to
   private static final double CIRCLING_MPS = 2.5;
   private static final double MARGIN_M = 0.5; // of the distance on a circle
   private static final double OTHER_SHARE = 0.7; // of the radius, clearance from other objects
-  private static final double BEYOND_M = 2.0; // clearance of the point aside an avoided object
+  private static final double BEYOND_M = 2.0; // clearance of the point beside an avoided object
   private static final double FULL_SPEED_M = 8.0; // to a point at which control does not slow down
   private static final double GIVE_UP_S = 60.0; // without any object
 
@@ -35,7 +36,7 @@ final class CircleState implements PlannerState {
   private final Set<String> done = new TreeSet<>();
   private String circled = ""; // its UID
   private double bearingRad; // from it, at the last state
-  private double sweptRad; // in the right direction, within the distance
+  private double sweptRad; // angle turned in the right direction within the distance
   private long enteredMicros;
 
   CircleState(PlannerView surroundings) {
@@ -100,7 +101,7 @@ final class CircleState implements PlannerState {
         : Plan.underWay(List.of());
   }
 
-  /** The one being circled, or the nearest that has not been. */
+  /** The object being circled, or the nearest one not circled yet. */
   private Optional<ObjectDescription> next(CircleObjects goal, StateInformation state) {
     Comparator<ObjectDescription> order =
         Comparator.comparingDouble(
@@ -120,7 +121,7 @@ final class CircleState implements PlannerState {
     return Point.of(way.x(), way.y(), 0.0);
   }
 
-  /** A way, or one to a point aside the first other object that is too near it. */
+  /** The way itself, or the way to a point beside the first other object that is too near it. */
   private Point around(CircleObjects goal, StateInformation state, Point way) {
     double length = length(way);
     ObjectDescription nearest = null;
@@ -153,7 +154,7 @@ final class CircleState implements PlannerState {
     return (other.x() * way.x() + other.y() * way.y()) / Math.max(1e-6, length(way));
   }
 
-  /** From a place to the nearest point of the line of a way. */
+  /** Vector from a place to the nearest point of a line. */
   private static Point aside(Point other, Point way) {
     double share = along(other, way) / Math.max(1e-6, length(way));
     return way.times(share).minus(other);

@@ -8,7 +8,10 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** Touches of what is in the world; one that lasts, or returns within a second, counts once. */
+/**
+ * Counts contacts with objects of the world; one that lasts, or recurs within a second, counts
+ * once.
+ */
 final class Collisions {
   private static final double APART_S = 1.0;
 

@@ -11,8 +11,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * The bay of a dock whose sign a light buoy names: to be entered, kept for a while, and left in
- * reverse. The first colour of the sequence is that of the sign, the last one stands for its shape
+ * Docking in the bay whose sign a light buoy names: enter, stay for a while, and leave in reverse.
+ * The first colour of the sequence is the colour of the sign, the last one encodes its shape
  * (osrf/vrx, issue 278, and the worlds of 2023).
  */
 public final class DockBySign extends GoalInformation {

@@ -127,7 +127,10 @@ final class DockBySignState implements PlannerState {
     return places;
   }
 
-  /** The bays lie before the signs, square to their row, on the side from which they are seen. */
+  /**
+   * The bays lie in front of the signs, perpendicular to their row, on the side from which the
+   * signs are seen.
+   */
   private void face(Map<String, Point> signs, Point here) {
     if (signs.size() < 2 || phase == Phase.ENTERS || phase == Phase.LEAVES) {
       return;

@@ -12,9 +12,9 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 
 /**
- * Scan and dock: points for the sequence of the light buoy, of which only the first submission
- * counts; for staying in a bay and leaving it by its entrance; and more if it is the right one;
- * higher is better. The balls that VRX lets the boat throw are left out (ScanDockScoringPlugin.cc).
+ * Scan and dock. Points are given for the sequence of the light buoy (first submission only), for
+ * staying in a bay and leaving it by its entrance, and for the right bay; higher is better.
+ * Throwing balls is left out (ScanDockScoringPlugin.cc).
  */
 final class DockJudge extends VrxJudge {
   private final Docking docking;

@@ -56,13 +56,13 @@ record Docking(
    * @param isRight whether the sequence names it
    */
   record Bay(Colour colour, String shape, boolean isRight) {
-    /** What a detector calls its sign, such as "red circle". */
+    /** Type that a detector reports for its sign, such as "red circle". */
     String sign() {
       return colour.name().toLowerCase(Locale.ROOT) + " " + shape;
     }
   }
 
-  /** None, of the other tasks. */
+  /** Without a dock, for the other tasks. */
   static Docking none() {
     return new Docking(
         Point.ORIGIN, 0.0, List.of(), List.of(), Point.ORIGIN, new Points(0.0, 0.0, 0.0), 0.0);

@@ -22,10 +22,12 @@ import org.u2sa.scenarios.vrx.sight.MarkerGate;
  * spot.
  */
 final class GateCourseState implements PlannerState {
-  private static final double UNKNOWN_M = 1.0e6; // distance of a course that nobody has seen
+  private static final double UNKNOWN_M =
+      1.0e6; // assumed distance of a course that is still unseen
   private static final double SAME_M = 6.0; // a gate this near one that was passed is the same
   private static final double REACH_M = 75.0; // to the next gate
-  private static final double BEFORE_M = 6.0; // place on the axis to come to from aside
+  private static final double BEFORE_M =
+      6.0; // distance before the gate of the place on its axis to approach first
   private static final double BEYOND_M = 4.0;
   private static final double THROUGH_SHARE =
       0.3; // of the width, from the middle, on a way through
@@ -37,7 +39,7 @@ final class GateCourseState implements PlannerState {
   private final PlannerView surroundings;
   private final List<MarkerGate> passed = new ArrayList<>();
   private Optional<Point> before = Optional.empty(); // position at the last state
-  private Optional<Point> target = Optional.empty(); // of the approach under way
+  private Optional<Point> target = Optional.empty(); // direction of the current approach
   private long seenMicros; // when a next gate was known last
 
   GateCourseState(PlannerView surroundings) {

@@ -8,8 +8,9 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 
 /**
- * Follow the path: 10 points a gate, 1 for consecutive ones, 1 for the last, −3 a collision; higher
- * is better. A gate is inert until the first is crossed, and void once crossed the wrong way.
+ * Follow the path: 10 points per gate, 1 for consecutive gates, 1 for the last gate, −3 per
+ * collision; higher is better. A gate is inert until the first is crossed, and void once crossed
+ * the wrong way.
  */
 final class PathJudge extends VrxJudge {
   private static final double GATE = 10.0;

@@ -65,7 +65,7 @@ final class VrxMission {
 
   /**
    * Waits at the start until the running state has begun: nothing counts before. VRX publishes the
-   * state of the task; here the wait stands for it.
+   * state of the task; here the wait replaces it.
    */
   private static String start(VrxWorld world) {
     Geodetic start = world.plane().at(VrxWorld.START.x(), VrxWorld.START.y(), 0.0);

@@ -54,7 +54,7 @@ final class VrxObjects {
     return List.copyOf(buoys);
   }
 
-  /** The model that an element names, which may go on to name one of its links. */
+  /** The model named by an element, whose text may also name one of its links. */
   Included named(XmlElement name) {
     String text = name.text().trim();
     Included found = included.get(text.replaceFirst("::.*", ""));
@@ -67,7 +67,7 @@ final class VrxObjects {
     return found;
   }
 
-  /** The first model whose URI begins so. */
+  /** The first model whose URI has this prefix. */
   Optional<Included> first(String model) {
     return included.values().stream().filter(each -> each.model.startsWith(model)).findFirst();
   }
@@ -112,7 +112,7 @@ final class VrxObjects {
     return buoy;
   }
 
-  /** What a detector calls a model: "red marker", "black buoy", "light buoy". */
+  /** Type that a detector reports for a model: "red marker", "black buoy", "light buoy". */
   private static String kind(String model) {
     String colour = model.substring(model.lastIndexOf('_') + 1);
     return model.contains("light")
@@ -120,7 +120,7 @@ final class VrxObjects {
         : colour + (model.contains("round") ? " buoy" : " marker");
   }
 
-  /** A model beside the worlds: in a folder "models" of the world's folder or of one above. */
+  /** A model in a folder "models" of the world's folder or of a folder above it. */
   private Optional<Path> modelFile(String model) {
     Path folder = file.toAbsolutePath().normalize().getParent();
     for (int i = 0; i < 3 && folder != null; i++) {

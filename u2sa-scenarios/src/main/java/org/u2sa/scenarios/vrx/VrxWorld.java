@@ -17,7 +17,7 @@ import org.u2sa.sim.world.Waves;
 import org.u2sa.sim.world.World;
 
 /**
- * What a world of VRX says about a task.
+ * A task as a VRX world describes it.
  *
  * @param file of the world
  * @param origin of the coordinates east, north, up
@@ -115,7 +115,7 @@ record VrxWorld(
     return Math.IEEEremainder(0.5 * Math.PI - yawRad, 2.0 * Math.PI);
   }
 
-  /** What stands and swims, relative to the start instead of the origin, for maps of a run. */
+  /** Obstacles and animals, relative to the start instead of the origin, for maps of a run. */
   List<ObjectDescription> objectsFromStart() {
     List<ObjectDescription> moved = new ArrayList<>();
     for (ObjectDescription object : SimulatedWorld.surroundings(solid(), 300.0).objects()) {
@@ -124,7 +124,7 @@ record VrxWorld(
     return moved;
   }
 
-  /** What can be touched. */
+  /** Obstacles that can be touched. */
   World solid() {
     List<ObjectDescription> all = new ArrayList<>(buoys);
     all.addAll(docking.objects());
@@ -140,8 +140,8 @@ record VrxWorld(
 
   /**
    * The simulated world. Gusts have the strength of the file's and the spectrum of MIL-F-8785C
-   * along and across the vehicle; waves are those of a spectrum of Pierson and Moskowitz, as in
-   * VRX, with more than its three components.
+   * along and across the vehicle; waves have a Pierson-Moskowitz spectrum, as in VRX, with more
+   * than its three components.
    *
    * @param seed of gusts and waves
    */

@@ -123,8 +123,9 @@ final class VrxWorldReader {
   }
 
   /**
-   * Waves as the world's publisher announces them: three components a = g √(2 S(ω) Δω) at ω_p/1.1,
-   * ω_p and 1.1 ω_p, with S of Pierson and Moskowitz, α = 0.0081 (VRX, Wavefield.cc).
+   * Waves by the parameters of the world's publisher: three components a = g √(2 S(ω) Δω) at
+   * ω_p/1.1, ω_p and 1.1 ω_p, with the Pierson-Moskowitz spectrum S, α = 0.0081 (VRX,
+   * Wavefield.cc).
    */
   private VrxWorld.Sea waves() {
     Map<String, Double> values = new HashMap<>();

@@ -10,7 +10,7 @@ import org.u2sa.sim.world.ScriptedMover;
  * @param bonusS time bonus of each goal that is reached [s]
  */
 record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
-  /** What is to be done with an animal. VRX calls it crocodile, platypus or turtle by that. */
+  /** What to do with an animal; VRX calls these crocodile, platypus and turtle. */
   enum Part {
     /** Keep away from it. */
     AVOID("crocodile"),
@@ -25,7 +25,7 @@ record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
       this.species = species;
     }
 
-    /** What VRX announces. */
+    /** Name that VRX announces. */
     String species() {
       return species;
     }
@@ -38,7 +38,7 @@ record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
    */
   record Animal(String name, Part part, ScriptedMover mover) {}
 
-  /** An empty one, of the other tasks. */
+  /** Without animals, for the other tasks. */
   static Wildlife none() {
     return new Wildlife(List.of(), 0.0, 0.0);
   }

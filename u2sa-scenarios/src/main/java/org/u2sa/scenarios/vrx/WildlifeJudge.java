@@ -32,7 +32,7 @@ final class WildlifeJudge extends VrxJudge {
     CROSSED
   }
 
-  /** How far one animal has been dealt with. */
+  /** Progress with one animal. */
   private final class Circle {
     private final Wildlife.Animal animal;
     private final Side[] gates = new Side[GATES];
@@ -80,7 +80,10 @@ final class WildlifeJudge extends VrxJudge {
       }
     }
 
-    /** Side of the gate at an angle anticlockwise from east, as wide as the engagement distance. */
+    /**
+     * One gate around an animal, at an angle anticlockwise from east, as wide as the engagement
+     * distance.
+     */
     private Side side(Point way, double angle) {
       double out = way.x() * Math.cos(angle) + way.y() * Math.sin(angle);
       double on = way.y() * Math.cos(angle) - way.x() * Math.sin(angle);

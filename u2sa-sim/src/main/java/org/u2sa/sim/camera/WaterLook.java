@@ -46,7 +46,10 @@ public record WaterLook(
     return (float) (type.diffuse(channel) + FORWARD * scattering);
   }
 
-  /** Radiance of endless water seen level, relative to a white surface facing up at that depth. */
+  /**
+   * Radiance of infinite water seen horizontally, relative to a white surface facing up at that
+   * depth.
+   */
   float veil(int channel) {
     return (float) (0.35 * FORWARD * scattering / beam(channel));
   }

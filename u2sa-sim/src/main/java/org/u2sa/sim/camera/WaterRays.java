@@ -92,7 +92,7 @@ final class WaterRays {
     into[at + 2] += cover * (blue - into[at + 2]);
   }
 
-  /** The surface from above. */
+  /** Radiance of the surface seen from above. */
   private void surface(float dx, float dy, float dz, float t, float[] into, int at) {
     float x = ox + t * dx;
     float y = oy + t * dy;
@@ -133,7 +133,7 @@ final class WaterRays {
     }
   }
 
-  /** What is seen through the surface, into {@link #found}; false if nothing but water. */
+  /** Stores the object seen through the surface in {@link #found}; false if nothing but water. */
   private boolean through(float x, float y, float dx, float dy, float dz, float sx, float sy) {
     float rx = dx / INDEX - 0.25f * sx;
     float ry = dy / INDEX - 0.25f * sy;
@@ -202,7 +202,7 @@ final class WaterRays {
   /**
    * Radiance under water.
    *
-   * @param loss 1 for rays that entered from the air, whose way up does not count as veiled by the
+   * @param loss 1 for rays that entered from the air, whose path up is not attenuated by the
    *     camera's own depth
    */
   private void water(

@@ -37,7 +37,7 @@ final class AircraftParts {
   }
 
   /**
-   * What it stands on.
+   * Landing gear.
    *
    * @param hasRudder whether wheels can be linked to a rudder
    */

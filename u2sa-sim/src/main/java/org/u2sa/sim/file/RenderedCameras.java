@@ -26,7 +26,7 @@ final class RenderedCameras {
   private static final double EXPOSURE_S = 0.004;
   private static final double BLUR = 0.6;
 
-  /** What a camera shows. */
+  /** Content of a camera's images. */
   enum Picture {
     COLOUR,
     THERMAL

@@ -127,7 +127,7 @@ final class AircraftFiles {
     return systems;
   }
 
-  /** What of the aircraft has no effect. */
+  /** Elements of the aircraft that have no effect. */
   List<String> ignored() {
     List<String> ignored = new ArrayList<>();
     for (XmlElement each : aircraft.children()) {

@@ -17,7 +17,7 @@ final class FlightControl {
       List.of(
           "elevator", "left-aileron", "right-aileron", "rudder", "flap", "speedbrake", "spoiler");
 
-  /** What a component computes. */
+  /** Operation of a component. */
   @FunctionalInterface
   private interface Law {
     double output(double before, double dtS);

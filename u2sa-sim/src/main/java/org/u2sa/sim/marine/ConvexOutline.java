@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.Point;
  * @param corners anticlockwise
  */
 record ConvexOutline(List<Point> corners) {
-  /** The polygon of these corners, in order either way round. */
+  /** The polygon of these corners, given in clockwise or anticlockwise order. */
   static ConvexOutline of(List<Point> corners) {
     double turn = cross(corners.get(0), corners.get(1), corners.get(2));
     List<Point> ordered = new ArrayList<>(corners);
@@ -26,7 +26,7 @@ record ConvexOutline(List<Point> corners) {
     return (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
   }
 
-  /** Shortest way out of it for a place inside; empty for one outside. */
+  /** Shortest displacement out of the polygon; empty for a place outside. */
   Optional<Point> wayOut(Point place) {
     double least = Double.POSITIVE_INFINITY;
     Point out = Point.ORIGIN;

@@ -14,16 +14,17 @@ import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.World;
 
 /**
- * The padded walls of the docks of a world, against which a hull can lie: a spring and a damper
- * wherever a corner of the hull is in a wall, or one of a wall in the hull, and friction along the
- * wall. Forces are level; roll and pitch do not count. Places are east, north, up; velocities
+ * The padded walls of a world's docks, against which a hull can lie: a spring and a damper wherever
+ * a corner of the hull is inside a wall, or a wall's corner inside the hull, and friction along the
+ * wall. Forces are horizontal; roll and pitch are ignored. Places are east, north, up; velocities
  * level.
  */
 final class Fenders {
   private static final double SPRING_N_PER_M = 3_000.0;
   private static final double DAMPER_NS_PER_M = 300.0;
   private static final double FRICTION = 0.2; // of wet rubber
-  private static final double SLIDES_MPS = 0.05; // from which friction is full
+  private static final double SLIDES_MPS =
+      0.05; // sliding speed at which friction is fully developed
 
   private final List<Wall> walls = new ArrayList<>();
   private final Footprint footprint;
@@ -124,7 +125,7 @@ final class Fenders {
   /**
    * Adds the force at a place of the hull.
    *
-   * @param out way that the hull would have to move there to be free
+   * @param out displacement that would free the hull
    */
   private static void press(Motion motion, Point at, Point out, double[] push) {
     Point velocity = motion.velocityAt(at);

@@ -15,7 +15,7 @@ import org.u2sa.sim.vehicle.BodyState;
  * Equations of motion of a vessel in a steady, irrotational current: M ν̇ᵣ + C(νᵣ) νᵣ + D(νᵣ) νᵣ +
  * g(η) = τ (Fossen 2021, equations 10.1 and 10.130–10.136; with a rigid-body C that does not depend
  * on linear velocity, the current is in νᵣ alone). Waves act by their first-order forces; hulls are
- * taken to be small beside them.
+ * assumed small compared with the waves.
  *
  * <p>State: {@link BodyState} with the velocity relative to the water; level of each {@link
  * VesselActuator}.
@@ -111,14 +111,14 @@ final class FossenModel implements RungeKutta.Motion {
     targets[actuator] = actuators.get(actuator).level(value);
   }
 
-  /** Thrust of an actuator [N]; empty if it is no thruster. */
+  /** Thrust of an actuator [N]; empty if it is not a thruster. */
   OptionalDouble thrustN(int actuator, double[] s) {
     return actuators.get(actuator) instanceof VesselThruster
         ? OptionalDouble.of(s[LEVELS + actuator])
         : OptionalDouble.empty();
   }
 
-  /** Electrical power of all actuators [W]; empty if one's is unknown. */
+  /** Electrical power of all actuators [W]; empty if that of any is unknown. */
   OptionalDouble powerW(double[] s) {
     double sum = 0.0;
     for (int i = 0; i < targets.length; i++) {
@@ -203,8 +203,8 @@ final class FossenModel implements RungeKutta.Motion {
   }
 
   /**
-   * First-order wave forces on a hull that is small beside the waves: Froude-Krylov force of the
-   * displaced water, and added mass (Newman 1977, section 2.12). The waterplane has a floating
+   * First-order wave forces on a hull that is small compared with the waves: Froude-Krylov force of
+   * the displaced water, and added mass (Newman 1977, section 2.12). The waterplane has a floating
    * hull's vertical share.
    */
   private void push(Sea water, double under) {

@@ -4,8 +4,8 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 
 /**
- * An actuator of a hull with a first-order lag, in forward, right, down axes. What lags is its
- * level, whose quantity is its own: a thrust, a speed, an angle.
+ * An actuator of a hull with a first-order lag, in forward, right, down axes. The lag applies to
+ * its level: a thrust, a speed or an angle.
  */
 public sealed interface VesselActuator permits VesselThruster, MarinePropeller, Fin {
   /** Name used in commands. */

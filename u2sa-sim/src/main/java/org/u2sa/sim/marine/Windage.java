@@ -18,7 +18,7 @@ public record Windage(double ahead, double aside, double turning, Axes axes, dou
   public enum Axes {
     /** Forward, right, down. */
     BODY,
-    /** East, north, up, as the wind of VRX has it; the moment is then the same at every heading. */
+    /** East, north, up, as in VRX; the moment is then the same at every heading. */
     WORLD
   }
 

@@ -5,7 +5,7 @@ import org.u2sa.sim.motion.Arguments;
 
 /**
  * Horizontal velocity of water that does not change with time: on a grid around the origin, north
- * up, and bilinear between its points; beyond its edge as at the edge. At every place the velocity
+ * up, and bilinear between its points; constant beyond its edge. At every place the velocity
  * depends on the depth by the same profile, linear between its depths. Immutable.
  */
 public final class CurrentField {

@@ -25,9 +25,9 @@ public final class EnvironmentElement {
   private EnvironmentElement() {}
 
   /**
-   * A world with what the element describes; what it does not mention stays as it is.
+   * Copy of a world with the settings of the element; others stay unchanged.
    *
-   * @param folder where files are that the element names
+   * @param folder folder of the files named by the element
    * @param seed seed of gusts and waves
    * @throws org.u2sa.interfaces.BadInputException naming file, line, element, value and what was
    *     expected

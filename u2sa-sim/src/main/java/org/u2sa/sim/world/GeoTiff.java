@@ -22,7 +22,7 @@ import org.u2sa.sim.motion.Arguments;
 /**
  * Reads digital elevation models in the GeoTIFF format (OGC 19-008r4): one band of altitudes above
  * sea level [m], in WGS 84 by degrees (EPSG 4326) or UTM (EPSG 326xx, 327xx), north up. Other
- * ellipsoidal or vertical datums are taken for these.
+ * ellipsoidal or vertical datums are treated as these.
  */
 final class GeoTiff {
   private static final int MAX_SIDE = 8_192;
@@ -67,7 +67,7 @@ final class GeoTiff {
     noData = noData(tags);
   }
 
-  /** Whether a file is one by its name. */
+  /** Whether a file's name is that of a GeoTIFF. */
   static boolean isNamed(String file) {
     return file.toLowerCase(Locale.ROOT).matches(".*\\.tiff?");
   }
@@ -77,7 +77,7 @@ final class GeoTiff {
    *
    * @param widthM extent from west to east, centred on the origin [m]
    * @param depthM extent from north to south [m]
-   * @throws BadInputException naming the file, if it is none, or does not cover the extent
+   * @throws BadInputException naming the file, if it is not a GeoTIFF, or does not cover the extent
    */
   static HeightMap read(Path file, LocalPlane plane, double widthM, double depthM) {
     try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {

@@ -14,7 +14,7 @@ import org.u2sa.sim.motion.Arguments;
 
 /**
  * Terrain by heights on a rectangular grid around the origin, interpolated between them: north is
- * up, as on a map. Beyond its edge the ground goes on at the height of the edge. Immutable.
+ * up, as on a map. Beyond its edge, the ground has the height of the edge. Immutable.
  */
 public final class HeightMap implements Terrain {
   private static final int MAX_SIDE = 4_096;
@@ -45,7 +45,7 @@ public final class HeightMap implements Terrain {
         most = Math.max(most, Math.max(Math.abs(east), Math.abs(north)));
       }
     }
-    steepest = most * StrictMath.sqrt(2.0); // a bilinear cell slopes at most so along its diagonal
+    steepest = most * StrictMath.sqrt(2.0); // maximum slope of a bilinear cell, along its diagonal
     highestM = highest;
   }
 
@@ -79,7 +79,8 @@ public final class HeightMap implements Terrain {
    *
    * @param lowestM height of black above the world's plane [m]
    * @param highestM height of white above it [m]
-   * @throws BadInputException naming the file, if it is no such image or the slopes are too steep
+   * @throws BadInputException naming the file, if it is not such an image or the slopes are too
+   *     steep
    */
   public static HeightMap read(
       Path file, double widthM, double depthM, double lowestM, double highestM) {
@@ -136,7 +137,7 @@ public final class HeightMap implements Terrain {
     return heights[row * columns + column];
   }
 
-  /** Column of the cell, with the place in it behind the point. */
+  /** Column of the cell; its fraction is the place in the cell. */
   private double across(double eastM) {
     return Math.max(0.0, Math.min(columns - 1.0, eastM / spacingEastM + (columns - 1) / 2.0));
   }

@@ -34,7 +34,7 @@ public final class ScriptedMover {
   private final List<Leg> legs;
   private final double[] ends; // time at the end of each leg's wait, from the end of the delay [s]
 
-  /** What follows the last waypoint. */
+  /** Behaviour after the last waypoint. */
   public enum End {
     /** Stops there. */
     STOP,

@@ -25,7 +25,7 @@ public final class World {
   private final Optional<ObstacleTree> tree;
   private final Script script;
 
-  /** What a world file adds to the obstacles. */
+  /** Content of a world file other than obstacles. */
   private record Script(List<ScriptedMover> movers, List<Zone> zones, Optional<Sunlight> light) {}
 
   /**

@@ -14,9 +14,9 @@ import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.SoughtObjects;
 
 /**
- * What the current goals need to see (thesis 4.2.1.2, 4.3.2): by the variable KINDS BY GOAL, or
- * else by the types of objects that a goal names ({@link SoughtObjects}); other goals need all
- * configured kinds.
+ * Kinds of objects needed by the current goals (thesis 4.2.1.2, 4.3.2): by the variable KINDS BY
+ * GOAL, or else by the types of objects that a goal names ({@link SoughtObjects}); other goals need
+ * all configured kinds.
  */
 final class SoughtKinds {
   private final Set<MarineKind> configured;
@@ -30,7 +30,7 @@ final class SoughtKinds {
 
   /**
    * @param kinds comma-separated class names that the service can look for
-   * @param always those looked for whatever the goal
+   * @param always the kinds looked for regardless of the goal
    * @param byGoal "SpeedGate: Buoy, Pole; Return:", per goal class
    * @throws BadInputException if a name is not that of a kind
    */
@@ -108,7 +108,7 @@ final class SoughtKinds {
     return sought;
   }
 
-  /** What was saved so far, for the health report. */
+  /** Savings so far, for the health report. */
   String remark() {
     return String.format(
         "looks for %s; %d of %d pictures not processed, %d of %d searches saved",

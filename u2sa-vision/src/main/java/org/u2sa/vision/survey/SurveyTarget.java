@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 
 /**
  * A target on the ground, as found in images: its place with standard deviation, shape, colour,
- * letter, the letter's colour and its orientation. What is not known is empty.
+ * letter, the letter's colour and its orientation. Unknown attributes are empty.
  */
 public final class SurveyTarget extends ObjectDescription {
   private static final Schema<SurveyTarget> SCHEMA =

@@ -11,7 +11,7 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * What shapes and letters look like on average: the nearest is chosen, in any direction. Ships as
+ * Average appearance of shapes and letters: the nearest is chosen, in any direction. Ships as
  * {@code targets.model}, lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining}
  * makes it.
  */

@@ -152,7 +152,7 @@ final class BeamTrace {
       blocks = new byte[acrossWindow * acrossWindow];
     }
 
-    /** Begins a scan: blocks that were not free may be by now. */
+    /** Begins a scan: blocks that were not free may have become free. */
     void begin() {
       if (revision != window.revision()) {
         revision = window.revision();

@@ -1,2 +1,2 @@
-/** What a modeller is and gets: frames, poses, sightings. */
+/** Modellers and their inputs: frames, poses, sightings. */
 package org.u2sa.world.modeller;

@@ -22,7 +22,7 @@ final class MappedObject {
   private static final double SUREST = 0.999;
   private static final double GONE = 0.05;
   private static final int BELIEVED_AFTER = 4;
-  private static final int MAX_SENSORS = 32; // whose names for it are kept
+  private static final int MAX_SENSORS = 32; // number of sensors whose UIDs for it are kept
 
   private final String uid;
   private final boolean fromFile;
@@ -197,7 +197,7 @@ final class MappedObject {
     return old || existence < GONE;
   }
 
-  /** Whether a file names it, without a velocity. */
+  /** Whether it comes from a file, without a velocity. */
   boolean isFixture() {
     return fromFile && template.motion().velocity().isEmpty();
   }

@@ -44,7 +44,7 @@ final class NewestClouds {
                 bySensor.put(cloud.sensorName(), new Seen(sighting.micros(), (PointCloud) placed)));
   }
 
-  /** Those with a point, at most that old; 0: of any age. */
+  /** Clouds with at least one point and at most this age; 0: of any age. */
   List<PointCloud> clouds(long nowMicros, double forgetS) {
     if (forgetS > 0.0) {
       bySensor.values().removeIf(seen -> nowMicros - seen.micros() > Clock.micros(forgetS));

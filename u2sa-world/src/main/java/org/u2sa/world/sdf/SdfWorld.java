@@ -195,7 +195,7 @@ public final class SdfWorld {
     return List.copyOf(objects);
   }
 
-  /** What the file holds that is no object here, and why. */
+  /** Elements of the file that do not become objects, and why. */
   public List<String> ignored() {
     return List.copyOf(ignored);
   }

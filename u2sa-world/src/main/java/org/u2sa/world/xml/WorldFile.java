@@ -208,7 +208,7 @@ public final class WorldFile {
     return environment;
   }
 
-  /** What a world of Gazebo holds that is no object here, and why. */
+  /** Elements of a Gazebo world that do not become objects, and why. */
   public List<String> ignored() {
     return ignored;
   }

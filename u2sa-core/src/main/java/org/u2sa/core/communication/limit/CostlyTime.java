@@ -1,10 +1,7 @@
 package org.u2sa.core.communication.limit;
 
 /**
- * The network thread's time for clients' long messages and grids: to decrypt, read and pass them
- * on. Several clients that send them share a part of it, in small pieces, so that short messages,
- * such as an emergency stop, wait for little. A client that is the only one need only pause between
- * pieces. For the network's thread only.
+ * Rations the network thread's time for decrypting, reading and forwarding clients' long messages and grids. Several clients share a part of it, in small slices, so that short messages such as an emergency stop are hardly delayed. A single client only has to pause between slices. Confined to the network thread.
  */
 public final class CostlyTime {
   private static final double PART = 0.5;
@@ -14,16 +11,16 @@ public final class CostlyTime {
 
   private final Allowance shared; // [s]
   private Object last; // client that asked last
-  private long sinceMicros; // since when no other client asked
-  private double pieceS; // left to a client alone
-  private long tookMicros; // when one took last
+  private long sinceMicros; // start of the time in which no other client asked
+  private double pieceS; // remaining time of a single client
+  private long tookMicros; // time of the last charge
 
-  /** Nothing is used up yet. */
+  /** Starts with the full allowance. */
   public CostlyTime(long nowMicros) {
     shared = Allowance.ofTime(PART, PIECE_S, nowMicros);
   }
 
-  /** Whether the client may go on with its long messages. */
+  /** Whether the client may continue with its long messages. */
   public boolean isOpen(Object client, long nowMicros) {
     if (client != last) {
       last = client;
@@ -41,7 +38,7 @@ public final class CostlyTime {
   /**
    * Charges time that a client's long message took, or will take.
    *
-   * @param seconds may overdraw what is left
+   * @param seconds time charged, which may exceed the remaining allowance
    */
   public void take(Object client, double seconds, long nowMicros) {
     if (isAlone(client, nowMicros)) {

@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Geodetic;
  * A command in either of its two forms.
  *
  * @param id MAV_CMD
- * @param frame MAV_FRAME; of COMMAND_LONG that of stations' practice, GLOBAL
+ * @param frame MAV_FRAME; GLOBAL for COMMAND_LONG, as stations use it
  * @param latitude fifth parameter, of COMMAND_INT in degrees; NaN: none
  * @param longitude sixth parameter
  * @param altitude seventh parameter

@@ -17,7 +17,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
 
 /**
  * The command protocol towards one station (mavlink.io/en/services/command). Every command is
- * acknowledged; one that is repeated while the vehicle works on it is not obeyed twice.
+ * acknowledged; a repetition is not executed again while the vehicle works on the first.
  */
 public final class CommandService {
   private final GroundStation station;

@@ -16,7 +16,7 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 
 /** Commands that ask for messages, or set their rates. */
 public final class MessageCommands {
-  private static final int GET_HOME = 410; // MAV_CMD, as the following
+  private static final int GET_HOME = 410; // MAV_CMD numbers
   private static final int GET_INTERVAL = 510;
   private static final int SET_INTERVAL = 511;
   private static final int REQUEST_MESSAGE = 512;
@@ -34,7 +34,7 @@ public final class MessageCommands {
   private final GroundStation station;
 
   /**
-   * @param systemId the vehicle's ID, of which its unique number is made
+   * @param systemId the vehicle's ID, from which its unique number is derived
    */
   public MessageCommands(
       Telemetry telemetry,

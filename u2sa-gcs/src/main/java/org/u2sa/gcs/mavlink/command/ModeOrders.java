@@ -50,7 +50,7 @@ final class ModeOrders {
   }
 
   /**
-   * Goes on with the mission by another class of the Path Planner.
+   * Resumes the mission with another class of the Path Planner.
    *
    * @param planner index of the class; empty: that of the mode Mission
    */
@@ -71,7 +71,7 @@ final class ModeOrders {
         });
   }
 
-  /** Goes on with the mission; one that is over begins again. */
+  /** Resumes the mission; restarts it if it is over. */
   void mission(Answer answer) {
     if (vehicle.current().isEmpty()) {
       goTo(book.firstGoal(), answer);
@@ -82,7 +82,10 @@ final class ModeOrders {
     }
   }
 
-  /** The first of two ends the pause, the second goes back from home or a place to the mission. */
+  /**
+   * Of these two orders, the first ends a pause, and the second returns from home or another place
+   * to the mission.
+   */
   private void resume(int times, Answer answer) {
     give(
         MissionAction.RESUME,
@@ -128,7 +131,10 @@ final class ModeOrders {
     give(MissionAction.GOTO, Optional.of(VehicleStatus.GO_TO), answer);
   }
 
-  /** Threshold of the mission's first waypoint: what is near for this vehicle. */
+  /**
+   * Threshold of the mission's first waypoint, as a measure of what counts as near for this
+   * vehicle.
+   */
   private double thresholdM() {
     return vehicle.report().stream()
         .flatMap(report -> report.goals().stream())

@@ -36,7 +36,7 @@ public final class StickInput {
   private long saidMicros;
 
   /**
-   * @param drivers name of who drives at the station, by MAVLink system ID
+   * @param drivers name of the person driving at a station, by MAVLink system ID
    * @param mavlinkId the vehicle's MAVLink system ID
    * @param micros real time [µs]
    */
@@ -79,7 +79,7 @@ public final class StickInput {
     return isDriver;
   }
 
-  /** Either stick drives, as stations differ in that. */
+  /** Either stick drives, because stations differ in which one they use. */
   private void drive(ManualControl sticks, Sender from) {
     if (sticks.z() != NO_AXIS && throttle.see(sticks.z())) {
       station.text(MavSeverity.MAV_SEVERITY_WARNING, ThrottleStick.NOT_AT_REST);

@@ -17,7 +17,7 @@ import org.u2sa.messages.frame.Geodetic;
 
 /** Commands that change what the vehicle does. */
 public final class VehicleCommands {
-  private static final int RETURN = 20; // MAV_CMD, as the following
+  private static final int RETURN = 20; // MAV_CMD numbers
   private static final int LAND = 21;
   private static final int TAKE_OFF = 22;
   private static final int SET_MODE = 176;
@@ -43,7 +43,7 @@ public final class VehicleCommands {
   private final IntFunction<String> drivers;
 
   /**
-   * @param drivers name of who drives by hand at a station, by its MAVLink system ID
+   * @param drivers name of the person driving by hand at a station, by its MAVLink system ID
    */
   public VehicleCommands(
       VehicleStatus vehicle,
@@ -62,7 +62,7 @@ public final class VehicleCommands {
   }
 
   /**
-   * Changes the mode to that of a number.
+   * Changes to a mode by its number.
    *
    * @param station MAVLink system ID of the station
    */
@@ -80,7 +80,7 @@ public final class VehicleCommands {
     }
   }
 
-  /** Ends driving by hand, if somebody does, before what leads the vehicle by navigation. */
+  /** Ends driving by hand, if active, before an order that makes navigation lead the vehicle. */
   private void byNavigation(Runnable then, Answer answer) {
     Optional<String> driver = vehicle.driver();
     if (driver.isEmpty()) {

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a failsafe or a refusal to arm is due to: an event carries numbers only, no texts. The order
- * is that of the bits.
+ * Causes of a failsafe or a refusal to arm: an event carries numbers only, no texts. The order is
+ * that of the bits.
  */
 enum EventCause {
   OPERATOR_LINK,
@@ -25,7 +25,7 @@ enum EventCause {
   FAILSAFE_MATRIX,
   OTHER;
 
-  /** As the Safety Manager's texts begin. */
+  /** Beginnings of the Safety Manager's texts. */
   String words() {
     return name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }

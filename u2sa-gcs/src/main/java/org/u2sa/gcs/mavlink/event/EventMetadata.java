@@ -6,7 +6,7 @@ import java.util.Locale;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.safety.FailsafeAction;
 
-/** What events mean, as stations show them (COMP_METADATA_TYPE_EVENTS, libevents' schema 2). */
+/** Descriptions of the events for stations (COMP_METADATA_TYPE_EVENTS, libevents' schema 2). */
 public final class EventMetadata {
   static final String ACTION = "action_t";
   static final String CAUSES = "cause_t";

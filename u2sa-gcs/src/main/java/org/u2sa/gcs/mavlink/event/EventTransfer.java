@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
-/** Events to one station, again if it has missed one (mavlink.io/en/services/events). */
+/** Sends events to one station, and repeats missed ones (mavlink.io/en/services/events). */
 @SuppressWarnings("deprecation") // the library is older than the messages' final form
 public final class EventTransfer {
   private static final int SEQUENCES = 0x1_0000;
@@ -21,7 +21,7 @@ public final class EventTransfer {
   public EventTransfer(VehicleEvents events, GroundStation station) {
     log = events.log();
     this.station = station;
-    sent = log.count(); // what was before is history
+    sent = log.count(); // earlier events are not sent
   }
 
   /** Sends new events. */

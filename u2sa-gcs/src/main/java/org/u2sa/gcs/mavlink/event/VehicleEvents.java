@@ -16,8 +16,8 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Turns what happens to a vehicle into events. Messages arrive on the transport's thread, all else
- * belongs to the bridge's.
+ * Derives events from a vehicle's messages. Messages arrive on the transport's thread; everything
+ * else runs on the bridge's thread.
  */
 public final class VehicleEvents {
   /** Channels whose messages {@link #take} expects. */
@@ -58,7 +58,7 @@ public final class VehicleEvents {
   }
 
   /**
-   * Adds what has happened since the last call.
+   * Adds the events since the last call.
    *
    * @param reached items reached since then
    */
@@ -98,7 +98,7 @@ public final class VehicleEvents {
     causes = bits;
   }
 
-  /** CURRENT_EVENT_SEQUENCE. At first it says that the numbers begin again. */
+  /** CURRENT_EVENT_SEQUENCE. The first one announces that the numbers restart. */
   @SuppressWarnings("deprecation") // the library is older than the message's final form
   public Optional<Object> sequence() {
     CurrentEventSequence.Builder message = CurrentEventSequence.builder().sequence(log.newest());

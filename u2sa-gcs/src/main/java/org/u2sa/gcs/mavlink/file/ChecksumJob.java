@@ -12,13 +12,13 @@ import org.u2sa.mavlink.MavlinkCrc32;
 final class ChecksumJob {
   private static final int PER_STEP = 256 * 1024;
 
-  private FilePacket request; // null if there is nothing to do, as the following
+  private FilePacket request; // this and the next are null when idle
   private Sender from;
   private ReadableFile file;
   private MavlinkCrc32 crc;
   private long at;
 
-  /** Begins, in place of another. */
+  /** Starts a checksum, replacing a running one. */
   void begin(FilePacket asked, Sender sender, ReadableFile content) {
     request = asked;
     from = sender;
@@ -27,7 +27,7 @@ final class ChecksumJob {
     at = 0;
   }
 
-  /** Who asked for the answer of {@link #step}. */
+  /** Sender to which the answer of {@link #step} goes. */
   Sender from() {
     return from;
   }

@@ -12,9 +12,8 @@ import org.u2sa.interfaces.JsonText;
 import org.u2sa.mavlink.MavlinkCrc32;
 
 /**
- * Component metadata (mavlink.io/en/services/component_information): which parameters there are,
- * with text, unit and range, and what events mean. Made again when a service has announced its
- * variables.
+ * Component metadata (mavlink.io/en/services/component_information): the parameters with text, unit
+ * and range, and the meaning of events. Regenerated when a service announces its variables.
  */
 public final class ComponentMetadataFiles {
   static final String GENERAL = "general.json";

@@ -9,7 +9,7 @@ import java.util.Arrays;
  * Payload of FILE_TRANSFER_PROTOCOL (mavlink.io/en/services/ftp), little-endian.
  *
  * @param sequence number of the packet, 0…65535
- * @param size number of bytes that are meant; a malformed request may say more than fit
+ * @param size stated number of bytes; a malformed request may state more than fit
  * @param requestOpcode of an answer: opcode of the request
  * @param data 239 bytes, or fewer in an answer
  */

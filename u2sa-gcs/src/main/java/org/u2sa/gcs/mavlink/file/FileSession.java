@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.u2sa.gcs.mavlink.file.FilePacket.Refusal;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
-/** A file that a station has open, and the burst that it is being sent. */
+/** A file opened by a station, and the burst being sent. */
 final class FileSession {
   private static final int BURST_PACKETS = 256;
   private static final int LATE_REQUESTS = 16;
@@ -28,8 +28,8 @@ final class FileSession {
   }
 
   /**
-   * Whether a request is a late repetition, from shortly before this session was opened, and meant
-   * for the one that had its number then. Sequence numbers wrap around: at 65536, MAVProxy's at
+   * Whether a request is a late repetition, sent shortly before this session was opened and meant
+   * for the previous session of this number. Sequence numbers wrap around: at 65536, MAVProxy's at
    * 256.
    */
   boolean isAfter(FilePacket request, long nowMicros) {
@@ -48,7 +48,7 @@ final class FileSession {
     return request.ack(file.read(request.offset(), request.size()));
   }
 
-  /** Begins a burst in place of one under way; the answer to one that cannot begin. */
+  /** Starts a burst, replacing a running one; returns an answer if it cannot start. */
   Optional<FilePacket> begin(FilePacket request) {
     burst = Optional.empty();
     if (request.size() == 0 || request.size() > FilePacket.MAX_DATA) {

@@ -16,17 +16,21 @@ import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
 /**
- * MAVLink FTP towards one station (mavlink.io/en/services/ftp), read-only. Each sender has sessions
- * of its own, from number 0 on: MAVSDK 4.1 uses 0 whatever the answer to its request said.
+ * MAVLink FTP towards one station (mavlink.io/en/services/ftp), read-only. Each sender has its own
+ * sessions, numbered from 0, because MAVSDK 4.1 uses 0 regardless of the number in the answer.
  */
 public final class FileTransfer {
   private static final int MAX_SESSIONS = 8;
   private static final int PACKETS_PER_STEP = 64;
-  private static final long IDLE_MICROS = 30_000_000; // then another may have the session
+  private static final long IDLE_MICROS =
+      30_000_000; // after this idle time, the session may be reused
 
   private record SessionKey(Sender owner, int number) {}
 
-  /** A request that is repeated if its answer is lost, and must not open another session then. */
+  /**
+   * A request that stations repeat if its answer is lost; the repetition must not open another
+   * session.
+   */
   private record Opening(byte[] request, Sender from, FilePacket answer) {}
 
   private final OfferedFiles files;

@@ -13,8 +13,8 @@ import java.util.List;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 
 /**
- * Recordings as logs towards one station: LOG_REQUEST_LIST and its relatives. Numbers begin at 1
- * with the oldest name; sizes are those of the last list.
+ * Offers recordings as logs to one station (LOG_REQUEST_LIST and related messages). Numbers begin
+ * at 1 with the oldest name; sizes are those of the last list.
  */
 public final class LogDownload {
   private static final int PER_STEP = 64;

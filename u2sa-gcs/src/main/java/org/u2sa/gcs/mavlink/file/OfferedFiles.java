@@ -16,7 +16,7 @@ public final class OfferedFiles {
   private final Optional<RecordingFolder> recordings;
 
   /**
-   * @param recordings what stations may download; empty: none
+   * @param recordings folder whose recordings stations may download; empty: none
    */
   public OfferedFiles(ComponentMetadataFiles metadata, Optional<RecordingFolder> recordings) {
     this.metadata = metadata;

@@ -11,7 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
 
 /**
- * A recording, in its size of when it was opened. Reads blocks and holds no file open between them,
+ * A recording, with the size it had when opened. Reads blocks and holds no file open between them,
  * so a station that disappears leaves nothing to close.
  */
 final class RecordingFile implements ReadableFile {

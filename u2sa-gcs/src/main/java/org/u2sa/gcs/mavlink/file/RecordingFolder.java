@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The folder whose recordings stations may have: {@code .mcap} and {@code .ulg} files directly in
- * it, no links. The oldest name comes first.
+ * The folder of recordings for download: {@code .mcap} and {@code .ulg} files directly in it, no
+ * links. The oldest name comes first.
  */
 public final class RecordingFolder {
   /**

@@ -1,2 +1,2 @@
-/** What stations can download: virtual files by MAVLink FTP, and recordings as logs. */
+/** Downloads for stations: virtual files by MAVLink FTP, and recordings as logs. */
 package org.u2sa.gcs.mavlink.file;

@@ -86,7 +86,7 @@ record Parameter(String name, String service, ConfigurationVariable variable) {
         : now.number() == number;
   }
 
-  /** What it accepts, for operators. */
+  /** Accepted values, in words. */
   String expectation() {
     if (!choices(variable).isEmpty()) {
       StringBuilder text = new StringBuilder();

@@ -77,8 +77,8 @@ public final class ParameterFile {
   }
 
   /**
-   * What a file changes, one transaction per service; parameters that already have their value are
-   * left out.
+   * Changes made by a file, one transaction per service; parameters that already have their value
+   * are left out.
    *
    * @param origin name of the file, for errors
    * @throws BadInputException naming every line that is no parameter of this vehicle, or has a

@@ -10,8 +10,8 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * What stations show beside a parameter: text, unit, range and choices, in the form of
- * COMP_METADATA_TYPE_PARAMETER. Values are not in it.
+ * Description of each parameter for stations: text, unit, range and choices, as
+ * COMP_METADATA_TYPE_PARAMETER; without values.
  */
 public final class ParameterMetadata {
   /** The only version that QGroundControl reads, although the schema says at least 3. */

@@ -17,7 +17,7 @@ final class ParameterNames {
 
   private ParameterNames() {}
 
-  /** Name that is not among those taken. */
+  /** A name that is not taken yet. */
   static String of(String service, String variable, Set<String> taken) {
     String prefix = prefix(service) + "_";
     String words = words(variable);

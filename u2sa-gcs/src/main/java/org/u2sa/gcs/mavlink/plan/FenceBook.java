@@ -21,8 +21,8 @@ import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.safety.FenceState;
 
 /**
- * The fence as items, areas and rally points apart: those that were uploaded if the Safety Manager
- * keeps them, so that they are read back as they were, otherwise its own. Shared by all stations.
+ * The fence as items, with areas and rally points separate: the uploaded items while the Safety
+ * Manager keeps them, so that they read back unchanged; otherwise its own. Shared by all stations.
  */
 public final class FenceBook {
   private static final int MAX_CHARACTERS = 65_536; // of FenceOrder.fence; it is ASCII
@@ -45,15 +45,15 @@ public final class FenceBook {
    */
   record Upload(int type, String name, String xml, List<?> parts, List<MissionItem> items) {}
 
-  /** Items, and what they cannot say. */
+  /** Items, and what cannot be expressed by items. */
   record Listed(List<MissionItem> items, List<String> lost) {}
 
   private record Content(
       List<StationPlan.Area> areas, List<StationPlan.Place> rally, List<String> lost) {}
 
   /**
-   * Reads uploaded items of a MAV_MISSION_TYPE; the others of the fence in force stay, also its
-   * floor and ceiling, which items do not have.
+   * Reads uploaded items of a MAV_MISSION_TYPE; the rest of the fence in force stays, including its
+   * floor and ceiling, which items cannot express.
    *
    * @throws PlanRefusal if a fence cannot have one of them
    */

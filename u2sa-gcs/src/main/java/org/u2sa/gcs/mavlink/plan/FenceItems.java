@@ -17,7 +17,7 @@ final class FenceItems implements ItemStore {
 
   /**
    * @param type MAV_MISSION_TYPE
-   * @param what they are, for texts
+   * @param noun for the items in texts
    */
   FenceItems(int type, String what, VehicleOrders orders, FenceBook book, MissionAnswers answers) {
     this.type = type;

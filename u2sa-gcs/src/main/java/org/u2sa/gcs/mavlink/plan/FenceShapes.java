@@ -9,7 +9,7 @@ import org.u2sa.gcs.plan.StationPlan;
 
 /** Areas of a fence as items and back (mavlink.io/en/services/mission, geofence). */
 final class FenceShapes {
-  private static final int POLYGON_IN = 5001; // MAV_CMD_NAV_FENCE_…, as the following
+  private static final int POLYGON_IN = 5001; // MAV_CMD_NAV_FENCE_…
   private static final int POLYGON_OUT = 5002;
   private static final int CIRCLE_IN = 5003;
   private static final int CIRCLE_OUT = 5004;

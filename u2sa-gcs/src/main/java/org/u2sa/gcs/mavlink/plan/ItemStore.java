@@ -3,7 +3,7 @@ package org.u2sa.gcs.mavlink.plan;
 import java.util.List;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
-/** What the items of one MAV_MISSION_TYPE stand for. */
+/** The object represented by the items of one MAV_MISSION_TYPE. */
 interface ItemStore {
   /**
    * The present items.

@@ -18,7 +18,7 @@ final class ItemTransfer {
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
 
   /**
-   * @param what they are, for texts
+   * @param noun for the items in texts
    */
   ItemTransfer(int type, String what, ItemStore store, MissionAnswers answers) {
     this.type = type;
@@ -70,7 +70,7 @@ final class ItemTransfer {
     upload.take(item, from);
   }
 
-  /** Asks again for what did not arrive. */
+  /** Requests missing items again. */
   void step(long micros) {
     upload.step(micros);
   }

@@ -43,7 +43,7 @@ final class MissionAnswers {
     station.send(answer);
   }
 
-  /** What was acknowledged before does not count for an upload that begins. */
+  /** Forgets earlier acknowledgements when an upload starts. */
   void forget(int type) {
     newest.remove(type);
   }
@@ -67,7 +67,7 @@ final class MissionAnswers {
     station.text(MavSeverity.MAV_SEVERITY_WARNING, text);
   }
 
-  /** Refuses what is neither mission, fence nor rally points. */
+  /** Refuses items that are neither mission, fence nor rally points. */
   void refuseType(int type, Sender to) {
     acknowledge(MavMissionResult.MAV_MISSION_UNSUPPORTED, type, to);
   }

@@ -67,7 +67,7 @@ record MissionItem(
   }
 
   /**
-   * The item as plans have it, in which items are numbered from 1.
+   * The item in the form of plans, which number items from 1.
    *
    * @param id its number
    * @param first sequence number of item 1

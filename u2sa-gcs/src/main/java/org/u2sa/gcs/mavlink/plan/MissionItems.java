@@ -17,7 +17,7 @@ final class MissionItems implements ItemStore {
   private static final int MISSION = MissionAnswers.MISSION;
   private static final long REPORT_MICROS = 1_000_000;
 
-  /** A mission that is to be acknowledged. */
+  /** A mission waiting for its acknowledgement. */
   private record Confirmation(String origin, int type, Sender to, long deadlineMicros) {}
 
   private final VehicleStatus vehicle;
@@ -82,7 +82,7 @@ final class MissionItems implements ItemStore {
     vehicle.wantReport();
   }
 
-  /** A mission has at least one goal, so a cleared one has a place to hold at. */
+  /** A mission needs at least one goal, so clearing sets one: to hold at the present position. */
   @Override
   public void clear(int type, Sender from) {
     Optional<StateInformation> here =
@@ -109,7 +109,7 @@ final class MissionItems implements ItemStore {
         });
   }
 
-  /** Acknowledges what was carried out. */
+  /** Acknowledges an upload or clearing that was carried out. */
   void step(long micros) {
     nowMicros = micros;
     confirmation

@@ -7,8 +7,8 @@ import java.util.List;
  *
  * @param origin name under which the Mission Manager knows it
  * @param items in order
- * @param goals name of the goal that each item stands for; an action has that of the next place, ""
- *     after the last
+ * @param goals name of the goal that each item stands for; an action has the name of the next
+ *     place, "" after the last
  */
 record MissionPlan(String origin, List<MissionItem> items, List<String> goals) {
   MissionPlan {

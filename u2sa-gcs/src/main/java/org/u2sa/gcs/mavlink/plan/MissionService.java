@@ -128,7 +128,7 @@ public final class MissionService {
         });
   }
 
-  /** Asks again for what did not arrive, and acknowledges what was carried out. */
+  /** Requests missing items again, and acknowledges completed uploads. */
   public void step(long micros) {
     transfers.values().forEach(items -> items.step(micros));
     mission.step(micros);

@@ -21,7 +21,8 @@ final class MissionUpload {
   private static final int MAX_ITEMS = 1000;
   private static final long RETRY_MICROS = 400_000; // MAVSDK gives up after 2.5 s without a request
   private static final int MAX_RETRIES = 40;
-  private static final int BACK = 3; // items: what a request can be late at a round trip of 0.2 s
+  private static final int BACK =
+      3; // items by which a request can be late at a round trip of 0.2 s
 
   /** An upload under way. */
   private static final class Incoming {
@@ -52,7 +53,7 @@ final class MissionUpload {
 
   /**
    * @param type MAV_MISSION_TYPE
-   * @param what it is, for texts
+   * @param noun for the upload in texts
    */
   MissionUpload(int type, String what, MissionAnswers answers, Complete complete) {
     this.type = type;
@@ -121,8 +122,8 @@ final class MissionUpload {
   }
 
   /**
-   * Asks again for what did not arrive, then for an item before it and from there on: MAVSDK goes
-   * back when a late request reaches it, and ignores those beyond its next item from then on.
+   * Requests missing items again, then from an earlier item on: MAVSDK goes back when a late
+   * request reaches it, and from then on ignores requests beyond its next item.
    */
   void step(long micros) {
     nowMicros = micros;

@@ -17,8 +17,8 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionReport;
 
 /**
- * The mission as items: those that were uploaded if the Mission Manager still pursues them
- * unchanged, so that they are read back as they were, otherwise its goals. Shared by all stations.
+ * The mission as items: the uploaded items while the Mission Manager pursues them unchanged, so
+ * that they read back unchanged; otherwise its goals. Shared by all stations.
  */
 public final class PlanBook {
   /** Origin of a mission that a station has cleared. */
@@ -32,7 +32,7 @@ public final class PlanBook {
   private final Identity identity;
   private MissionPlan uploaded = new MissionPlan("", List.of(), List.of());
   private int uploads;
-  private MissionReport viewed; // the report that plan was made of
+  private MissionReport viewed; // the report from which the plan was made
   private MissionPlan plan = uploaded;
   private Optional<PlanRefusal> refusal = Optional.empty();
 
@@ -60,7 +60,7 @@ public final class PlanBook {
     return new Upload(new MissionPlan(origin, own, reader.names()), xml, reader.details());
   }
 
-  /** An upload, its mission in XML, and what that leaves out. */
+  /** An upload, its mission in XML, and the parameters left out. */
   record Upload(MissionPlan plan, String xml, List<String> details) {}
 
   /** Remembers an upload that the Mission Manager has accepted. */

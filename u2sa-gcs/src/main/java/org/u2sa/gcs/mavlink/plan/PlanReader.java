@@ -70,7 +70,7 @@ final class PlanReader {
     return goals.names();
   }
 
-  /** Parameters that are left out, a line each. */
+  /** Parameters left out, one line each. */
   List<String> details() {
     return details;
   }

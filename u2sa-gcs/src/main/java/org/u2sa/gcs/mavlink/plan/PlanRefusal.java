@@ -3,7 +3,7 @@ package org.u2sa.gcs.mavlink.plan;
 import io.dronefleet.mavlink.common.MavMissionResult;
 import java.util.List;
 
-/** A mission that cannot be expressed in the other system; the message names what and why. */
+/** A mission cannot be expressed in the other system; the message names the item and the reason. */
 final class PlanRefusal extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -74,7 +74,7 @@ final class PlanWriter {
         .y(Placement.place(waypoint).get().latitudeDeg());
   }
 
-  /** Stations expect an altitude also of vehicles on the ground. */
+  /** Stations expect an altitude even of vehicles on the ground. */
   private static PlanItem level(PlanItem item) {
     return item.isOrder() || item.isView()
         ? item

@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.messages.BatteryState;
 
-/** A battery state in MAVLink's units, with its values for what is unknown. */
+/** A battery state in MAVLink's units, with MAVLink's values for unknown quantities. */
 final class BatteryMessages {
   private static final double MILLI = 1000.0;
   private static final double CENTI = 100.0;

@@ -7,15 +7,15 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 
-/** How often one station gets each message. */
+/** Rates of the messages to one station. */
 public final class MessageRates {
   private static final double MAX_HZ = 50.0;
   private static final long MICROS_PER_S = 1_000_000;
-  private static final double MAX_MICROS = Integer.MAX_VALUE; // what MESSAGE_INTERVAL can say
+  private static final double MAX_MICROS = Integer.MAX_VALUE; // maximum of MESSAGE_INTERVAL
   private static final long OFF = -1;
   private static final int ALL_STREAMS = 0;
 
-  /** MAV_DATA_STREAM: what stations of ArduPilot ask for. */
+  /** MAV_DATA_STREAM, which stations of ArduPilot request. */
   private static final Map<Integer, List<Integer>> STREAMS =
       Map.of(
           2, List.of(1, 2, 24, 62, Telemetry.MISSION_CURRENT, 147), // EXTENDED_STATUS
@@ -39,7 +39,7 @@ public final class MessageRates {
     return hz > 0.0 ? Math.round(MICROS_PER_S / Math.min(MAX_HZ, hz)) : OFF;
   }
 
-  /** Sends what is due: the heartbeat, and what has waited longest as long as there is room. */
+  /** Sends due messages: the heartbeat, then those waiting longest, as far as there is room. */
   public void step(long nowMicros, GroundStation to) {
     List<Integer> waiting = new ArrayList<>();
     intervals.forEach(

@@ -19,7 +19,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
-/** Messages about position, velocity and attitude. Those of unknown quantities are absent. */
+/** Messages about position, velocity and attitude. Messages of unknown quantities are absent. */
 final class MotionMessages {
   private static final double E7 = 1.0e7;
   private static final double MILLI = 1000.0;
@@ -58,7 +58,7 @@ final class MotionMessages {
             });
   }
 
-  /** The estimate in the form of a fix: stations draw the vehicle only if there is one. */
+  /** The estimate as a fix, without which stations do not draw the vehicle. */
   Optional<Object> gps() {
     return placement
         .global()

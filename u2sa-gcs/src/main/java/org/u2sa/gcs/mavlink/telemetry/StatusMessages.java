@@ -168,7 +168,7 @@ final class StatusMessages {
             .build());
   }
 
-  /** Stations take a fence that is not healthy for a breach. */
+  /** Stations treat an unhealthy fence as a breach. */
   private boolean isInsideFence() {
     return vehicle.failsafeCauses().stream().noneMatch(cause -> cause.contains("fence"));
   }

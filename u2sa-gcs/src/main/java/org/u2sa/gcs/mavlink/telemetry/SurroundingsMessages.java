@@ -83,7 +83,7 @@ final class SurroundingsMessages {
     return (int) Math.max(0, Math.min(UNKNOWN_CM - 2, Math.round(metres * CENTI)));
   }
 
-  /** One other aircraft after the other; those with the address of their transponder. */
+  /** The other aircraft in turn, those with a transponder address. */
   Optional<Object> traffic() {
     List<MovingSphere> known =
         surroundings.aircraft().stream()

@@ -2,7 +2,7 @@ package org.u2sa.gcs.mavlink.telemetry;
 
 import java.util.function.LongSupplier;
 
-/** Time since the bridge started, which stands for the time since the autopilot booted. */
+/** Time since the bridge started, reported as the time since the autopilot booted. */
 public final class Uptime {
   private static final long MILLI = 1000;
 

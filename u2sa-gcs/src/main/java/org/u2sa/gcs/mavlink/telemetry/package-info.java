@@ -1,2 +1,2 @@
-/** What the vehicle tells stations: messages made of its latest state, and how often. */
+/** Telemetry: messages made from the vehicle's latest state, and their rates. */
 package org.u2sa.gcs.mavlink.telemetry;

@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * The autopilot as which the vehicle presents itself. Stations choose their buttons and their
- * conventions by it: numbers of modes, encoding of parameters, home as mission item 0.
+ * The autopilot that the vehicle presents to stations. It determines their buttons and conventions:
+ * numbers of modes, encoding of parameters, home as mission item 0.
  */
 public enum Identity {
   PX4(MavAutopilot.MAV_AUTOPILOT_PX4),
@@ -65,7 +65,7 @@ public enum Identity {
       modes.put(VehicleMode.MISSION, px4(4));
       modes.put(VehicleMode.RETURN, px4(5));
       modes.put(VehicleMode.LAND, px4(6));
-      modes.put(VehicleMode.GO_TO, px4(3)); // as PX4 does, go-to is Hold at another place
+      modes.put(VehicleMode.GO_TO, px4(3)); // as in PX4, go-to is Hold at another place
       modes.put(VehicleMode.MANUAL, 1L << PX4_MAIN_SHIFT);
     } else if (this == ARDUPILOT) {
       boolean isCopter = kind == VehicleKind.COPTER;
@@ -90,7 +90,7 @@ public enum Identity {
     return this == PX4 ? px4(PX4_EXTERNAL + index) : FIRST_PLANNER + index;
   }
 
-  /** Index of the class that a custom mode stands for; empty if it stands for none. */
+  /** Index of the class of a custom mode; empty if it has none. */
   public Optional<Integer> planner(long custom, PlannerModes planners) {
     return IntStream.range(0, planners.size())
         .filter(index -> planner(index) == custom)
@@ -102,7 +102,7 @@ public enum Identity {
     return (long) PX4_AUTO << PX4_MAIN_SHIFT | (long) sub << PX4_SUB_SHIFT;
   }
 
-  /** The mode of a custom mode; empty if the vehicle has none of that number. */
+  /** The mode with this custom mode number; empty if the vehicle has no such mode. */
   public Optional<VehicleMode> mode(long custom, VehicleKind kind) {
     return modes(kind).entrySet().stream()
         .filter(each -> each.getValue() == custom && each.getKey() != VehicleMode.GO_TO)

@@ -5,9 +5,8 @@ import java.util.Optional;
 import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
- * The classes that the vehicle's Path Planner can be swapped for, those of jars among them. Each is
- * a mode beside Mission, which stands for the class that was heard first. Messages may arrive on
- * any thread.
+ * Classes that can replace the vehicle's Path Planner, including those from jars. Each is a
+ * separate mode; Mission is the class heard first. Messages may arrive on any thread.
  */
 public final class PlannerModes {
   private static final String ROLE = "PATH_PLANNER";
@@ -15,7 +14,7 @@ public final class PlannerModes {
   private static final int MAX_LABEL = 34; // of AVAILABLE_MODES
 
   /**
-   * What is known of the planner.
+   * The known planner and its classes.
    *
    * @param service its name; empty if none was heard
    * @param usual class that was heard first

@@ -25,7 +25,7 @@ public final class ServiceConfigurations {
 
   ServiceConfigurations() {}
 
-  /** Takes a message, on any thread; others than of configurations do nothing. */
+  /** Takes a message, on any thread; ignores messages other than configurations. */
   void take(U2SAData message) {
     if (message instanceof ConfigurationResponse response) {
       boolean known = byService.containsKey(response.serviceName());
@@ -41,7 +41,7 @@ public final class ServiceConfigurations {
     }
   }
 
-  /** A station that reads what it has just set must not get the old value. */
+  /** A station that reads a value it has just set must not get the old one. */
   private static ConfigurationResponse with(
       ConfigurationResponse before, List<? extends ConfigurationAssignment> assignments) {
     List<ConfigurationVariable> variables = new ArrayList<>();

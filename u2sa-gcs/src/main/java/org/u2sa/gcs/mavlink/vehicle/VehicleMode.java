@@ -1,7 +1,7 @@
 package org.u2sa.gcs.mavlink.vehicle;
 
 /**
- * What the vehicle is doing, in the words of ground stations.
+ * Mode of the vehicle in the terms of ground stations.
  *
  * <p>{@link #GO_TO} is entered by a go-to order, never by name.
  */

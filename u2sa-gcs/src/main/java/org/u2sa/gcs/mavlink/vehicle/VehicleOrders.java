@@ -31,7 +31,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Orders to the vehicle. Each is answered once, on the thread that calls {@link #step}: by the
- * vehicle's own answer, or after {@link #ANSWER_WITHIN_MICROS} by its absence.
+ * vehicle's answer, or with a failure after {@link #ANSWER_WITHIN_MICROS}.
  */
 public final class VehicleOrders {
   /** Publishes a message of the vehicle's channels. */
@@ -51,7 +51,7 @@ public final class VehicleOrders {
     /**
      * Called once.
      *
-     * @param text what was done, or why it was not
+     * @param text what was done, or the reason for the failure
      */
     void done(boolean accepted, String text);
   }
@@ -114,7 +114,7 @@ public final class VehicleOrders {
   }
 
   /**
-   * Lets the Path Planner go on as another class.
+   * Replaces the Path Planner's class.
    *
    * @param index of a class; empty: that of the mode Mission
    */

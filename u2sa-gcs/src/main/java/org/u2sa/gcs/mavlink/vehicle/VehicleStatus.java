@@ -124,12 +124,13 @@ public final class VehicleStatus {
     } else {
       configurations.take(message);
     }
-    orders.take(message); // last: what follows an answer sees its effect
+    orders.take(message); // last, so that code after an answer sees its effect
   }
 
   private void take(EmergencyStop stop) {
     if (stop.active()) {
-      if (stops.size() < MAX_STOPS) { // of more, a flood, those beyond last as long as the others
+      if (stops.size()
+          < MAX_STOPS) { // of a flood of more, the rest are ignored until the others expire
         stops.add(stop.identity());
       }
     } else if (stop.lifts().isEmpty()) {
@@ -139,7 +140,9 @@ public final class VehicleStatus {
     }
   }
 
-  /** Asks for what has changed since the last call; not to be called on the transport's thread. */
+  /**
+   * Requests data that has changed since the last call. Not to be called on the transport's thread.
+   */
   public void refresh() {
     if (isReportWanted) {
       isReportWanted = false;
@@ -153,7 +156,7 @@ public final class VehicleStatus {
     isReportWanted = true;
   }
 
-  /** Asks all services who they are, how they are configured, and how the mission stands. */
+  /** Asks all services for their identity and configuration, and for the mission's progress. */
   public void ask() {
     orders.tell(Channels.DISCOVERY, new DiscoveryRequest());
     orders.tell(Channels.CONFIGURATION, new ConfigurationRequest().serviceName(""));
@@ -176,7 +179,7 @@ public final class VehicleStatus {
         .filter(now -> micros.getAsLong() - stateMicros <= FRESH_MICROS);
   }
 
-  /** First state with a position: the place that stands for a home if the mission has none. */
+  /** First state with a position, used as home if the mission has none. */
   public Optional<StateInformation> first() {
     return Optional.ofNullable(first);
   }
@@ -232,7 +235,7 @@ public final class VehicleStatus {
     return Optional.ofNullable(fence);
   }
 
-  /** Who drives the vehicle by hand; empty if nobody does. */
+  /** Person driving the vehicle by hand; empty if none. */
   public Optional<String> driver() {
     return Optional.ofNullable(manual).filter(ManualState::active).map(ManualState::operator);
   }
@@ -252,7 +255,7 @@ public final class VehicleStatus {
     return goals().flatMap(list -> list.goals().stream().map(GoalInformation::uid).findFirst());
   }
 
-  /** What the vehicle is doing. */
+  /** Current mode. */
   public VehicleMode mode() {
     if (driver().isPresent()) {
       return VehicleMode.MANUAL;

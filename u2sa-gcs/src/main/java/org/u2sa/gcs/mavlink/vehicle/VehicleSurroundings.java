@@ -16,7 +16,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.MovingSphere;
 
 /**
- * What the vehicle sees, and the commands of its actuators. {@link #take} may be called on any
+ * The vehicle's surroundings, and the commands of its actuators. {@link #take} may be called on any
  * thread.
  */
 public final class VehicleSurroundings {

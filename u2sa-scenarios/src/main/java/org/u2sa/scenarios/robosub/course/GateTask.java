@@ -10,7 +10,7 @@ import org.u2sa.messages.marine.Colour;
 import org.u2sa.messages.marine.Pole;
 
 /**
- * A gate of a red, a white and a green pole, to be passed on one side of the white one.
+ * A gate of a red, a white and a green pole, to be passed on one side of the white pole.
  *
  * @param middle place of the white pole
  * @param across from there to the green pole

@@ -11,14 +11,14 @@ import org.u2sa.messages.marine.Colour;
 import org.u2sa.messages.marine.Hoop;
 
 /**
- * A pinger on the ground below the ring to surface in; another ring beside it has none (thesis
- * 4.3).
+ * A pinger on the floor below the ring to surface in, with a second ring beside it as a decoy
+ * (thesis 4.3).
  *
  * @param pinger its place
  * @param otherRing middle of the ring without pinger
  */
 public record PingerTask(Point pinger, Point otherRing) implements CourseTask {
-  /** That of a seed's layout. */
+  /** The task of a seed's layout. */
   static PingerTask below(Point ring, long seed) {
     Random random = new Random(seed * 0x9E3779B97F4A7C15L + 1);
     double side = random.nextBoolean() ? 1.0 : -1.0;

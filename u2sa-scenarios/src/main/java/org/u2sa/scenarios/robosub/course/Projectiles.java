@@ -5,9 +5,7 @@ import java.util.Random;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/**
- * Where markers and torpedoes go, by the truth. Places are north, east and down of the start [m].
- */
+/** True paths of markers and torpedoes. Places are north, east and down of the start [m]. */
 final class Projectiles {
   private static final double BELOW_M = 0.15; // of the dropper, below the vehicle's middle
   private static final double SINKING_MPS = 0.4;
@@ -22,7 +20,7 @@ final class Projectiles {
     random = new Random(seed);
   }
 
-  /** Where a marker that is released now comes to lie on the floor. */
+  /** Position on the floor of a marker released now. */
   Point landing(VehicleTruth truth, double floorM) {
     Point from =
         truth.position().axesExchanged().plus(truth.velocity().axesExchanged().times(SLOWED_S));

@@ -15,8 +15,8 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * What the services say of a dive: why goals were given up, why the vehicle was stopped, and how
- * many recognised objects the current goals needed (thesis 4.3.2).
+ * Events of a dive from the services' logs and reports: why goals were given up, why the vehicle
+ * was stopped, and how many recognised objects the current goals needed (thesis 4.3.2).
  */
 final class SubEvents {
   private static final Pattern SEEN = Pattern.compile("(\\d+); not sought by the goal (\\d+)");
@@ -65,7 +65,7 @@ final class SubEvents {
     troubles.putIfAbsent(trouble.replaceAll("[0-9.]+", ""), trouble);
   }
 
-  /** Whether the layout's last goal is completed, with which a run ends. */
+  /** Whether the layout's last goal is completed, which ends the run. */
   boolean isComplete(SubCourse course) {
     List<CourseTask> tasks = course.tasks();
     List<CourseTask.Goal> goals = tasks.get(tasks.size() - 1).goals();

@@ -50,7 +50,7 @@ public final class SubJudge implements TruthObserver.Scorer {
   private final LocalPlane plane = new LocalPlane(SubCourse.ORIGIN);
   private final List<String> log = new ArrayList<>();
   private final SubEvents events = new SubEvents();
-  private double doneS = Double.POSITIVE_INFINITY; // when the last goal was seen to be completed
+  private double doneS = Double.POSITIVE_INFINITY; // time at which the last goal was completed
   private double stoppedS = Double.POSITIVE_INFINITY; // when a failsafe stopped the thrusters
   private Point before; // null at the start
   private double travelledM;

@@ -8,8 +8,9 @@ import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
 
 /**
- * Writes what a team is told of a layout: the tasks in order, and the types of their objects. After
- * a goal's own objects come those of the goals that may follow, so that they are known by then.
+ * Writes a layout's mission, with the information given to a team: the tasks in order, and the
+ * types of their objects. Each goal also lists the objects of possible next goals, so that these
+ * are already mapped.
  */
 public final class SubMission {
   private SubMission() {}

@@ -6,8 +6,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores one task of a run by the truth. Places are north, east and down of the start [m]; what is
- * returned by an event goes to the log.
+ * Scores one task of a run by the truth. Places are north, east and down of the start [m]; text
+ * returned by an event is logged.
  */
 public interface SubTaskJudge {
   /** The vehicle's centre moved. */
@@ -23,7 +23,7 @@ public interface SubTaskJudge {
     return Optional.empty();
   }
 
-  /** What is wanting at the end of the run; empty if the task is done. */
+  /** Unfinished part of the task at the end of the run; empty if the task is done. */
   Optional<String> violation();
 
   /** Its lines of the score sheet. */

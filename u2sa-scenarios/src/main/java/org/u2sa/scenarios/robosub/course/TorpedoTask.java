@@ -11,7 +11,7 @@ import org.u2sa.messages.marine.Hoop;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Two upright hoops side by side, through one of which two torpedoes are shot.
+ * Two upright hoops side by side, one of which is the target of two torpedoes.
  *
  * @param right middle of the right one
  * @param wrong middle of the other

@@ -3,7 +3,7 @@ package org.u2sa.scenarios.robosub.course;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
 
-/** A way along which a layout is laid out: a place and a heading, from the start to the north. */
+/** The path along which a layout is arranged: a place and a heading, starting to the north. */
 final class Walk {
   private final Random random;
   private Point place = Point.ORIGIN; // north, east of the start [m]

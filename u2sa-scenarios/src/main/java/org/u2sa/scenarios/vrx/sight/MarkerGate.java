@@ -82,7 +82,7 @@ public record MarkerGate(Point port, Point starboard, Place place) {
     return Point.of(place.x(), place.y(), 0.0);
   }
 
-  /** Whether a move leads through it in its direction. */
+  /** Whether a movement passes through it in its direction. */
   public boolean isPassed(Point before, Point now) {
     return aheadM(before) > 0.0 && aheadM(now) <= 0.0 && Math.abs(asideM(now)) < widthM() / 2.0;
   }

@@ -11,7 +11,9 @@ import org.u2sa.planning.PlannerView;
 public final class SeenSigns {
   private SeenSigns() {}
 
-  /** Signs by their type; of several tracks of one, the surest: the others are old sightings. */
+  /**
+   * Signs by type. Of several tracks of a sign, the most certain one: the others are old sightings.
+   */
   public static Map<String, Point> of(PlannerView surroundings, StateInformation state) {
     Map<String, ObjectDescription> surest = new TreeMap<>();
     for (ObjectDescription object : surroundings.objects()) {

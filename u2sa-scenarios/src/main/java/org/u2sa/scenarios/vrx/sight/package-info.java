@@ -1,2 +1,2 @@
-/** What the objects that were seen amount to. */
+/** Gates and signs recognised from detected objects. */
 package org.u2sa.scenarios.vrx.sight;

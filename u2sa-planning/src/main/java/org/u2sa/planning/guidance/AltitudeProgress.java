@@ -1,9 +1,9 @@
-package org.u2sa.planning;
+package org.u2sa.planning.guidance;
 
 import org.u2sa.interfaces.time.Clock;
 
 /** Watches whether a vehicle comes nearer to an altitude. Confined to the planner's thread. */
-final class AltitudeProgress {
+public final class AltitudeProgress {
   private static final double STEP_M = 0.05; // a smaller change is an estimation error
   private static final long PATIENCE_MICROS = 5 * Clock.MICROS_PER_SECOND;
 
@@ -11,7 +11,7 @@ final class AltitudeProgress {
   private long cameNearerMicros;
 
   /** Starts with another altitude. */
-  void begin() {
+  public void begin() {
     leastM = Double.POSITIVE_INFINITY;
   }
 
@@ -20,7 +20,7 @@ final class AltitudeProgress {
    *
    * @param offM distance from the altitude [m], not negative
    */
-  boolean comesNearer(double offM, long nowMicros) {
+  public boolean comesNearer(double offM, long nowMicros) {
     if (offM < leastM - STEP_M) {
       leastM = offM;
       cameNearerMicros = nowMicros;

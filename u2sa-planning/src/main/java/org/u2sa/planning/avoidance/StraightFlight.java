@@ -1,0 +1,81 @@
+package org.u2sa.planning.avoidance;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.seen.PlanarShape;
+import org.u2sa.planning.seen.SeenWorld;
+
+/** Checks straight ways of an aircraft for obstacles and traffic. */
+final class StraightFlight {
+  /** Height above the place of landing below which obstacles are not looked for [m]. */
+  private static final double LOWEST_M = 2.0;
+
+  private final SeenWorld world;
+
+  StraightFlight(SeenWorld world) {
+    this.world = world;
+  }
+
+  /**
+   * Whether an obstacle is near the line to a place.
+   *
+   * @param at vehicle on the planning plane [m]
+   */
+  boolean isObstructed(
+      Vehicle vehicle, Point at, Place to, BodyDiscs body, AvoidanceVariables now) {
+    Point way = vehicle.nedOf(to);
+    double keptM = body.circleM() + now.clearance();
+    for (PlanarShape shape : world.shapes()) {
+      double stepM = Math.max(1.0, 0.5 * keptM);
+      int steps = (int) Math.ceil(Math.hypot(way.x(), way.y()) / stepM);
+      for (int i = 0; i <= steps; i++) {
+        double share = steps == 0 ? 0.0 : (double) i / steps;
+        if (shape.distanceM(at.x() + share * way.x(), at.y() + share * way.y()) < keptM) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** See {@link Avoidance#blocksDescent}; the vehicle on the planning plane [m]. */
+  boolean blocksDescent(
+      Vehicle vehicle, Point at, Place from, Place to, BodyDiscs body, AvoidanceVariables now) {
+    Point end = vehicle.nedOf(to);
+    Point way = end.minus(vehicle.nedOf(from));
+    double circleM = body.circleM();
+    double stepM = Math.max(1.0, 0.5 * circleM);
+    List<PlanarShape> shapes = new ArrayList<>(world.shapes());
+    shapes.addAll(world.shapesElsewhere());
+    for (double share = 1.0; share * way.z() > LOWEST_M; share -= stepM / way.distance()) {
+      double aboveM = share * way.z();
+      double north = at.x() + end.x() - share * way.x();
+      double east = at.y() + end.y() - share * way.y();
+      double down = at.z() + end.z() - aboveM;
+      for (PlanarShape shape : shapes) {
+        boolean isAsHigh =
+            now.verticalClearance() == 0.0
+                || shape.reaches(down, down, Math.min(now.verticalClearance(), 0.5 * aboveM));
+        double keptM = circleM + Math.min(now.clearance(), aboveM);
+        if (isAsHigh && shape.distanceM(north, east) < keptM) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** Whether traffic comes near within the horizon if the vehicle flies straight on. */
+  boolean comesTraffic(Vehicle vehicle, Point at, BodyDiscs body, AvoidanceVariables now) {
+    return TrafficHold.comesNear(
+        world.movers(),
+        vehicle,
+        at,
+        body.circleM() + 2.0 * now.trafficClearance(),
+        now.trafficHorizon());
+  }
+}
