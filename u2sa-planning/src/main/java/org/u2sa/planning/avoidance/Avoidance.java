@@ -29,6 +29,7 @@ import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.seen.Mover;
 import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
@@ -310,10 +311,11 @@ public final class Avoidance {
     routes.update(situation);
     Optional<VerticalRoom> room =
         climbing.room(state, at, toGoal, wanted.target(), now, world, plane);
-    ArcChoice choice = current.choose(arcs(situation, vehicle, room), situation);
+    List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
+    ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
     climbing.chosen(choice, at, micros);
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
-    Optional<String> givenUp = current.judge(choice, isTrafficNear(situation), situation);
+    Optional<String> givenUp = current.judge(choice, isNear(traffic, situation), situation);
     announce(status(choice, givenUp, current), givenUp, wanted, at);
     held = now.stops() ? Optional.empty() : Optional.of(new Held(choice, wanted, micros));
     return step(choice, at, toGoal, wanted, givenUp);
@@ -357,13 +359,14 @@ public final class Avoidance {
         Math.toRadians(now.plannedTurnRate()));
   }
 
-  private ArcChooser arcs(Situation now, Vehicle vehicle, Optional<VerticalRoom> room) {
+  private ArcChooser arcs(
+      Situation now, Vehicle vehicle, List<Mover> traffic, Optional<VerticalRoom> room) {
     double heading = now.pose().headingRad();
     double along = vehicle.northMps() * Math.cos(heading) + vehicle.eastMps() * Math.sin(heading);
     return new ArcChooser(
         world.costs(),
         now.body(),
-        room.isPresent() ? world.allMovers() : world.movers(),
+        traffic,
         now.limits(),
         now.pose(),
         along,
@@ -372,10 +375,10 @@ public final class Avoidance {
         room);
   }
 
-  private boolean isTrafficNear(Situation now) {
+  private static boolean isNear(List<Mover> traffic, Situation now) {
     MotionLimits limits = now.limits();
     double kept = now.body().circleM() + limits.trafficM() + limits.lookAheadM();
-    return TrafficHold.isNear(world.movers(), now.pose(), kept, limits.horizonS(), now.micros());
+    return TrafficHold.isNear(traffic, now.pose(), kept, limits.horizonS(), now.micros());
   }
 
   private PathStatus status(ArcChoice choice, Optional<String> givenUp, GoalAttempt current) {
