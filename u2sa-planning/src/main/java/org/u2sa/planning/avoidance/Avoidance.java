@@ -16,6 +16,7 @@ import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.avoidance.GoalAttempt.TrafficHold;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
@@ -138,6 +139,11 @@ public final class Avoidance {
 
   public SeenWorld world() {
     return world;
+  }
+
+  /** Sees the fence in force: evasion upwards and downwards keeps away from its limits. */
+  public void see(FenceState fence) {
+    climbing.see(fence);
   }
 
   public boolean turnsOnTheSpot() {
