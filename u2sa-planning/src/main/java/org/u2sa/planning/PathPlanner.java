@@ -40,7 +40,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Plans the path to the current goal (thesis 3.2.3.4): a state machine with one state per class of
- * goals. In: state, goals, failsafe, manual-state. Out: navigation, goal-reports.
+ * goals. In: state, goals, failsafe, manual-state, fence. Out: navigation, goal-reports.
  *
  * <p>It plans once per state estimate, so without fresh states it publishes no navigation points.
  * On request of a failsafe it holds its position, as at the mission's end, or publishes none. The
@@ -122,6 +122,7 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.GRID, grid -> avoidance.world().see(grid, clock().micros()));
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
     subscribe(Channels.MANUAL_STATE, this::onManual);
+    subscribe(Channels.FENCE, avoidance::see);
     FirstFailsafe first = new FirstFailsafe(this, context);
     subscribe(
         Channels.FAILSAFE,

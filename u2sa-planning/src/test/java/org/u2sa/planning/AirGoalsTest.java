@@ -307,4 +307,43 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(touchesS).isNotNaN();
     assertThat(Math.abs(aircraft.east)).isLessThan(20.0);
   }
+
+  /** Traffic ahead on the line goes away after a while: one circle later the approach is free. */
+  @Test
+  void landing_brokenOffOnTheLine_leavesTheLineBeforeItJoinsAgain() {
+    kit.with("TRAFFIC CLEARANCE", 60.0).with("TRAFFIC HORIZON", 25.0);
+    kit.with("LOITER RADIUS", 800.0).with("VERTICAL CLEARANCE", 300.0);
+    start("AIR");
+    Waypoint landing = new Landing().approach(1000.0).slope(0.05);
+    landing.uid("1").referenceFrame(ReferenceFrame.LOCAL_NED);
+    goals(landing.x(0.0).y(0.0).z(0.0).psi(0.0).horizontalThreshold(30.0));
+    aircraft.north = -6000.0;
+    aircraft.altitude = 50.0;
+    boolean isDown = false;
+    while (kit.nowS() < 600.0 && !isDown && kit.latest(Channels.GOAL_REPORTS).isEmpty()) {
+      double north = -1500.0 + 10.0 * (kit.nowS() - 76.0); // as it comes to the line
+      MovingSphere traffic =
+          new MovingSphere()
+              .timeStep(30.0)
+              .trajectory(List.of(Point.of(north + 300.0, 0.0, -50.0)));
+      traffic
+          .radius(10.0)
+          .uid("traffic")
+          .objectType("aircraft")
+          .referenceFrame(ReferenceFrame.LOCAL_NED);
+      traffic.x(north).y(0.0).z(-50.0);
+      boolean isThere = kit.nowS() < 110.0;
+      kit.publish(
+          Channels.OBJECTS,
+          isThere ? new ObjectList().objects(List.of(traffic)) : new ObjectList());
+      kit.publish(Channels.STATE, aircraft.state().z(-aircraft.altitude));
+      aircraft.step(0.1, kit.latest(Channels.NAVIGATION));
+      kit.advance(0.1);
+      isDown = Math.abs(aircraft.north) < 100.0 && aircraft.altitude < 15.0;
+    }
+
+    assertThat(logged("something is in the way of the approach: once more")).isEqualTo(1);
+    assertThat(isDown).isTrue();
+    assertThat(Math.abs(aircraft.east)).isLessThan(20.0);
+  }
 }

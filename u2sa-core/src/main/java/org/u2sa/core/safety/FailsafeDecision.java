@@ -46,8 +46,16 @@ final class FailsafeDecision {
   }
 
   void present(Hazard hazard, String words, long nowMicros) {
-    Cause cause = new Cause(hazard, hazard.action(matrix), words, nowMicros);
-    causes.put(hazard, cause);
+    add(new Cause(hazard, hazard.action(matrix), words, nowMicros));
+  }
+
+  /** A cause that is only reported for the time being. */
+  void report(Hazard hazard, String words, long nowMicros) {
+    add(new Cause(hazard, FailsafeAction.CONTINUE, words, nowMicros));
+  }
+
+  private void add(Cause cause) {
+    causes.put(cause.hazard(), cause);
     if (stays(cause) && (kept == null || cause.action().compareTo(kept.action()) > 0)) {
       kept = cause;
     }

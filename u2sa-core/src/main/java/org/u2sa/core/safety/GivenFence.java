@@ -56,6 +56,8 @@ record GivenFence(String file, String xml, Fence fence) {
             .filter(point -> fence.objection(point).isEmpty())
             .map(RallyPoint::waypoint)
             .collect(Collectors.toList()));
+    fence.floorM.ifPresent(state::lowest);
+    fence.ceilingM.ifPresent(state::highest);
     return xml.getBytes(UTF_8).length <= Limits.TEXT_BYTES ? state.fence(xml) : state;
   }
 }

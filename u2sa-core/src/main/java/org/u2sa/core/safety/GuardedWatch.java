@@ -39,6 +39,11 @@ final class GuardedWatch implements Watch {
   }
 
   @Override
+  public void pilotFlies(long nowMicros) {
+    watch.pilotFlies(nowMicros);
+  }
+
+  @Override
   public void handOver(HandOver state, long nowMicros) {
     watch.handOver(state, nowMicros);
     fault.ifPresent(words -> state.text(key(), words));

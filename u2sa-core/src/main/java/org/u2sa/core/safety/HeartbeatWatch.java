@@ -19,13 +19,16 @@ final class HeartbeatWatch implements Watch {
   private final Hazard hazard;
   private final Supplier<Expected> expected;
   private final BiFunction<U2SAData, Expected, Optional<String>> sender;
+  private final boolean ofOperators;
   private String heard = "";
   private long heardMicros = -1; // by the local clock, since the sender's may differ
 
   private HeartbeatWatch(
       Hazard hazard,
       Supplier<Expected> expected,
-      BiFunction<U2SAData, Expected, Optional<String>> sender) {
+      BiFunction<U2SAData, Expected, Optional<String>> sender,
+      boolean ofOperators) {
+    this.ofOperators = ofOperators;
     this.hazard = hazard;
     this.expected = expected;
     this.sender = sender;
@@ -58,7 +61,8 @@ final class HeartbeatWatch implements Watch {
         (message, any) ->
             message instanceof OperatorHeartbeat heartbeat
                 ? Optional.of("\"" + heartbeat.operator() + "\"")
-                : Optional.empty());
+                : Optional.empty(),
+        true);
   }
 
   /** Watches the health monitor, which watches all other services. */
@@ -75,7 +79,8 @@ final class HeartbeatWatch implements Watch {
                     && report.status() == ServiceStatus.RUNNING
                     && report.serviceName().equals(expected.who())
                 ? Optional.of(report.serviceName())
-                : Optional.empty());
+                : Optional.empty(),
+        false);
   }
 
   @Override
@@ -92,6 +97,14 @@ final class HeartbeatWatch implements Watch {
               heard = who;
               heardMicros = nowMicros;
             });
+  }
+
+  /** The time to hear an operator begins when he gives back. */
+  @Override
+  public void pilotFlies(long nowMicros) {
+    if (ofOperators && heardMicros >= 0) {
+      heardMicros = nowMicros;
+    }
   }
 
   @Override

@@ -29,10 +29,10 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Decides by the failsafe matrix how the vehicle reacts to faults, and whether it may move at all
- * (arming). In: state, conditions, health, operator, power, actuators, goals, arming,
+ * (arming). In: state, conditions, health, operator, power, actuators, goals, arming, manual-state,
  * emergency-stop, fence-orders. Out: failsafe, arming-state, emergency-stop, fence, fence-orders.
  *
- * <p>Failsafes act while it is armed. The most severe cause wins.
+ * <p>Failsafes act while it is armed, and no pilot flies by radio. The most severe cause wins.
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
@@ -41,6 +41,7 @@ public final class SafetyManager extends PeriodicService {
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
+  private final SafetyPilot pilot = new SafetyPilot(settings, conditions);
   private final FenceWatch fenceWatch;
   private final FenceOrders fenceOrders;
   private final List<Watch> watches;
@@ -92,6 +93,7 @@ public final class SafetyManager extends PeriodicService {
       subscribe(channel, message -> see(channel, message));
     }
     subscribe(Channels.CONDITIONS, this::onCondition);
+    subscribe(Channels.MANUAL_STATE, pilot::see);
     subscribe(Channels.ARMING, this::obey);
     subscribe(Channels.EMERGENCY_STOP, this::stopOrGo);
     subscribe(Channels.FENCE_ORDERS, this::onFenceOrder);
@@ -291,9 +293,21 @@ public final class SafetyManager extends PeriodicService {
   }
 
   private void decide(long now) {
+    boolean waits = pilot.flies();
     for (Watch watch : watches) {
-      Optional<String> trouble = watch.trouble(now);
-      trouble.ifPresent(words -> decision.present(watch.hazard(), words, now));
+      if (waits) {
+        watch.pilotFlies(now);
+      }
+      watch
+          .trouble(now)
+          .ifPresent(
+              words -> {
+                if (waits) {
+                  decision.report(watch.hazard(), words, now);
+                } else {
+                  decision.present(watch.hazard(), words, now);
+                }
+              });
     }
     decision.forgetUntil(now);
     if (decision.action() == FailsafeAction.STOP) {

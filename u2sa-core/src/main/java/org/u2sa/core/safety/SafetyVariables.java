@@ -76,6 +76,10 @@ record SafetyVariables(
         @Description(
             "Whether RETURN and LAND end with their causes, except the fence; otherwise they last until an operator arms again.")
         boolean resume,
+    @Variable(ifAbsentText = "")
+        @Description(
+            "Service whose manual-state says that a pilot moves the actuators himself, by a radio and a multiplexer: while he does, failsafes wait; empty: none.")
+        String pilotService,
     @Variable(ifAbsentText = "false")
         @Description("Whether to arm once in a run, as soon as all checks pass.")
         boolean armAtStart,

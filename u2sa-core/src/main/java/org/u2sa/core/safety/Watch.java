@@ -35,6 +35,9 @@ interface Watch {
   /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
 
+  /** Called as long as a pilot flies by radio, who counts as an operator. */
+  default void pilotFlies(long nowMicros) {}
+
   /** Saves the watch's state for a successor, so that it detects the same faults. */
   default void handOver(HandOver state, long nowMicros) {}
 

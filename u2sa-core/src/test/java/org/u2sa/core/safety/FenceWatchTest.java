@@ -119,9 +119,20 @@ class FenceWatchTest {
         .contains("too near to turn with a radius of 41 m");
   }
 
+  /** Northward at 20 m/s and 45° of bank half a turn needs 82 m to one side, 41 m ahead. */
+  @ParameterizedTest
+  @CsvSource({"TURN, 60, 0, false", "TURN TO ONE SIDE, 60, 0, true", "TURN TO ONE SIDE, 0, 60, false"})
+  void trouble_fliesAlongTheFence_isNoneIfRoomOnOneSideIsEnough(
+      String manoeuvre, double eastM, double northM, boolean well) {
+    variables.put("FENCE MANOEUVRE", manoeuvre);
+    variables.put("TURN BANK", Math.PI / 4.0);
+
+    assertThat(seeing(at(eastM, northM).yDot(20.0)).trouble(0).isEmpty()).isEqualTo(well);
+  }
+
   /** It looks closely only where the fence may be within reach; a new one does so each time. */
   @ParameterizedTest
-  @CsvSource({"TURN", "BRAKE"})
+  @CsvSource({"TURN", "TURN TO ONE SIDE", "BRAKE"})
   void trouble_onItsWay_isThatOfAWatchThatSeesItForTheFirstTime(String manoeuvre) {
     variables.put("FENCE MANOEUVRE", manoeuvre);
     FenceWatch going = watch();

@@ -2,6 +2,7 @@ package org.u2sa.messages.safety;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
@@ -19,6 +20,8 @@ public final class FenceState extends U2SAData {
 
   private static final ValueField<FenceState, List<GoalInformation>> RALLY =
       SCHEMA.messages("rally", GoalInformation.TYPE);
+  private static final NumberField<FenceState> LOWEST = SCHEMA.optionalNumber("lowest", "m");
+  private static final NumberField<FenceState> HIGHEST = SCHEMA.optionalNumber("highest", "m");
 
   public static final MessageType<FenceState> TYPE = SCHEMA.build();
 
@@ -67,5 +70,26 @@ public final class FenceState extends U2SAData {
 
   public FenceState rally(List<? extends GoalInformation> value) {
     return put(RALLY, List.copyOf(value));
+  }
+
+  /**
+   * Lowest altitude allowed, raised by the margin: above sea level, or up in the local frame of a
+   * fence in one [m]; empty: no limit.
+   */
+  public OptionalDouble lowest() {
+    return get(LOWEST);
+  }
+
+  public FenceState lowest(double metres) {
+    return put(LOWEST, metres);
+  }
+
+  /** Highest altitude allowed, lowered by the margin; as {@link #lowest} [m]. */
+  public OptionalDouble highest() {
+    return get(HIGHEST);
+  }
+
+  public FenceState highest(double metres) {
+    return put(HIGHEST, metres);
   }
 }

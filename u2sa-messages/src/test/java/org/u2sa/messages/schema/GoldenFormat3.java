@@ -204,6 +204,8 @@ final class GoldenFormat3 {
             .fence("<fence/>")
             .file("field.xml")
             .margin(2.5)
+            .lowest(55.0)
+            .highest(162.5)
             .rally(
                 List.of(
                     new Waypoint()

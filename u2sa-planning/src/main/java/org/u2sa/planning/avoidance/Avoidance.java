@@ -16,6 +16,7 @@ import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
@@ -27,6 +28,7 @@ import org.u2sa.planning.local.VerticalRoom;
 import org.u2sa.planning.route.RoutePlanner;
 import org.u2sa.planning.route.RoutePlanners;
 import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.seen.Mover;
 import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 
@@ -119,6 +121,11 @@ public final class Avoidance {
 
   public SeenWorld world() {
     return world;
+  }
+
+  /** Sees the fence in force: evasion upwards and downwards keeps away from its limits. */
+  public void see(FenceState fence) {
+    climbing.see(fence);
   }
 
   public boolean turnsOnTheSpot() {
@@ -237,10 +244,11 @@ public final class Avoidance {
     routes.update(situation);
     Optional<VerticalRoom> room =
         climbing.room(state, at, toGoal, wanted.target(), now, world, plane);
-    ArcChoice choice = current.choose(arcs(situation, vehicle, room), situation);
+    List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
+    ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
     climbing.chosen(choice, at, micros);
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
-    Optional<String> givenUp = current.judge(choice, isTrafficNear(situation), situation);
+    Optional<String> givenUp = current.judge(choice, isNear(traffic, situation), situation);
     PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
     announce(status, givenUp, wanted, at);
     held = now.stops() ? Optional.empty() : Optional.of(new HeldChoice(choice, wanted, micros));
@@ -260,13 +268,14 @@ public final class Avoidance {
         givenUp);
   }
 
-  private ArcChooser arcs(Situation now, Vehicle vehicle, Optional<VerticalRoom> room) {
+  private ArcChooser arcs(
+      Situation now, Vehicle vehicle, List<Mover> traffic, Optional<VerticalRoom> room) {
     double heading = now.pose().headingRad();
     double along = vehicle.northMps() * Math.cos(heading) + vehicle.eastMps() * Math.sin(heading);
     return new ArcChooser(
         world.costs(),
         now.body(),
-        room.isPresent() ? world.allMovers() : world.movers(),
+        traffic,
         now.limits(),
         now.pose(),
         along,
@@ -275,10 +284,10 @@ public final class Avoidance {
         room);
   }
 
-  private boolean isTrafficNear(Situation now) {
+  private static boolean isNear(List<Mover> traffic, Situation now) {
     var limits = now.limits();
     double kept = now.body().circleM() + limits.trafficM() + limits.lookAheadM();
-    return TrafficHold.isNear(world.movers(), now.pose(), kept, limits.horizonS(), now.micros());
+    return TrafficHold.isNear(traffic, now.pose(), kept, limits.horizonS(), now.micros());
   }
 
   private void announce(PathStatus status, Optional<String> givenUp, Wanted wanted, Point at) {

@@ -89,7 +89,9 @@ final class RouteKeeper {
     boolean changed = world.revision() != revision;
     boolean blocked = changed && track.isPresent() && costLeft() == Double.POSITIVE_INFINITY;
     boolean due = now.micros() - plannedMicros >= now.settings().replanMicros();
-    boolean hopeless = track.isEmpty() && world.revision() == triedRevision;
+    // one that cannot stop is elsewhere by then, where it may have room to turn
+    boolean hopeless =
+        track.isEmpty() && world.revision() == triedRevision && now.settings().stops();
     boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
     revision = world.revision();
     if (blocked && now.settings().stops()) {

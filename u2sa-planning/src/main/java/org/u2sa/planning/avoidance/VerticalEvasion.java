@@ -9,6 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.FenceState;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.VerticalRoom;
@@ -17,8 +18,8 @@ import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
- * Tells how far the vehicle may climb and descend away from traffic, by corridors and terrain, and
- * that it does so. Confined to the planner's thread.
+ * Tells how far the vehicle may climb and descend away from traffic, by corridors, terrain and the
+ * fence, and that it does so. Confined to the planner's thread.
  */
 final class VerticalEvasion {
   private static final double SAME_M = 1.0; // it keeps its altitude
@@ -26,12 +27,18 @@ final class VerticalEvasion {
 
   private final Optional<HeightGrid> terrain;
   private final BiConsumer<String, Boolean> say;
+  private Optional<FenceState> fence = Optional.empty();
   private int direction; // of the last evasion: 1 up, −1 down
   private long lastMicros = Long.MIN_VALUE / 2;
 
   VerticalEvasion(Optional<HeightGrid> terrain, BiConsumer<String, Boolean> say) {
     this.terrain = terrain;
     this.say = say;
+  }
+
+  /** Sees the fence in force, whose altitude limits it keeps away from. */
+  void see(FenceState inForce) {
+    fence = Optional.of(inForce);
   }
 
   /**
@@ -62,6 +69,15 @@ final class VerticalEvasion {
     double below = ground.applyAsDouble(at.x(), at.y());
     double clearance = now.verticalClearance();
     double groundM = Double.isNaN(below) ? clearance : Math.min(clearance, below - at.z());
+    bottom = Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM);
+    OptionalDouble ceiling = fence.map(FenceState::highest).orElse(OptionalDouble.empty());
+    if (ceiling.isPresent()) {
+      top = Math.max(top, downM(plane, ceiling.getAsDouble()) + clearance);
+    }
+    OptionalDouble floor = fence.map(FenceState::lowest).orElse(OptionalDouble.empty());
+    if (floor.isPresent() && bottom < Double.POSITIVE_INFINITY) { // else the ground is unknown
+      bottom = Math.min(bottom, downM(plane, floor.getAsDouble()) - clearance);
+    }
     return Optional.of(
         new VerticalRoom(
             at.z(),
@@ -71,7 +87,7 @@ final class VerticalEvasion {
             groundM,
             now.body(false).circleM() + now.clearance(),
             top,
-            Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM),
+            bottom,
             world.shapesElsewhere(),
             ground,
             direction));
@@ -82,9 +98,13 @@ final class VerticalEvasion {
       return Double.NaN;
     }
     Point place = plane.point(north, east, 0.0);
-    double originM = place.z(); // altitude of the plane's origin
     OptionalDouble altitude = terrain.get().altitudeM(new Geodetic(place.x(), place.y(), 0.0));
-    return altitude.isPresent() ? originM - altitude.getAsDouble() : Double.NaN;
+    return altitude.isPresent() ? downM(plane, altitude.getAsDouble()) : Double.NaN;
+  }
+
+  /** Down coordinate of an altitude: above sea level, or up in the local frames [m]. */
+  private static double downM(PlanningPlane plane, double altitudeM) {
+    return plane.onEarth() ? plane.point(0.0, 0.0, 0.0).z() - altitudeM : -altitudeM;
   }
 
   /** Remembers the direction, and reports an evasion that begins. */

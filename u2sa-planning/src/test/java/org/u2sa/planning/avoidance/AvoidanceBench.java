@@ -27,10 +27,7 @@ final class AvoidanceBench {
   private static final double GOAL_M = 8.0;
   private static final double CELL_M = 0.1;
 
-  final AvoidanceVariables settings =
-      XmlConfiguration.inMemory("PathPlanner", Map.of("OVERLOOK AFTER", 10.0, "RECOVERIES", 2))
-          .settings(AvoidanceVariables.class)
-          .get();
+  final AvoidanceVariables settings;
   final List<RouteRequest> requests = new ArrayList<>();
   final List<String> said = new ArrayList<>();
   final SeenWorld world =
@@ -44,7 +41,7 @@ final class AvoidanceBench {
                   "corridor",
                   List.of(),
                   0.0));
-  final Passages passages = new Passages(() -> settings, () -> this.turnsOnTheSpot);
+  final Passages passages = new Passages(this::settings, () -> this.turnsOnTheSpot);
   final RouteKeeper routes =
       new RouteKeeper(world, new VirtualObstacles(world), passages, () -> this::plan, this::say);
   boolean turnsOnTheSpot; // narrower passages exist only for vehicles that do
@@ -53,8 +50,20 @@ final class AvoidanceBench {
       new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0).z(0.0).psi(0.0);
 
   AvoidanceBench() {
+    this(Map.of("OVERLOOK AFTER", 10.0, "RECOVERIES", 2));
+  }
+
+  AvoidanceBench(Map<String, Object> variables) {
+    settings =
+        XmlConfiguration.inMemory("PathPlanner", variables)
+            .settings(AvoidanceVariables.class)
+            .get();
     world.plane(state);
     see();
+  }
+
+  private AvoidanceVariables settings() {
+    return settings;
   }
 
   private Route plan(RouteRequest request) {

@@ -2,6 +2,7 @@ package org.u2sa.planning.avoidance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.planning.route.Route;
@@ -81,6 +82,21 @@ class RouteKeeperTest {
     bench.see();
     routes.update(bench.at(15.0));
     assertThat(bench.requests).hasSize(tried + 1);
+  }
+
+  /** Where it is by then it may have room to turn, though the world is the same. */
+  @Test
+  void update_noRouteOfAVehicleThatCannotStop_isTriedAgainAsItFliesOn() {
+    AvoidanceBench flying = new AvoidanceBench(Map.of("MIN SPEED", 1.0));
+    flying.answer = Route.none("a pillar ahead");
+    flying.routes.update(flying.at(0.0));
+    flying.routes.update(flying.at(0.1));
+    assertThat(flying.requests).hasSize(1);
+
+    flying.answer = AvoidanceBench.northward(8.0, 8.0);
+    flying.routes.update(flying.at(5.0, 5.0, 0.0));
+
+    assertThat(flying.routes.track()).isPresent();
   }
 
   @Test

@@ -16,8 +16,8 @@ final class SuasMission {
 
   private static final String AREA = "search";
 
-  /** Time to fly home and land, with approaches that traffic makes it break off [s]. */
-  private static final double LANDING_S = 300.0;
+  /** Time to fly home and land: 140 s, and an approach that traffic makes it break off [s]. */
+  private static final double LANDING_S = 240.0;
 
   private static final double TAKE_OFF_M = 60.0;
   private static final double DROP_M = 40.0; // height of the drop

@@ -15,7 +15,7 @@ import org.u2sa.testkit.Repository;
 
 /**
  * A hexacopter in a corridor too narrow to let an aircraft pass that comes the other way and is
- * faster: only another altitude keeps the 20 m of its sphere.
+ * faster: only another altitude keeps the 20 m of its sphere, below if the fence's ceiling is low.
  */
 class HexacopterTrafficTest {
   private static final Pattern LEAST = Pattern.compile("\"leastDistanceM\" : ([0-9.]+)");
@@ -28,9 +28,9 @@ class HexacopterTrafficTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"2, 20, 60", "0, 0, 18"})
-  void simulate_trafficInANarrowCorridor_isPassedAboveIfItMayClimb(
-      double climbMps, double leastM, double mostM) throws IOException {
+  @CsvSource({"2, 200, 20, 60", "0, 200, 0, 18", "2, 95, 20, 60"})
+  void simulate_trafficInANarrowCorridor_isPassedAboveOrBelowIfItMayClimbAndTheFenceIsKept(
+      double climbMps, double ceilingM, double leastM, double mostM) throws IOException {
     Path config = Repository.root().resolve("config/suas/hexacopter");
     CommandLineRun run =
         CommandLineRun.of(
@@ -44,8 +44,8 @@ class HexacopterTrafficTest {
                 """
                 <mission>
                   <home><x>-76.55578</x><y>38.31633</y><z>43.3</z><psi>90</psi></home>
-                  <takeOff><z>63.3</z></takeOff>
-                  <waypoint><x>-76.55418</x><y>38.31633</y><z>63.3</z></waypoint>
+                  <takeOff><z>83.3</z></takeOff>
+                  <waypoint><x>-76.55418</x><y>38.31633</y><z>83.3</z></waypoint>
                 </mission>
                 """),
             "--world",
@@ -55,8 +55,8 @@ class HexacopterTrafficTest {
                 <world>
                   <mover>
                     <sphere><uid>N1</uid><referenceFrame>Global</referenceFrame>
-                      <x>-76.54978</x><y>38.31633</y><z>63.3</z><radius>2</radius></sphere>
-                    <waypoint><x>-76.58</x><y>38.31633</y><z>63.3</z><speed>15</speed></waypoint>
+                      <x>-76.54978</x><y>38.31633</y><z>83.3</z><radius>2</radius></sphere>
+                    <waypoint><x>-76.58</x><y>38.31633</y><z>83.3</z><speed>15</speed></waypoint>
                     <transponder>true</transponder>
                   </mover>
                 </world>
@@ -71,11 +71,19 @@ class HexacopterTrafficTest {
                         <referenceFrame>Global</referenceFrame>
                         <points>-76.557 38.31622; -76.550 38.31622;
                           -76.550 38.31644; -76.557 38.31644</points>
-                        <z>83.3</z><height>90</height></polygon>
+                        <z>98.3</z><height>100</height></polygon>
                     </world>
                     """),
             "--set",
             "PathPlanner:EVASION CLIMB=" + climbMps,
+            "--set",
+            "SafetyManager:FENCE="
+                + file(
+                    "fence.xml",
+                    "<fence><ceiling>"
+                        + ceilingM
+                        + "</ceiling><keepIn><centre><x>-76.555</x><y>38.316</y></centre>"
+                        + "<radius>2000</radius></keepIn></fence>"),
             "--limit",
             "60",
             "--port",
@@ -86,5 +94,7 @@ class HexacopterTrafficTest {
 
     assertThat(least.find()).as(run.out() + run.err()).isTrue();
     assertThat(Double.parseDouble(least.group(1)) + BODY_M).isBetween(leastM, mostM);
+    assertThat(Files.readString(folder.resolve("out/logs/SafetyManager.log")))
+        .doesNotContain("geofence");
   }
 }

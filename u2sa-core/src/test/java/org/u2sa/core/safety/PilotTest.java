@@ -1,0 +1,99 @@
+package org.u2sa.core.safety;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.ManualState;
+import org.u2sa.messages.safety.OperatorHeartbeat;
+
+/** Failsafes while a pilot flies by a radio of his own, and when he has given back. */
+class PilotTest extends WatchedVehicle {
+  @BeforeEach
+  void configurePilot() {
+    kit.with("PILOT SERVICE", "RadioSensor").with("OPERATOR DEADLINE", 30.0);
+    kit.with("LONG OPERATOR DEADLINE", 180.0).with("ON LONG OPERATOR LOSS", "STOP");
+  }
+
+  private void byHand(boolean active) {
+    kit.publish(Channels.MANUAL_STATE, new ManualState().active(active).operator("pilot"));
+  }
+
+  private void hearOperator() {
+    kit.publish(Channels.OPERATOR, new OperatorHeartbeat().operator("Ann"));
+  }
+
+  @Test
+  void step_linkLostWhileAPilotFlies_waitsUntilHeHasGivenBack() {
+    startArmed();
+    hearOperator();
+    byHand(true);
+    live(200.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+    assertThat(kit.published(Channels.EMERGENCY_STOP)).isEmpty();
+
+    byHand(false);
+    live(29.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+    live(2.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+    live(150.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+  }
+
+  @Test
+  void step_linkLostBeforeHeTakesOver_theReturnWaits() {
+    kit.with("RESUME", true);
+    startArmed();
+    hearOperator();
+    live(31.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+
+    byHand(true);
+    live(4.0);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+  }
+
+  @Test
+  void step_batteryCriticalWhileAPilotFlies_isSaidAndActsWhenHeHasGivenBack() {
+    startArmed();
+    byHand(true);
+    battery(12.5, 5.0);
+    live(12.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+    assertThat(failsafe().causes()).anyMatch(cause -> cause.startsWith("critical battery"));
+
+    byHand(false);
+    live(0.3);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+  }
+
+  @Test
+  void step_radioFailsWhileAPilotFlies_failsafesActAgain() {
+    startArmed();
+    byHand(true);
+    battery(12.5, 5.0);
+    live(12.0);
+
+    condition("RadioSensor", Condition.LOST);
+    live(0.3);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+  }
+
+  /** Whoever drives by a station does so through the vehicle's services. */
+  @Test
+  void step_drivenByHandWithoutSuchARadio_failsafesAct() {
+    kit.with("PILOT SERVICE", "");
+    startArmed();
+    hearOperator();
+    byHand(true);
+    live(31.0);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+  }
+}

@@ -1,0 +1,89 @@
+package org.u2sa.planning.avoidance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.Polygon;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.local.VerticalRoom;
+
+/** Between which altitudes an aircraft 75 m high that keeps 20 m above and below may evade. */
+class VerticalEvasionTest {
+  private final AvoidanceBench bench =
+      new AvoidanceBench(Map.of("VERTICAL CLEARANCE", 20.0, "EVASION CLIMB", 3.0));
+  private final VerticalEvasion evasion = new VerticalEvasion(Optional.empty(), bench::say);
+
+  private VerticalRoom room() {
+    Point at = Point.of(0.0, 0.0, -75.0);
+    return evasion
+        .room(
+            bench.state,
+            at,
+            Point.of(8.0, 0.0, 0.0),
+            Place.of(ReferenceFrame.LOCAL_NED, Point.of(8.0, 0.0, -75.0)),
+            bench.settings,
+            bench.world,
+            bench.world.plane(bench.state))
+        .orElseThrow();
+  }
+
+  /** A corridor from the ground to 200 m. */
+  private void seeCorridor() {
+    bench.see(
+        new Polygon()
+            .points(
+                List.of(
+                    Point.of(-50.0, -50.0, 0.0),
+                    Point.of(50.0, -50.0, 0.0),
+                    Point.of(50.0, 50.0, 0.0),
+                    Point.of(-50.0, 50.0, 0.0)))
+            .height(200.0)
+            .uid("corridor")
+            .objectType("corridor")
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(-50.0)
+            .y(-50.0)
+            .z(-100.0));
+  }
+
+  @Test
+  void room_corridorWithoutFence_isTheCorridor() {
+    seeCorridor();
+
+    assertThat(room().topDownM()).isEqualTo(-200.0);
+    assertThat(room().bottomDownM()).isEqualTo(0.0);
+  }
+
+  @Test
+  void room_fenceNarrowerThanTheCorridor_keepsAwayFromItsFloorAndCeiling() {
+    seeCorridor();
+    evasion.see(new FenceState().lowest(40.0).highest(120.0));
+
+    assertThat(room().topDownM()).isEqualTo(-100.0);
+    assertThat(room().bottomDownM()).isEqualTo(-60.0);
+  }
+
+  @Test
+  void room_fenceRemoved_isTheCorridorAgain() {
+    seeCorridor();
+    evasion.see(new FenceState().highest(120.0));
+    evasion.see(new FenceState());
+
+    assertThat(room().topDownM()).isEqualTo(-200.0);
+  }
+
+  /** A floor is a limit, and does not say that there is no hill. */
+  @Test
+  void room_fenceAlone_limitsTheClimbAndAllowsNoDescent() {
+    evasion.see(new FenceState().lowest(10.0).highest(120.0));
+
+    assertThat(room().topDownM()).isEqualTo(-100.0);
+    assertThat(room().bottomDownM()).isEqualTo(Double.POSITIVE_INFINITY);
+  }
+}
