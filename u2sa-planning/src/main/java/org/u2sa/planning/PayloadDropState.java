@@ -17,6 +17,7 @@ import org.u2sa.planning.guidance.LineGuidance;
 import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
 
 /**
  * {@link PayloadDrop}: flies such that the computed fall ends at the position, upwind of it in a
@@ -65,6 +66,27 @@ final class PayloadDropState implements PlannerState {
     approach();
   }
 
+  @Override
+  public void handOver(HandOver state) {
+    if (releasedMicros != Long.MIN_VALUE) {
+      state.number("DROP RELEASED", Clock.seconds(releasedMicros)).number("DROP FROM", altitudeM);
+      state.text("DROP REMARK", remark);
+    }
+  }
+
+  /** Resumes after the release only: what was dropped is not dropped again. */
+  @Override
+  public boolean takeOver(HandOver state) {
+    if (state.number("DROP RELEASED").isEmpty()) {
+      return false;
+    }
+    releasedMicros = Clock.micros(state.number("DROP RELEASED").getAsDouble());
+    altitudeM = state.number("DROP FROM").orElseThrow();
+    remark = state.text("DROP REMARK").orElse("");
+    approach();
+    return true;
+  }
+
   private void approach() {
     detour.begin();
     straighten();
@@ -84,7 +106,7 @@ final class PayloadDropState implements PlannerState {
     Point to = vehicle.nedOf(place);
     boolean hovers = lines.get().turns().accelerationMps2() == 0.0;
     Point velocity =
-        Point.of(vehicle.northMps(), vehicle.eastMps(), -pursuit.state().zDot().orElse(0.0));
+        Point.of(vehicle.northMps(), vehicle.eastMps(), vehicle.downMps());
     Point wind = AirMass.wind(pursuit.state(), vehicle).orElse(Point.ORIGIN);
     Fall fall = Fall.from(Math.max(0.0, to.z()), velocity, wind, goal.terminalSpeed());
     Point impact = fall.way().plus(velocity.times(settings.get().releaseDelay()));

@@ -111,6 +111,19 @@ class AirGoalsTest extends PlannedVehicle {
   }
 
   @Test
+  void state_waypointFartherThanAPathHasPoints_isFlownTowards() {
+    start("AIR");
+    goals(goal(9.0e6, 0.0));
+    kit.publish(Channels.OBJECTS, new ObjectList()); // an empty sky
+    kit.publish(Channels.STATE, aircraft.state());
+    kit.advance(0.1);
+    Point ahead = kit.latest(Channels.NAVIGATION).orElseThrow().point();
+    assertThat(ahead.x()).isGreaterThan(100.0);
+    assertThat(ahead.y()).isCloseTo(0.0, within(1.0));
+    assertThat(kit.latest(Channels.PLANS).orElseThrow().points()).hasSizeLessThan(11_000);
+  }
+
+  @Test
   void state_waypointWithTimeAndTailwind_windDoesItsShare() {
     start("AIR");
     goals(goal(4600.0, 0.0).time(80.0)); // 57.5 m/s over ground

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.interfaces.communication.Channels;
@@ -19,6 +20,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.PayloadDrop;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.shape.Sphere;
@@ -150,12 +152,12 @@ class FlightGoalsTest {
 
   /** A drop of which the wind blows across, scored by an integration of its own. */
   @ParameterizedTest
-  @CsvSource({"0, 0, 20", "5, 0, 20", "-4, 6, 20", "3, -7, 8"})
+  @CsvSource({"0, 0, 20, 40", "5, 0, 20, 40", "-4, 6, 20, 40", "3, -7, 8, 40", "2, 3, 20, 200"})
   void payloadDrop_aeroplaneInWind_fallsOntoThePosition(
-      double windNorth, double windEast, double terminalMps) {
+      double windNorth, double windEast, double terminalMps, double fromM) {
     plane();
     wind = Point.of(windNorth, windEast, 0.0);
-    ned = Point.of(-600.0, 150.0, -40.0);
+    ned = Point.of(-600.0, 150.0, -fromM); // from 200 m it still descends at the release
     velocity = Point.of(20.0, 0.0, 0.0);
     pursue(
         new PayloadDrop()
@@ -186,6 +188,38 @@ class FlightGoalsTest {
       step(20.0);
     }
     assertThat(reports().get(0).completed()).isTrue();
+  }
+
+  @Test
+  void payloadDrop_plannerSwappedAfterTheRelease_isCompletedAndNotFlownAgain() {
+    kit.with("TURN ACCELERATION", 6.0).with("LOOK AHEAD", 50.0);
+    PathPlanner first = kit.start(PathPlanner::new);
+    ned = Point.of(-300.0, 0.0, -40.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new PayloadDrop().payload("BOTTLE").height(40.0).z(0.0).x(0.0).y(0.0));
+    for (int i = 0; i < 1000 && !released; i++) {
+      step(20.0);
+    }
+    kit.swap(first, PathPlanner::new);
+    for (int i = 0; i < 30; i++) {
+      step(20.0);
+    }
+    assertThat(reports()).hasSize(1);
+    assertThat(reports().get(0).completed()).isTrue();
+  }
+
+  @Test
+  @Timeout(20)
+  void goals_positionFarBeyondTheEarth_areLookedAtWithoutDelay() {
+    tower("HYBRID", -100.0, 5.0);
+    plane();
+    ned = Point.of(0.0, 0.0, -100.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new Station().z(-100.0).x(9.0e8).y(0.0));
+    step(20.0);
+    pursue(new Landing().approach(9.0e8).z(0.0).x(500.0).y(0.0));
+    step(20.0);
+    assertThat(kit.published(Channels.NAVIGATION)).hasSize(2);
   }
 
   @Test

@@ -68,9 +68,13 @@ public final class ReportFile {
       Files.move(
           temporary, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     } catch (IOException e) {
-      throw new RunFailedException(
-          "cannot write " + file + ": " + reason(e), discard(temporary, e));
+      throw notWritten(file, discard(temporary, e));
     }
+  }
+
+  /** Error for a file that cannot be written. */
+  public static RunFailedException notWritten(Path file, IOException e) {
+    return new RunFailedException("cannot write " + file + ": " + reason(e), e);
   }
 
   /**

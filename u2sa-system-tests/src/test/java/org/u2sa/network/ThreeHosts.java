@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.u2sa.cli.Main;
 import org.u2sa.core.launch.SystemFile;
+import org.u2sa.testkit.ProcessTree;
 
 /**
  * The Cessna's system on three hosts, from one system file: {@code hub} carries the broker, mission
@@ -207,9 +208,9 @@ final class ThreeHosts implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    processes.values().forEach(Process::destroy);
+    processes.values().forEach(ProcessTree::end);
     if (broker != null) {
-      broker.destroy();
+      ProcessTree.end(broker);
     }
     aircraft.close();
     lan.close(); // and what has not ended by then

@@ -3,6 +3,7 @@ package org.u2sa.core.communication;
 import java.net.InetSocketAddress;
 import java.nio.file.Paths;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.core.communication.bridge.ClientBridge;
@@ -10,6 +11,7 @@ import org.u2sa.core.communication.discovery.BrokerAnnouncement;
 import org.u2sa.core.communication.discovery.BrokerSearch;
 import org.u2sa.core.communication.discovery.FoundBroker;
 import org.u2sa.core.communication.limit.BrokerLimits;
+import org.u2sa.core.communication.limit.OpenFiles;
 import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channel;
@@ -63,6 +65,19 @@ public final class CommunicationManager implements AutoCloseable {
     this.announcement = announcement;
   }
 
+  private static BrokerLimits fitted(BrokerLimits configured, Consumer<String> log) {
+    OptionalInt openFiles = OpenFiles.limit();
+    BrokerLimits limits =
+        openFiles.isPresent() ? configured.within(openFiles.getAsInt()) : configured;
+    if (limits.maxClients() < configured.maxClients()) {
+      log.accept(
+          String.format(
+              "MAX CLIENTS %d lowered to %d: this process may have %d files open",
+              configured.maxClients(), limits.maxClients(), openFiles.getAsInt()));
+    }
+    return limits;
+  }
+
   /**
    * Starts the Communication Manager of a system.
    *
@@ -79,7 +94,7 @@ public final class CommunicationManager implements AutoCloseable {
     String bindAddress = manager.bindAddress();
     int port = manager.communicationManagerPort();
     double patienceS = manager.communicationManagerWait();
-    BrokerLimits limits = configuration.settings(BrokerLimits.class).get();
+    BrokerLimits configured = configuration.settings(BrokerLimits.class).get();
     BrokerSecurity.Variables settings =
         configuration.settings(BrokerSecurity.Variables.class).get();
     BrokerAccess.Login login = configuration.settings(BrokerAccess.Login.class).get();
@@ -110,6 +125,7 @@ public final class CommunicationManager implements AutoCloseable {
     if (manager.broker().equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
+      BrokerLimits limits = fitted(configured, log);
       Optional<WebPort> web = WebPort.of(manager, security.isOn());
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =

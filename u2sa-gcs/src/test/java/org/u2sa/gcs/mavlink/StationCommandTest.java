@@ -13,6 +13,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
+import org.u2sa.messages.AircraftState;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.goal.Waypoint;
@@ -54,6 +56,51 @@ class StationCommandTest {
     kit.answerArming(false, reason, "no mission");
     assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
     assertThat(kit.texts()).contains(reason + "; no mission");
+  }
+
+  private static BridgeKit copterAt(double altitudeM) {
+    BridgeKit copter = new BridgeKit(Identity.PX4, VehicleKind.COPTER).ready();
+    copter.says(new ArmingState().armed(true));
+    copter.says(new StateInformation().x(10.0).y(54.0).z(altitudeM).psi(1.0));
+    return copter;
+  }
+
+  private static long orders(BridgeKit kit) {
+    return kit.published.stream().filter(ArmCommand.class::isInstance).count();
+  }
+
+  @Test
+  void disarm_inTheAir_isObeyedIfForcedOnly() {
+    BridgeKit copter = copterAt(30.0);
+    copter.command(ARM, 0);
+    assertThat(copter.received(CommandAck.class).get(0).result().entry())
+        .isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(copter.texts()).contains("not disarmed in the air");
+    assertThat(orders(copter)).isZero();
+    copter.command(ARM, 0, 21_196);
+    assertThat(orders(copter)).isEqualTo(1);
+  }
+
+  @Test
+  void disarm_onTheGround_isOrdered() {
+    BridgeKit copter = copterAt(4.0);
+    copter.command(ARM, 0);
+    assertThat(orders(copter)).isEqualTo(1);
+  }
+
+  @Test
+  void disarm_wheelsInTheAir_isRefusedBelowTheHomeToo() {
+    BridgeKit plane = copterAt(-20.0);
+    plane.says(new AircraftState().weightOnWheels(false));
+    plane.command(ARM, 0);
+    assertThat(orders(plane)).isZero();
+  }
+
+  @Test
+  void arm_parameterIsNeither0Nor1_isRefused() {
+    kit.command(ARM, Double.NaN);
+    assertThat(result()).isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(orders(kit)).isZero();
   }
 
   @Test

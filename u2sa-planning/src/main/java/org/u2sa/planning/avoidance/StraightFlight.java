@@ -14,6 +14,11 @@ final class StraightFlight {
   /** Height above the place of landing below which obstacles are not looked for [m]. */
   private static final double LOWEST_M = 2.0;
 
+  /** Way looked along [m], and length of a descent: mistaken goals may be anywhere. */
+  private static final double FARTHEST_M = 1.0e8;
+
+  private static final double LONGEST_DESCENT_M = 1.0e5;
+
   private final SeenWorld world;
 
   StraightFlight(SeenWorld world) {
@@ -29,15 +34,20 @@ final class StraightFlight {
       Vehicle vehicle, Point at, Place to, BodyDiscs body, AvoidanceVariables now) {
     Point way = vehicle.nedOf(to);
     double keptM = body.circleM() + now.clearance();
+    double lengthM = Math.hypot(way.x(), way.y());
+    double steps = Math.ceil(lengthM / Math.max(1.0, 0.5 * keptM));
+    double stepM = lengthM / steps;
+    double last = Math.min(steps, Math.ceil(FARTHEST_M / stepM)); // NaN: it is there
     for (PlanarShape shape : world.shapes()) {
-      double stepM = Math.max(1.0, 0.5 * keptM);
-      int steps = (int) Math.ceil(Math.hypot(way.x(), way.y()) / stepM);
-      for (int i = 0; i <= steps; i++) {
-        double share = steps == 0 ? 0.0 : (double) i / steps;
-        if (shape.distanceM(at.x() + share * way.x(), at.y() + share * way.y()) < keptM) {
+      double i = 0.0;
+      do {
+        double share = steps == 0.0 ? 0.0 : i / steps;
+        double away = shape.distanceM(at.x() + share * way.x(), at.y() + share * way.y());
+        if (away < keptM) {
           return true;
         }
-      }
+        i += Math.max(1.0, Math.floor((away - keptM) / stepM)); // nothing is nearer until there
+      } while (i <= last);
     }
     return false;
   }
@@ -51,7 +61,9 @@ final class StraightFlight {
     double stepM = Math.max(1.0, 0.5 * circleM);
     List<PlanarShape> shapes = new ArrayList<>(world.shapes());
     shapes.addAll(world.shapesElsewhere());
-    for (double share = 1.0; share * way.z() > LOWEST_M; share -= stepM / way.distance()) {
+    double lengthM = way.distance();
+    double start = Math.min(1.0, LONGEST_DESCENT_M / lengthM);
+    for (double share = start; share * way.z() > LOWEST_M; share -= stepM / lengthM) {
       double aboveM = share * way.z();
       double north = at.x() + end.x() - share * way.x();
       double east = at.y() + end.y() - share * way.y();

@@ -9,6 +9,8 @@ import java.util.List;
  * @param pieces in order
  */
 public record Curve(List<Piece> pieces) {
+  private static final double MAX_STEPS = 10_000.0; // of a piece: mistaken goals may be anywhere
+
   /**
    * An arc or a straight.
    *
@@ -55,13 +57,13 @@ public record Curve(List<Piece> pieces) {
   /**
    * Samples poses on the curve, including the end of each piece but not the start.
    *
-   * @param stepM maximum spacing [m]
+   * @param stepM maximum spacing [m], except of very long pieces
    */
   public List<Sample> sampled(Pose start, double stepM) {
     List<Sample> samples = new ArrayList<>();
     Pose from = start;
     for (Piece piece : pieces) {
-      int steps = Math.max(1, (int) Math.ceil(Math.abs(piece.lengthM()) / stepM));
+      int steps = (int) Math.max(1.0, Math.min(MAX_STEPS, Math.ceil(Math.abs(piece.lengthM()) / stepM)));
       for (int k = 1; k <= steps; k++) {
         Pose pose = from.along(piece.lengthM() * k / steps, piece.curvature());
         samples.add(new Sample(pose, piece.lengthM() < 0.0));

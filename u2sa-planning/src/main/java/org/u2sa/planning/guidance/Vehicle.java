@@ -68,6 +68,12 @@ public final class Vehicle {
     return (place.onEarth() ? state.xDot() : state.yDot()).orElse(0.0);
   }
 
+  /** Velocity downward [m/s]; 0 if unknown. */
+  public double downMps() {
+    double z = state.zDot().orElse(0.0);
+    return place.onEarth() ? -z : z;
+  }
+
   /** Ground speed [m/s]; 0 if unknown. */
   public double speedMps() {
     return Math.hypot(northMps(), eastMps());

@@ -240,9 +240,12 @@ public final class CostGrid {
         Math.sqrt((toNorth - north) * (toNorth - north) + (toEast - east) * (toEast - east));
     int steps = Math.max(1, (int) Math.ceil(length / (0.5 * frame.cellM())));
     double little = length > 0.0 ? CORNER * frame.cellM() / length : 0.0; // fraction of the path
-    double sum = 0.0;
+    double[] inside = frame.sharesInside(north, east, toNorth, toEast);
+    int first = (int) Math.max(0.0, Math.min(steps, inside[0] * steps - 2.0));
+    int last = (int) Math.max(first, Math.min(steps, inside[1] * steps + 2.0));
+    double sum = steps - (last - first); // outside
     int before = -1;
-    for (int k = 0; k < steps; k++) {
+    for (int k = first; k < last; k++) {
       double share = (k + 0.5) / steps;
       int cell = frame.indexAt(north + share * (toNorth - north), east + share * (toEast - east));
       if (costIn(cell) == Double.POSITIVE_INFINITY) { // on a corner, the cells before and behind it

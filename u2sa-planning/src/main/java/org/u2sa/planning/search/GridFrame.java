@@ -56,6 +56,26 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     return contains(row, column) ? index(row, column) : -1;
   }
 
+  /** Shares of a straight way between which it is inside the grid; the first is larger if it is not. */
+  double[] sharesInside(double northFromM, double eastFromM, double northToM, double eastToM) {
+    double[] shares = {0.0, 1.0};
+    clip(shares, northFromM - northM, northToM - northM, rows * cellM);
+    clip(shares, eastFromM - eastM, eastToM - eastM, columns * cellM);
+    return shares;
+  }
+
+  private static void clip(double[] shares, double from, double to, double side) {
+    double way = to - from;
+    if (way == 0.0) {
+      shares[0] = from < 0.0 || from > side ? 2.0 : shares[0];
+      return;
+    }
+    double low = -from / way;
+    double high = (side - from) / way;
+    shares[0] = Math.max(shares[0], Math.min(low, high));
+    shares[1] = Math.min(shares[1], Math.max(low, high));
+  }
+
   /** North of a cell's centre [m]. */
   public double centreNorthM(int index) {
     return northM + (index / columns + 0.5) * cellM;

@@ -155,6 +155,29 @@ class SearchProperties {
     }
   }
 
+  @Property(tries = 300)
+  void straightCost_goalFarOutside_isThatToTheEdgeAndOnePerMetreBeyond(@ForAll long seed) {
+    Random random = new Random(seed);
+    CostGrid grid = grid(random);
+    int start = free(grid, random);
+    double north = FRAME.centreNorthM(start);
+    double east = FRAME.centreEastM(start);
+    double angle = 2.0 * Math.PI * random.nextDouble();
+    double outsideM = 2.0 * SIZE * FRAME.cellM();
+    double[] cost = new double[2];
+    for (int i = 0; i < 2; i++) {
+      double away = outsideM * (1.0 + 1000.0 * i);
+      cost[i] =
+          grid.straightCost(
+              north, east, north + away * Math.cos(angle), east + away * Math.sin(angle));
+    }
+    if (cost[0] < Double.POSITIVE_INFINITY && cost[1] < Double.POSITIVE_INFINITY) {
+      assertThat(cost[1] - 1000.0 * outsideM).isCloseTo(cost[0], within(0.05 * cost[0]));
+    } else { // a corner may be sampled by one of them only
+      assertThat(Math.max(cost[0], cost[1])).isInfinite();
+    }
+  }
+
   @Property(tries = 50)
   void thetaStar_goalOutside_leavesWhereTheRestIsCheapest(@ForAll long seed) {
     Random random = new Random(seed);

@@ -11,6 +11,8 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import org.u2sa.interfaces.RunFailedException;
+import org.u2sa.report.ReportFile;
 
 /**
  * Text files written alternately, with only some open at a time: a recording may have more topics
@@ -37,8 +39,20 @@ final class CsvFiles implements AutoCloseable {
     this.opener = opener;
   }
 
-  /** Appends text to a file, which is created or truncated before the first. */
-  void write(Path file, String text) throws IOException {
+  /**
+   * Appends text to a file, which is created or truncated before the first.
+   *
+   * @throws RunFailedException if a file cannot be written
+   */
+  void write(Path file, String text) {
+    try {
+      append(file, text);
+    } catch (IOException e) {
+      throw ReportFile.notWritten(file, e);
+    }
+  }
+
+  private void append(Path file, String text) throws IOException {
     Writer writer = open.get(file);
     if (writer == null) {
       makeRoom();
@@ -51,22 +65,31 @@ final class CsvFiles implements AutoCloseable {
     writer.write(text);
   }
 
-  private void makeRoom() throws IOException {
+  private void makeRoom() {
     if (open.size() >= MAX_OPEN) {
-      Iterator<Writer> oldest = open.values().iterator();
-      Writer ended = oldest.next();
+      Iterator<Map.Entry<Path, Writer>> oldest = open.entrySet().iterator();
+      Map.Entry<Path, Writer> ended = oldest.next();
       oldest.remove();
-      ended.close();
+      end(ended.getKey(), ended.getValue());
     }
   }
 
+  private static void end(Path file, Writer writer) {
+    try {
+      writer.close();
+    } catch (IOException e) {
+      throw ReportFile.notWritten(file, e);
+    }
+  }
+
+  /** Closes all files, and reports the last that could not be written. */
   @Override
-  public void close() throws IOException {
-    IOException failure = null;
-    for (Writer writer : open.values()) {
+  public void close() {
+    RunFailedException failure = null;
+    for (Map.Entry<Path, Writer> each : open.entrySet()) {
       try {
-        writer.close();
-      } catch (IOException e) {
+        end(each.getKey(), each.getValue());
+      } catch (RunFailedException e) {
         failure = e;
       }
     }

@@ -87,6 +87,8 @@ public final class ViewerRecording {
       }
       Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
       return messages;
+    } catch (IOException e) {
+      throw ReportFile.notWritten(file, e);
     } finally {
       Files.deleteIfExists(part);
     }

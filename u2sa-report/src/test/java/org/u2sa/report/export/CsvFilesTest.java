@@ -1,6 +1,7 @@
 package org.u2sa.report.export;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.FilterWriter;
 import java.io.IOException;
@@ -10,6 +11,7 @@ import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.RunFailedException;
 
 class CsvFilesTest {
   private static final int FILES = 1_000;
@@ -45,5 +47,22 @@ class CsvFilesTest {
     for (int i = 0; i < FILES; i++) {
       assertThat(folder.resolve("" + i)).hasContent("0\n1\n2\n");
     }
+  }
+
+  @Test
+  void close_diskFull_namesTheFile() {
+    CsvFiles files =
+        new CsvFiles(
+            (file, how) ->
+                new FilterWriter(Writer.nullWriter()) {
+                  @Override
+                  public void close() throws IOException {
+                    throw new IOException("No space left on device");
+                  }
+                });
+    files.write(folder.resolve("state.csv"), "1\n");
+    assertThatThrownBy(files::close)
+        .isInstanceOf(RunFailedException.class)
+        .hasMessage("cannot write " + folder.resolve("state.csv") + ": No space left on device");
   }
 }

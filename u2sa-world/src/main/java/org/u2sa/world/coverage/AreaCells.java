@@ -13,6 +13,7 @@ import org.u2sa.messages.shape.ImageFootprint;
 /** The cells of one search area, and the best view of each. */
 final class AreaCells {
   private static final int MAX_CELLS = 20_000;
+  private static final double GROWTH = 1.05;
   private static final int MAX_OUTLINE = 32; // corners of an image
   private static final int COARSEST = 255;
   private static final int MAX_ANGLE_DEG = 254;
@@ -45,15 +46,23 @@ final class AreaCells {
     bottom = Arrays.stream(ys).min().orElseThrow();
     double width = Arrays.stream(xs).max().orElseThrow() - left;
     double height = Arrays.stream(ys).max().orElseThrow() - bottom;
-    cellM = Math.max(wantedCellM, Math.sqrt(width * height / (0.9 * MAX_CELLS)));
-    columns = Math.max(1, Math.min(MAX_CELLS, (int) Math.ceil(width / cellM)));
-    rows = Math.max(1, Math.min(MAX_CELLS / columns, (int) Math.ceil(height / cellM)));
+    double side = Math.max(wantedCellM, Math.sqrt(width * height / (0.9 * MAX_CELLS)));
+    while (count(width, side) * count(height, side) > MAX_CELLS) {
+      side *= GROWTH; // the area is long and narrow
+    }
+    cellM = side;
+    columns = (int) count(width, cellM);
+    rows = (int) count(height, cellM);
     resolutions = new byte[columns * rows];
     angles = new byte[columns * rows];
     images = new byte[2 * columns * rows];
     for (int i = 0; i < angles.length; i++) {
       angles[i] = touches(i) ? 0 : (byte) CoverageLedger.OUTSIDE;
     }
+  }
+
+  private static double count(double metres, double sideM) {
+    return Math.max(1.0, Math.ceil(metres / sideM));
   }
 
   boolean isOf(SearchArea other) {

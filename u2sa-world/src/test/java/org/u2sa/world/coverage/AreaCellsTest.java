@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.SearchArea;
+import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.messages.shape.ImageFootprint;
 
 class AreaCellsTest {
@@ -43,6 +44,20 @@ class AreaCellsTest {
     AreaCells careful = area();
     careful.see(image(0.04, rectangle(-10.0, -10.0, 50.0, 110.0)), 2.0);
     assertThat(careful.ledger().share(0.05)).isCloseTo(0.45, within(1e-9));
+  }
+
+  /** Along a road: cells grow until all of it has some. */
+  @Test
+  void ledger_longAndNarrowArea_cellsCoverAllOfIt() {
+    SearchArea road =
+        new SearchArea()
+            .referenceFrame(ReferenceFrame.LOCAL_ENU)
+            .corners(rectangle(0.0, 0.0, 200_000.0, 6.0))
+            .resolution(0.05)
+            .uid("1");
+    CoverageLedger ledger = new AreaCells(road, 5.0).ledger();
+    assertThat(ledger.columns() * ledger.cell()).isGreaterThanOrEqualTo(200_000.0);
+    assertThat(ledger.rows() * ledger.cell()).isGreaterThanOrEqualTo(6.0);
   }
 
   @Test

@@ -7,7 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 /** Limits of the embedded broker, per client and in total. */
 public record BrokerLimits(
     @Variable(min = 4, max = 100_000, ifAbsent = 512)
-        @Description("Maximum connections to the broker.")
+        @Description("Maximum connections to the broker; fewer where the process may have less than 1,152 files open.")
         int maxClients,
     @Variable(min = 10, max = 10_000_000, ifAbsent = 100_000)
         @Description(
@@ -75,6 +75,11 @@ public record BrokerLimits(
   /** One in this many connections is reserved for operators. */
   private static final int OPERATORS_PART = 16;
 
+  /** Files, devices and sockets of the process's services. */
+  private static final int OWN_FILES = 128;
+
+  private static final int MIN_CLIENTS = 16;
+
   /** Bytes allowed before the first packet is complete, encryption included. */
   public static final int FIRST_PACKET_BYTES = 64 * 1_024;
 
@@ -98,6 +103,29 @@ public record BrokerLimits(
 
   /** Bytes read from one client per turn. */
   public static final int READ_AT_ONCE = 16 * 1_024;
+
+  /**
+   * These limits with no more clients than leave half of the process's open files to connections
+   * that have not logged in, after what its services need: otherwise clients of any role could keep
+   * operators out.
+   */
+  public BrokerLimits within(int openFiles) {
+    int clients = Math.max(MIN_CLIENTS, (openFiles - OWN_FILES) / 2);
+    return clients >= maxClients
+        ? this
+        : new BrokerLimits(
+            clients,
+            clientMessagesPerSecond,
+            clientBytesPerSecond,
+            totalMessagesPerSecond,
+            clientQuestionsPerSecond,
+            clientOrdersPerSecond,
+            maxRetainedTopics,
+            maxRetainedBytes,
+            maxClientRetainedBytes,
+            maxUnacknowledgedBytes,
+            clientPatience);
+  }
 
   /** {@link #clientPatience} [µs]. */
   public long patienceMicros() {

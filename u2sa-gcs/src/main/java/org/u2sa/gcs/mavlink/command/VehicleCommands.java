@@ -12,6 +12,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
+import org.u2sa.messages.AircraftState;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 
@@ -31,6 +32,8 @@ public final class VehicleCommands {
   private static final int PRE_ARM_CHECKS = 401;
   private static final Set<Integer> BY_NAVIGATION =
       Set.of(RETURN, LAND, TAKE_OFF, REPOSITION, PAUSE_CONTINUE, SET_CURRENT, START);
+  private static final float FORCED = 21_196.0f; // second parameter of ARM
+  private static final double HIGH_M = 3.0; // above the home: in the air
   private static final double TAKE_OFF_M = 50.0;
   private static final double AHEAD_M = 2000.0; // a plane cannot climb on the spot
 
@@ -114,7 +117,7 @@ public final class VehicleCommands {
 
   private boolean carryOut(Command command, int station, Answer answer) {
     switch (command.id()) {
-      case ARM -> orders.arm(command.param1() >= 0.5f, answer);
+      case ARM -> arm(command, answer);
       case PRE_ARM_CHECKS ->
           answer.done(
               vehicle.reasonsAgainstArming().isEmpty(),
@@ -135,6 +138,31 @@ public final class VehicleCommands {
       }
     }
     return true;
+  }
+
+  private void arm(Command command, Answer answer) {
+    boolean arm = command.param1() == 1.0f;
+    if (!arm && command.param1() != 0.0f) {
+      answer.done(false, "arm " + command.param1() + "; expected 1, or 0 to disarm");
+    } else if (!arm && command.param2() != FORCED && flies()) {
+      answer.done(false, "not disarmed in the air: land, or force it");
+    } else {
+      orders.arm(arm, answer);
+    }
+  }
+
+  /** Whether the vehicle is in the air, as far as is known: no wheels say so, or above its home. */
+  private boolean flies() {
+    if (vehicle.kind().isOnSurface() || !vehicle.isArmed()) {
+      return false;
+    }
+    Optional<StateInformation> state = vehicle.state();
+    if (state.isPresent() && state.get() instanceof AircraftState aircraft) {
+      return !aircraft.weightOnWheels();
+    }
+    double groundM = placement.home().map(Geodetic::altitudeM).orElse(Double.POSITIVE_INFINITY);
+    return placement.global().map(StateInformation::z).orElse(OptionalDouble.empty()).orElse(0.0)
+        > groundM + HIGH_M;
   }
 
   private void start(Command command, Answer answer) {
