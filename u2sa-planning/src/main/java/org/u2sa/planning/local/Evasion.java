@@ -26,6 +26,7 @@ final class Evasion {
   private final Pose pose;
   private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
+  private final double steerageMps; // at least, of an arc
   private double goalNorthM;
   private double goalEastM;
   private Motion onRoute; // free of static obstacles, but too near to traffic
@@ -46,13 +47,15 @@ final class Evasion {
       boolean amongTraffic,
       Pose pose,
       double speedMps,
-      double keptM) {
+      double keptM,
+      Drift drift) {
     this.forecast = forecast;
     this.limits = limits;
     this.room = room;
     this.amongTraffic = amongTraffic;
     this.pose = pose;
     this.keptM = keptM;
+    steerageMps = Math.min(limits.speedMps(), drift.steerageMps());
     reachM = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
   }
 
@@ -82,7 +85,8 @@ final class Evasion {
       turns();
     }
     Outcome standing = limits.stops() ? forecast.standing(Double.NaN) : null;
-    boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
+    boolean waits =
+        standing != null && standing.meetsS() >= limits.horizonS() && standing.freeM() == NEVER;
     if (mayClimb && isTrapped() && !waits) {
       climb(stand);
     } else if (mayClimb && !limits.stops()) {
@@ -156,6 +160,9 @@ final class Evasion {
         double dislike = (double) Math.abs(k) / FAN;
         for (double share : SPEEDS) {
           double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
+          if (speed < steerageMps) {
+            break;
+          }
           Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
           weigh(arc.at(downM), dislike + (limits.stops() ? 1.0 - share : 0.0));
           if (!limits.stops()) {

@@ -15,6 +15,7 @@ import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
+import org.u2sa.planning.local.Drift;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.route.RouteRequest;
@@ -119,7 +120,7 @@ final class AvoidanceBench {
         0.0,
         now.micros(),
         false,
-        Optional.empty());
+        Optional.empty(), Drift.NONE);
   }
 
   /** One step of an attempt. */

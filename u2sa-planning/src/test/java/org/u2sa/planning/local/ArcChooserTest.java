@@ -57,7 +57,7 @@ class ArcChooserTest {
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty());
+        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty(), Drift.NONE);
   }
 
   private static RouteTrack north() {
@@ -143,7 +143,7 @@ class ArcChooserTest {
 
   private ArcChooser makingRoom(double speedMps, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty());
+        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty(), Drift.NONE);
   }
 
   @Test
@@ -278,7 +278,7 @@ class ArcChooserTest {
 
   private MotionForecast forecast(MotionLimits limits, double speedMps, Mover mover) {
     TrafficForecast traffic = new TrafficForecast(List.of(mover), BODY, limits, ORIGIN, 0L, null);
-    return new MotionForecast(costs, BODY, traffic, null, limits, ORIGIN, speedMps);
+    return new MotionForecast(costs, BODY, traffic, null, limits, ORIGIN, speedMps, Drift.NONE);
   }
 
   /** The wall ends the motion, and there the vehicle stands when traffic comes. */

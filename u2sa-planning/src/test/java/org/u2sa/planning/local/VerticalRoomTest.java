@@ -86,7 +86,7 @@ class VerticalRoomTest {
             10.0,
             0L,
             false,
-            Optional.ofNullable(room))
+            Optional.ofNullable(room), Drift.NONE)
         .along(new RouteTrack(Route.of(List.of(from, to), 280.0)));
   }
 
@@ -209,7 +209,7 @@ class VerticalRoomTest {
                 10.0,
                 0L,
                 false,
-                Optional.of(room(-200.0, -10.0, UNKNOWN)))
+                Optional.of(room(-200.0, -10.0, UNKNOWN)), Drift.NONE)
             .along(right);
 
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
