@@ -23,7 +23,6 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
-import org.u2sa.planning.local.Drift;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.local.RouteTrack;
 import org.u2sa.planning.local.VerticalRoom;
@@ -58,7 +57,7 @@ public final class Avoidance {
   private final RouteKeeper routes;
   private final PathNews news;
   private final VerticalEvasion climbing;
-  private final DriftWatch driftWatch = new DriftWatch();
+  private final DriftWatch drift;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
   private boolean makesRoom; // to turn in place
@@ -131,6 +130,12 @@ public final class Avoidance {
     routes = new RouteKeeper(world, obstacles, passages, () -> planners.get(chosen.get()), say);
     news = new PathNews(settings, say);
     climbing = new VerticalEvasion(terrain, say);
+    drift = new DriftWatch(settings);
+  }
+
+  /** Learns the drift of the vehicle, whatever it pursues. */
+  public void see(Vehicle vehicle) {
+    drift.see(vehicle);
   }
 
   public boolean isOn() {
@@ -317,9 +322,6 @@ public final class Avoidance {
     makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
     Optional<String> givenUp = current.judge(choice, isTrafficNear(situation), situation);
     announce(status(choice, givenUp, current), givenUp, wanted, at);
-    if (System.getProperty("dbg") != null) {
-      System.err.printf("DBG %.2f n=%.2f e=%.2f hd=%.0f vn=%.2f ve=%.2f clear=%.2f %s v=%.2f to=%.2f,%.2f bk=%s dr=%.2f,%.2f%n", micros * 1e-6, at.x(), at.y(), Math.toDegrees(vehicle.headingRad()), vehicle.northMps(), vehicle.eastMps(), now.body(true).clearanceM(world.costs(), at.x(), at.y(), vehicle.headingRad(), 3.0), choice.kind(), choice.speedMps(), choice.northM() - at.x(), choice.eastM() - at.y(), choice.backwards(), driftWatch.northMps, driftWatch.eastMps);
-    }
     held = now.stops() ? Optional.empty() : Optional.of(new Held(choice, wanted, micros));
     return step(choice, at, toGoal, wanted, givenUp);
   }
@@ -365,7 +367,6 @@ public final class Avoidance {
   private ArcChooser arcs(Situation now, Vehicle vehicle, Optional<VerticalRoom> room) {
     double heading = now.pose().headingRad();
     double along = vehicle.northMps() * Math.cos(heading) + vehicle.eastMps() * Math.sin(heading);
-    Drift drift = now.settings().drifts() ? driftWatch.see(vehicle) : Drift.NONE;
     return new ArcChooser(
         world.costs(),
         now.body(),
@@ -376,7 +377,7 @@ public final class Avoidance {
         now.micros(),
         makesRoom,
         room,
-        drift);
+        drift.drift());
   }
 
   private boolean isTrafficNear(Situation now) {

@@ -1,31 +1,34 @@
 package org.u2sa.planning.avoidance;
 
+import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.planning.guidance.Vehicle;
-import org.u2sa.planning.local.Drift;
+import org.u2sa.service.motion.Drift;
+import org.u2sa.service.motion.DriftFilter;
 
-/**
- * Learns the {@link Drift} from the vehicle's sideways velocity, averaged over a few waves. Confined
- * to the planner's thread.
- */
+/** Learns the drift of a vehicle that DRIFTS from its states. Confined to the planner's thread. */
 final class DriftWatch {
-  private static final double AVERAGED_S = 3.0;
-  private static final double LONGEST_S = 1.0; // between states
+  private static final double LONGEST_S = 1.0; // between states that tell of the drift
 
-  double northMps;
-  double eastMps;
-  private long lastMicros = Long.MIN_VALUE / 2;
+  private final Supplier<AvoidanceVariables> settings;
+  private final DriftFilter filter = new DriftFilter();
+  private long lastMicros;
 
-  /** The drift after a state of the vehicle. */
-  Drift see(Vehicle vehicle) {
-    double passed = Clock.seconds(vehicle.timestampMicros() - lastMicros);
+  DriftWatch(Supplier<AvoidanceVariables> settings) {
+    this.settings = settings;
+  }
+
+  void see(Vehicle vehicle) {
+    double stepS = Clock.seconds(vehicle.timestampMicros() - lastMicros);
     lastMicros = vehicle.timestampMicros();
-    double heading = vehicle.headingRad();
-    double right =
-        vehicle.eastMps() * Math.cos(heading) - vehicle.northMps() * Math.sin(heading);
-    double share = passed > 0.0 && passed < LONGEST_S ? passed / AVERAGED_S : 0.0;
-    northMps += share * (-right * Math.sin(heading) - northMps);
-    eastMps += share * (right * Math.cos(heading) - eastMps);
-    return new Drift(northMps, eastMps);
+    if (settings.get().drifts() && stepS < LONGEST_S) {
+      double heading = vehicle.headingRad();
+      double right = vehicle.eastMps() * Math.cos(heading) - vehicle.northMps() * Math.sin(heading);
+      filter.step(heading, right, vehicle.turnRadps(), stepS);
+    }
+  }
+
+  Drift drift() {
+    return settings.get().drifts() ? filter.drift() : Drift.NONE;
   }
 }

@@ -7,6 +7,7 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.Mover;
+import org.u2sa.service.motion.Drift;
 
 /**
  * Chooses the arc to drive or fly next: the one that leads back to the route if it is free,
@@ -21,19 +22,18 @@ public final class ArcChooser {
   private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
-  private static final double DRIFT_STEP_S = 0.5;
+  private static final double STILL_MPS = 0.1; // slower drift does not matter
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
   private final BodyDiscs body;
   private final MotionLimits limits;
-  private final Pose bow; // where it points
-  private final Pose pose; // where it moves
+  private final Pose pose;
   private final double speedMps;
-  private final Drift drift;
   private final MotionForecast forecast;
   private final Evasion evasion;
   private final boolean makesRoom;
+  private final Optional<SteeredChoice> drifting; // of a boat that wind and current carry
 
   /**
    * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
@@ -41,7 +41,7 @@ public final class ArcChooser {
    * @param makesRoom whether the previous choice was {@link ArcChoice.Kind#MAKE_ROOM}
    * @param room room to climb and descend away from traffic, whose heights then matter; empty: all
    *     motions are level
-   * @param drift drift of a vehicle that stops
+   * @param drift of a boat that cannot move sideways; {@link Drift#NONE} for other vehicles
    */
   public ArcChooser(
       CostGrid costs,
@@ -54,30 +54,32 @@ public final class ArcChooser {
       boolean makesRoom,
       Optional<VerticalRoom> room,
       Drift drift) {
-    this.drift = drift;
     this.makesRoom = makesRoom;
     this.costs = costs;
     this.body = body;
     this.limits = limits;
-    bow = pose;
-    this.pose = drift.course(pose, speedMps);
+    this.pose = pose;
     this.speedMps = speedMps;
     VerticalRoom heights = room.orElse(null);
     TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
-    forecast = new MotionForecast(costs, body, traffic, heights, limits, pose, speedMps, drift);
+    forecast = new MotionForecast(costs, body, traffic, heights, limits, pose, speedMps);
     evasion =
         new Evasion(
-            forecast,
-            limits,
-            heights,
-            !traffic.isEmpty(),
-            this.pose,
-            speedMps,
-            costs.frame().cellM(),
-            drift);
+            forecast, limits, heights, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
+    drifting =
+        drift.speedMps() < STILL_MPS
+            ? Optional.empty()
+            : Optional.of(
+                new SteeredChoice(
+                    new SteeredForecast(costs, body, traffic, limits, pose, speedMps, drift),
+                    limits,
+                    pose));
   }
 
   public ArcChoice along(RouteTrack track) {
+    if (drifting.isPresent() && !track.goesBackwards()) {
+      return drifting.get().along(track);
+    }
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
     double least = 0.2 * limits.lookAheadM();
@@ -138,9 +140,6 @@ public final class ArcChooser {
   }
 
   private ArcChoice turn(double north, double east, boolean backwards, RouteTrack track) {
-    if (drift.steers(speedMps) && driftingSpareM() < limits.slipM(speedMps)) {
-      return evade(track); // it would drift on while it stops and turns
-    }
     if (spareM() < 0.0) {
       return makeRoom(ArcChoice.Kind.EVADE);
     }
@@ -163,26 +162,8 @@ public final class ArcChooser {
 
   /** Clearance for turning in place where it stops, corners included [m]; negative: too little. */
   private double spareM() {
-    return spareM(stop(), 0.0);
-  }
-
-  /** The least such clearance while it drifts as it stops and turns by 90° [m]. */
-  private double driftingSpareM() {
-    double stopS = limits.reactionS() + Math.abs(speedMps) / limits.brakingMps2();
-    double endS = stopS + 0.5 * Math.PI / limits.turnRateRadPerS();
-    double least = NEVER;
-    for (double t = stopS; t <= endS; t += DRIFT_STEP_S) {
-      least = Math.min(least, spareM(stop(), t));
-    }
-    return least;
-  }
-
-  private Pose stop() {
-    return bow.along(Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps), 0.0);
-  }
-
-  private double spareM(Pose from, double driftsS) {
-    Pose there = drift.moved(from, driftsS);
+    double stopping = Math.copySign(limits.stoppingM(Math.abs(speedMps)), speedMps);
+    Pose there = pose.along(stopping, 0.0);
     return costs.distanceM(there.northM(), there.eastM()) - body.circleM();
   }
 
@@ -193,7 +174,7 @@ public final class ArcChooser {
 
   /** Maximum speed to stop straight ahead [m/s]: a new route may demand a turn in place. */
   private double straightMps() {
-    if (!limits.turnsOnTheSpot() || drift.matters()) {
+    if (!limits.turnsOnTheSpot()) {
       return limits.speedMps();
     }
     Motion straight = Motion.arc(0.0, false, limits.speedMps(), limits.lookAheadM());
@@ -217,9 +198,10 @@ public final class ArcChooser {
   /** Chooses the freest arc for a vehicle without a route; stops if it can. */
   public ArcChoice withoutRoute() {
     ArcChoice stand = stand(ArcChoice.Kind.WAIT);
-    Outcome standing = forecast.standing(Double.NaN);
-    boolean waits =
-        limits.stops() && standing.meetsS() >= limits.horizonS() && standing.freeM() == NEVER;
+    if (drifting.isPresent() && !drifting.get().waits()) {
+      return drifting.get().evade(pose.northM(), pose.eastM());
+    }
+    boolean waits = limits.stops() && forecast.standing(Double.NaN).meetsS() >= limits.horizonS();
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }
 
@@ -238,7 +220,7 @@ public final class ArcChooser {
     if (spareM() < 0.0) {
       return makeRoom(ArcChoice.Kind.WAIT);
     }
-    double off = Math.abs(Pose.wrapped(headingRad - bow.headingRad()));
+    double off = Math.abs(Pose.wrapped(headingRad - pose.headingRad()));
     return off < LOOKS_RAD || !turnsAtOnce()
         ? stand(ArcChoice.Kind.WAIT)
         : new ArcChoice(
@@ -279,8 +261,7 @@ public final class ArcChooser {
     if (!limits.turnsOnTheSpot() || backwards || pose.distanceM(north, east) < 1.0e-3) {
       return false;
     }
-    double course = Math.atan2(east - pose.eastM(), north - pose.northM());
-    double wanted = course + drift.crabRad(course, speedMps);
-    return Math.abs(Pose.wrapped(wanted - bow.headingRad())) > MotionLimits.SPOT_TURN_RAD;
+    double bearing = Math.atan2(east - pose.eastM(), north - pose.northM()) - pose.headingRad();
+    return Math.abs(Pose.wrapped(bearing)) > MotionLimits.SPOT_TURN_RAD;
   }
 }

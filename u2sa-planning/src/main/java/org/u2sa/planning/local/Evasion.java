@@ -26,7 +26,6 @@ final class Evasion {
   private final Pose pose;
   private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
-  private final double steerageMps; // at least, of an arc
   private double goalNorthM;
   private double goalEastM;
   private Motion onRoute; // free of static obstacles, but too near to traffic
@@ -47,15 +46,13 @@ final class Evasion {
       boolean amongTraffic,
       Pose pose,
       double speedMps,
-      double keptM,
-      Drift drift) {
+      double keptM) {
     this.forecast = forecast;
     this.limits = limits;
     this.room = room;
     this.amongTraffic = amongTraffic;
     this.pose = pose;
     this.keptM = keptM;
-    steerageMps = Math.min(limits.speedMps(), drift.steerageMps());
     reachM = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
   }
 
@@ -85,8 +82,7 @@ final class Evasion {
       turns();
     }
     Outcome standing = limits.stops() ? forecast.standing(Double.NaN) : null;
-    boolean waits =
-        standing != null && standing.meetsS() >= limits.horizonS() && standing.freeM() == NEVER;
+    boolean waits = standing != null && standing.meetsS() >= limits.horizonS();
     if (mayClimb && isTrapped() && !waits) {
       climb(stand);
     } else if (mayClimb && !limits.stops()) {
@@ -160,9 +156,6 @@ final class Evasion {
         double dislike = (double) Math.abs(k) / FAN;
         for (double share : SPEEDS) {
           double speed = limits.stops() ? share * limits.speedMps() : limits.speedMps();
-          if (speed < steerageMps) {
-            break;
-          }
           Motion arc = Motion.arc(limits.tightest() * k / FAN, direction == 1, speed, reachM);
           weigh(arc.at(downM), dislike + (limits.stops() ? 1.0 - share : 0.0));
           if (!limits.stops()) {

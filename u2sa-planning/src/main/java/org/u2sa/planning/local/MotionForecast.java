@@ -20,7 +20,6 @@ final class MotionForecast {
   private final MotionLimits limits;
   private final Pose start;
   private final double startMps;
-  private final Drift drift;
   private final double requiredM; // nearer to a static obstacle is a collision
   private final double enoughM; // larger distances are not distinguished
   private final double stepS;
@@ -43,9 +42,7 @@ final class MotionForecast {
       VerticalRoom room,
       MotionLimits limits,
       Pose start,
-      double startMps,
-      Drift drift) {
-    this.drift = drift;
+      double startMps) {
     this.costs = costs;
     this.body = body;
     this.traffic = traffic;
@@ -84,10 +81,7 @@ final class MotionForecast {
       if (t > limits.reactionS()) {
         v = Math.max(0.0, v - limits.brakingMps2() * stepS);
       }
-      at = drift.moved(at.along(Math.copySign(v * stepS, startMps), 0.0), stepS);
-      if (drift.matters() && clearanceM(at) < requiredM) {
-        return tally.outcome(0.0);
-      }
+      at = at.along(Math.copySign(v * stepS, startMps), 0.0);
       double down = downM(toDownM, t);
       tally.look(at, down, t);
       if (isBlockedElsewhere(at, down, toDownM)) {
@@ -128,19 +122,20 @@ final class MotionForecast {
     double gone = 0.0;
     double freeM = NEVER;
     double arcMps = motion.speedMps() * (motion.track() == null ? 1.0 : turning(motion));
-    boolean isUnderWay = motion.turnRad() == 0.0 && !motion.backwards();
-    Pose at = isUnderWay ? drift.course(start, startMps) : start; // the control steers against it
-    double crab = start.headingRad() - at.headingRad();
+    Pose at = start;
     for (double t = 0.0; t <= limits.horizonS() || gone < farM; t += stepS) {
       double step = 0.0;
       if (rolls != 0.0) {
         rolls = slower(rolls, t);
-        at = drift.moved(at.along(rolls * stepS, 0.0), stepS);
+        at = at.along(rolls * stepS, 0.0);
       } else if (turned < Math.abs(motion.turnRad())) {
         turned += limits.turnRateRadPerS() * stepS;
         double share = Math.min(turned, Math.abs(motion.turnRad()));
-        double heading = start.headingRad() + Math.copySign(share, motion.turnRad());
-        at = drift.moved(new Pose(at.northM(), at.eastM(), heading), stepS);
+        at =
+            new Pose(
+                at.northM(),
+                at.eastM(),
+                start.headingRad() + Math.copySign(share, motion.turnRad()));
       } else {
         double wanted = gone < motion.arcM() ? arcMps : motion.speedMps();
         if (stopM < NEVER) {
@@ -155,8 +150,7 @@ final class MotionForecast {
       }
       boolean within = freeM == NEVER && stopM == NEVER && (toHorizon || gone <= farM + step);
       if (within) {
-        double clearance =
-            clearanceM(new Pose(at.northM(), at.eastM(), at.headingRad() + crab));
+        double clearance = clearanceM(at);
         if (limits.preferredM() > 0.0) {
           tally.keep(limits.preferredM() - clearance, step);
         }

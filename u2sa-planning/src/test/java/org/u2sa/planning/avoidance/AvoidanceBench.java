@@ -15,12 +15,12 @@ import org.u2sa.messages.shape.Sphere;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.ArcChoice;
 import org.u2sa.planning.local.ArcChooser;
-import org.u2sa.planning.local.Drift;
 import org.u2sa.planning.local.MotionLimits;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.route.RouteRequest;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.SeenWorld;
+import org.u2sa.service.motion.Drift;
 
 /** A rover on a plane with a planner that answers as told. Its goal is 8 m north of the origin. */
 final class AvoidanceBench {

@@ -13,6 +13,7 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.Mover;
+import org.u2sa.service.motion.Drift;
 
 /** A vehicle at the origin, pointing north, with a route ten metres straight ahead. */
 class ArcChooserTest {
@@ -278,7 +279,7 @@ class ArcChooserTest {
 
   private MotionForecast forecast(MotionLimits limits, double speedMps, Mover mover) {
     TrafficForecast traffic = new TrafficForecast(List.of(mover), BODY, limits, ORIGIN, 0L, null);
-    return new MotionForecast(costs, BODY, traffic, null, limits, ORIGIN, speedMps, Drift.NONE);
+    return new MotionForecast(costs, BODY, traffic, null, limits, ORIGIN, speedMps);
   }
 
   /** The wall ends the motion, and there the vehicle stands when traffic comes. */
