@@ -228,6 +228,7 @@ public class PathPlanner extends EventDrivenService {
   private void onState(StateInformation state) {
     stateMicros = clock().micros();
     if (Vehicle.of(state).isPresent()) {
+      avoidance.see(Vehicle.of(state).get());
       plan(state, false);
     } else {
       complain(

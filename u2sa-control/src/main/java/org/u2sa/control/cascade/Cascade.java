@@ -10,6 +10,7 @@ import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Gravity;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
+import org.u2sa.service.motion.DriftFilter;
 
 /**
  * Computes the wrench that moves the vehicle to its target: proportional outer loops give
@@ -35,7 +36,7 @@ final class Cascade {
   private boolean turnsFirst; // turns first, without moving sideways
   private final Lean lean = new Lean(); // level unless the vehicle leans
   private final GroundWatch ground = new GroundWatch();
-  private final Drift drift = new Drift();
+  private final DriftFilter drift = new DriftFilter();
   private Attitude attitude = new Attitude(0.0, 0.0, 0.0); // of the last step
 
   Cascade(CascadeVariables settings) {
@@ -112,7 +113,7 @@ final class Cascade {
       double ahead = Math.max(MIN_AHEAD_MPS, motion.velocity().x());
       double crab =
           settings.way().countersDrift() && !target.isBackwards()
-              ? drift.crabRad(course, ahead)
+              ? drift.drift().crabRad(course, ahead)
               : 0.0;
       headingRad = OptionalDouble.of(course + astern + crab);
     } else if (headingRad.isEmpty()) {

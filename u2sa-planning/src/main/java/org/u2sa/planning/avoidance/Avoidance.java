@@ -51,6 +51,7 @@ public final class Avoidance {
   private final PathNews news;
   private final VerticalEvasion climbing;
   private final StraightFlight straight;
+  private final DriftWatch drift;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
   private boolean makesRoom; // to turn in place
@@ -113,6 +114,12 @@ public final class Avoidance {
     news = new PathNews(settings, say);
     climbing = new VerticalEvasion(terrain, say);
     straight = new StraightFlight(world);
+    drift = new DriftWatch(settings);
+  }
+
+  /** Learns the drift of the vehicle, whatever it pursues. */
+  public void see(Vehicle vehicle) {
+    drift.see(vehicle);
   }
 
   public boolean isOn() {
@@ -281,7 +288,8 @@ public final class Avoidance {
         along,
         now.micros(),
         makesRoom,
-        room);
+        room,
+        drift.drift());
   }
 
   private static boolean isNear(List<Mover> traffic, Situation now) {

@@ -102,6 +102,10 @@ public record AvoidanceVariables(
     @Variable(ifAbsentText = "false")
         @Description("Whether the control system can drive backwards.")
         boolean reverses,
+    @Variable(ifAbsentText = "false")
+        @Description(
+            "Whether wind and current carry the vehicle sideways, as a boat without sideways thrust: forecasts of stopping and turning on the spot then contain its drift.")
+        boolean drifts,
     @Variable(unit = "m", min = 0, ifAbsent = 0.3)
         @Description("Distance to keep from traffic, beyond its own radius and the vehicle's.")
         double trafficClearance,

@@ -84,6 +84,11 @@ public final class Vehicle {
     return state.psi().orElseThrow();
   }
 
+  /** Turn rate, clockwise [rad/s]; 0 if unknown. */
+  public double turnRadps() {
+    return state.psiDot().orElse(0.0);
+  }
+
   /** Course, or heading at low speed [rad, clockwise from north]. */
   public double courseRad() {
     return speedMps() > SLOWEST_MPS ? Math.atan2(eastMps(), northMps()) : headingRad();

@@ -7,6 +7,7 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.seen.Mover;
+import org.u2sa.service.motion.Drift;
 
 /**
  * Chooses the arc to drive or fly next: the one that leads back to the route if it is free,
@@ -20,6 +21,7 @@ public final class ArcChooser {
   private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
+  private static final double STILL_MPS = 0.1; // slower drift does not matter
   private static final double NEVER = Double.POSITIVE_INFINITY;
 
   private final CostGrid costs;
@@ -30,6 +32,7 @@ public final class ArcChooser {
   private final MotionForecast forecast;
   private final Evasion evasion;
   private final TurnRoom turnRoom;
+  private final Optional<SteeredChoice> drifting; // of a boat that wind and current carry
 
   /**
    * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
@@ -37,6 +40,7 @@ public final class ArcChooser {
    * @param makesRoom whether the previous choice was {@link ArcChoice.Kind#MAKE_ROOM}
    * @param room room to climb and descend away from traffic, whose heights then matter; empty: all
    *     motions are level
+   * @param drift of a boat that cannot move sideways; {@link Drift#NONE} for other vehicles
    */
   public ArcChooser(
       CostGrid costs,
@@ -47,7 +51,8 @@ public final class ArcChooser {
       double speedMps,
       long nowMicros,
       boolean makesRoom,
-      Optional<VerticalRoom> room) {
+      Optional<VerticalRoom> room,
+      Drift drift) {
     this.costs = costs;
     this.body = body;
     this.limits = limits;
@@ -60,9 +65,20 @@ public final class ArcChooser {
     evasion =
         new Evasion(
             forecast, limits, heights, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
+    drifting =
+        drift.speedMps() < STILL_MPS
+            ? Optional.empty()
+            : Optional.of(
+                new SteeredChoice(
+                    new SteeredForecast(costs, body, traffic, limits, pose, speedMps, drift),
+                    limits,
+                    pose));
   }
 
   public ArcChoice along(RouteTrack track) {
+    if (drifting.isPresent() && !track.goesBackwards()) {
+      return drifting.get().along(track);
+    }
     boolean backwards = track.goesBackwards();
     double straight = straightMps();
     double least = 0.2 * limits.lookAheadM();
@@ -169,6 +185,9 @@ public final class ArcChooser {
   /** Chooses the freest arc for a vehicle without a route; stops if it can. */
   public ArcChoice withoutRoute() {
     ArcChoice stand = stand(ArcChoice.Kind.WAIT);
+    if (drifting.isPresent() && !drifting.get().waits()) {
+      return drifting.get().evade(pose.northM(), pose.eastM());
+    }
     boolean waits = limits.stops() && forecast.standing(Double.NaN).meetsS() >= limits.horizonS();
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }

@@ -20,6 +20,7 @@ import org.u2sa.planning.route.Route;
 import org.u2sa.planning.route.RouteRequest;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.SeenWorld;
+import org.u2sa.service.motion.Drift;
 
 /** A rover on a plane with a planner that answers as told. Its goal is 8 m north of the origin. */
 final class AvoidanceBench {
@@ -132,7 +133,7 @@ final class AvoidanceBench {
         0.0,
         now.micros(),
         false,
-        Optional.empty());
+        Optional.empty(), Drift.NONE);
   }
 
   /** One step of an attempt. */

@@ -13,6 +13,7 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.Mover;
+import org.u2sa.service.motion.Drift;
 
 /** A vehicle at the origin, pointing north, with a route ten metres straight ahead. */
 class ArcChooserTest {
@@ -57,7 +58,7 @@ class ArcChooserTest {
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty());
+        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty(), Drift.NONE);
   }
 
   private static RouteTrack north() {
@@ -143,7 +144,7 @@ class ArcChooserTest {
 
   private ArcChooser makingRoom(double speedMps, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty());
+        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty(), Drift.NONE);
   }
 
   @Test

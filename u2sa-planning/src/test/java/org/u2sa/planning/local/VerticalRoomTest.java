@@ -14,6 +14,7 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.Mover;
+import org.u2sa.service.motion.Drift;
 import org.u2sa.planning.seen.PlanarShape;
 
 /** A vehicle 50 m high in a lane too narrow to turn in, which a sphere enters from the front. */
@@ -86,7 +87,7 @@ class VerticalRoomTest {
             10.0,
             0L,
             false,
-            Optional.ofNullable(room))
+            Optional.ofNullable(room), Drift.NONE)
         .along(new RouteTrack(Route.of(List.of(from, to), 280.0)));
   }
 
@@ -209,7 +210,7 @@ class VerticalRoomTest {
                 10.0,
                 0L,
                 false,
-                Optional.of(room(-200.0, -10.0, UNKNOWN)))
+                Optional.of(room(-200.0, -10.0, UNKNOWN)), Drift.NONE)
             .along(right);
 
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);

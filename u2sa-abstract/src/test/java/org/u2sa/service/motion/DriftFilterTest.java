@@ -1,15 +1,15 @@
-package org.u2sa.control.cascade;
+package org.u2sa.service.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
-class DriftTest {
+class DriftFilterTest {
   private static final double EASTWARD_MPS = 0.4;
   private static final double SLIP_M = -0.5; // to the left in a turn to the right
 
-  private final Drift drift = new Drift();
+  private final DriftFilter filter = new DriftFilter();
   private double headingRad;
 
   /** Sails in a steady eastward drift; the hull slips in turns. */
@@ -17,7 +17,7 @@ class DriftTest {
     for (double t = 0.0; t < seconds; t += 0.05) {
       headingRad += 0.05 * turnRadps;
       double aside = EASTWARD_MPS * Math.cos(headingRad) + SLIP_M * turnRadps;
-      drift.step(headingRad, aside, turnRadps, 0.05);
+      filter.step(headingRad, aside, turnRadps, 0.05);
     }
   }
 
@@ -25,7 +25,7 @@ class DriftTest {
   void crabRad_driftFromTheLeft_turnsTheBowToTheLeft() {
     sail(0.0, 30.0);
 
-    assertThat(drift.crabRad(0.0, 1.0)).isCloseTo(-Math.asin(EASTWARD_MPS), within(0.03));
+    assertThat(filter.drift().crabRad(0.0, 1.0)).isCloseTo(-Math.asin(EASTWARD_MPS), within(0.03));
   }
 
   @Test
@@ -33,20 +33,20 @@ class DriftTest {
     sail(0.0, 30.0);
     sail(Math.PI / 8.0, 8.0); // half a turn
 
-    assertThat(drift.crabRad(Math.PI, 1.0)).isCloseTo(Math.asin(EASTWARD_MPS), within(0.1));
+    assertThat(filter.drift().crabRad(Math.PI, 1.0)).isCloseTo(Math.asin(EASTWARD_MPS), within(0.1));
   }
 
   @Test
   void crabRad_alongTheDrift_isNone() {
     sail(0.2, 120.0);
 
-    assertThat(drift.crabRad(Math.PI / 2.0, 1.0)).isCloseTo(0.0, within(0.05));
+    assertThat(filter.drift().crabRad(Math.PI / 2.0, 1.0)).isCloseTo(0.0, within(0.05));
   }
 
   @Test
   void crabRad_driftFasterThanTheVehicle_staysWithinItsLimit() {
     sail(0.0, 30.0);
 
-    assertThat(Math.toDegrees(drift.crabRad(0.0, 0.1))).isCloseTo(-50.0, within(0.1));
+    assertThat(Math.toDegrees(filter.drift().crabRad(0.0, 0.1))).isCloseTo(-50.0, within(0.1));
   }
 }

@@ -1,0 +1,113 @@
+package org.u2sa.planning.local;
+
+import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.search.BodyDiscs;
+import org.u2sa.planning.search.CostGrid;
+import org.u2sa.service.motion.Drift;
+
+/**
+ * Simulates how a drifting boat is steered to a place, to find how near obstacles come: it turns
+ * its bow to the place and against the drift, and thrusts as far as the bow points there. Wind and
+ * current carry it meanwhile. Not thread-safe.
+ */
+final class SteeredForecast {
+  private static final double NEVER = Double.POSITIVE_INFINITY;
+  private static final double STEP_S = 0.2;
+  private static final double LASTS_S = 7.0; // time to turn round, and a length
+  private static final double ARRIVED_M = 0.8;
+  private static final double TURNS_S = 0.8; // turn rate: the angle to go in this time
+  private static final double LAG_S = 0.3; // of the turn rate
+
+  private final CostGrid costs;
+  private final BodyDiscs body;
+  private final TrafficForecast traffic;
+  private final MotionLimits limits;
+  private final Pose start;
+  private final double startMps; // through the water
+  private final Drift drift;
+  private final double requiredM; // nearer to an obstacle is a collision
+
+  /**
+   * Predicted outcome.
+   *
+   * @param hitsS time of the first collision [s]; infinite if none
+   * @param leastM least clearance until then [m]
+   * @param end pose at the end, or when it arrived
+   */
+  record Outcome(double hitsS, double leastM, Pose end) {
+    boolean isFree() {
+      return hitsS == NEVER;
+    }
+  }
+
+  /**
+   * @param aheadMps velocity over ground along the bow [m/s]
+   */
+  SteeredForecast(
+      CostGrid costs,
+      BodyDiscs body,
+      TrafficForecast traffic,
+      MotionLimits limits,
+      Pose start,
+      double aheadMps,
+      Drift drift) {
+    this.costs = costs;
+    this.body = body;
+    this.traffic = traffic;
+    this.limits = limits;
+    this.start = start;
+    this.drift = drift;
+    startMps = aheadMps - drift.towardsMps(start.headingRad());
+    requiredM = Math.min(limits.touchM(), clearanceM(start) - 1.0e-6);
+  }
+
+  /**
+   * Simulates a choice.
+   *
+   * @param speedMps over ground; 0: it stops, and is carried off
+   */
+  Outcome to(double northM, double eastM, double speedMps, boolean backwards) {
+    Pose at = start;
+    double through = startMps;
+    double rate = 0.0;
+    double least = NEVER;
+    for (double t = STEP_S; t <= LASTS_S; t += STEP_S) {
+      double bearing = Math.atan2(eastM - at.eastM(), northM - at.northM());
+      double along = drift.towardsMps(at.headingRad());
+      double turn = Pose.wrapped(bearing - at.headingRad());
+      double ahead = (backwards ? -1.0 : 1.0) * Math.cos(turn);
+      turn += backwards ? Math.PI : drift.crabRad(bearing, Math.max(0.0, through + along));
+      double most = limits.turnRateRadPerS();
+      double wanted = Math.max(-most, Math.min(most, Pose.wrapped(turn) / TURNS_S));
+      rate += Math.min(1.0, STEP_S / LAG_S) * (wanted - rate);
+      double speed = (backwards ? -speedMps : speedMps) * Math.max(0.0, ahead);
+      through += change(speed - along - through, through);
+      double heading = at.headingRad() + rate * STEP_S;
+      at =
+          new Pose(
+              at.northM() + STEP_S * (through * Math.cos(heading) + drift.northMps()),
+              at.eastM() + STEP_S * (through * Math.sin(heading) + drift.eastMps()),
+              heading);
+      double clearance = clearanceM(at);
+      least = Math.min(least, clearance);
+      if (clearance < requiredM || traffic.meets(at, 0.0, t)) {
+        return new Outcome(t, least, at);
+      }
+      if (speedMps > 0.0 && at.distanceM(northM, eastM) < ARRIVED_M) {
+        break;
+      }
+    }
+    return new Outcome(NEVER, least, at);
+  }
+
+  private double change(double wantedMps, double throughMps) {
+    boolean isFaster = wantedMps * throughMps >= 0.0;
+    double most = STEP_S * (isFaster ? limits.accelerationMps2() : limits.brakingMps2());
+    return Math.max(-most, Math.min(most, wantedMps));
+  }
+
+  private double clearanceM(Pose at) {
+    double enough = costs.frame().cellM();
+    return body.clearanceM(costs, at.northM(), at.eastM(), at.headingRad(), enough);
+  }
+}
