@@ -54,7 +54,7 @@ public final class Avoidance {
   private final DriftWatch drift;
   private PlanningPlane plane;
   private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
-  private boolean makesRoom; // to turn in place
+  private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
   private Optional<HeldChoice> held = Optional.empty();
 
   /**
@@ -213,6 +213,7 @@ public final class Avoidance {
     if (now != plane) {
       plane = now;
       held = Optional.empty();
+      before = Optional.empty();
       obstacles.forgetAll();
     }
   }
@@ -254,7 +255,7 @@ public final class Avoidance {
     List<Mover> traffic = room.isPresent() ? world.allMovers() : world.movers();
     ArcChoice choice = current.choose(arcs(situation, vehicle, traffic, room), situation);
     climbing.chosen(choice, at, micros);
-    makesRoom = choice.kind() == ArcChoice.Kind.MAKE_ROOM;
+    before = Optional.of(choice);
     Optional<String> givenUp = current.judge(choice, isNear(traffic, situation), situation);
     PathStatus status = PathNews.status(choice, givenUp, current.hasRecovered(), routes);
     announce(status, givenUp, wanted, at);
@@ -287,7 +288,7 @@ public final class Avoidance {
         now.pose(),
         along,
         now.micros(),
-        makesRoom,
+        before,
         room,
         drift.drift());
   }

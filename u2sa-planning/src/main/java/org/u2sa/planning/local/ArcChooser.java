@@ -37,7 +37,7 @@ public final class ArcChooser {
   /**
    * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
    * @param nowMicros time of this pose [µs]
-   * @param makesRoom whether the previous choice was {@link ArcChoice.Kind#MAKE_ROOM}
+   * @param before previous choice, on the same plane
    * @param room room to climb and descend away from traffic, whose heights then matter; empty: all
    *     motions are level
    * @param drift of a boat that cannot move sideways; {@link Drift#NONE} for other vehicles
@@ -50,7 +50,7 @@ public final class ArcChooser {
       Pose pose,
       double speedMps,
       long nowMicros,
-      boolean makesRoom,
+      Optional<ArcChoice> before,
       Optional<VerticalRoom> room,
       Drift drift) {
     this.costs = costs;
@@ -58,13 +58,22 @@ public final class ArcChooser {
     this.limits = limits;
     this.pose = pose;
     this.speedMps = speedMps;
+    boolean makesRoom =
+        before.filter(choice -> choice.kind() == ArcChoice.Kind.MAKE_ROOM).isPresent();
     turnRoom = new TurnRoom(costs, body, limits, pose, speedMps, makesRoom);
     VerticalRoom heights = room.orElse(null);
     TrafficForecast traffic = new TrafficForecast(movers, body, limits, pose, nowMicros, heights);
     forecast = new MotionForecast(costs, body, traffic, heights, limits, pose, speedMps);
     evasion =
         new Evasion(
-            forecast, limits, heights, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
+            forecast,
+            limits,
+            heights,
+            !traffic.isEmpty(),
+            before,
+            pose,
+            speedMps,
+            costs.frame().cellM());
     drifting =
         drift.speedMps() < STILL_MPS
             ? Optional.empty()

@@ -1,5 +1,6 @@
 package org.u2sa.planning.local;
 
+import java.util.Optional;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.MotionForecast.Outcome;
 
@@ -17,12 +18,15 @@ final class Evasion {
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double[] ENDS = {NEVER, 1.0, 0.5}; // in reaches
   private static final double DEAD_END = 10.0; // cost of a motion without escape, in reaches
+  private static final double OTHER_SIDE = 0.3; // cost of turning to the other side, in reaches
+  private static final double ASIDE_RAD = Math.toRadians(10.0);
   private static final double SAME_M = 0.02; // smaller differences of gaps to traffic are ignored
 
   private final MotionForecast forecast;
   private final MotionLimits limits;
   private final VerticalRoom room; // null: it does not climb to evade
   private final boolean amongTraffic;
+  private final double side; // to which it turns already: 1 right, -1 left, 0 neither
   private final Pose pose;
   private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
@@ -44,6 +48,7 @@ final class Evasion {
       MotionLimits limits,
       VerticalRoom room,
       boolean amongTraffic,
+      Optional<ArcChoice> before,
       Pose pose,
       double speedMps,
       double keptM) {
@@ -51,9 +56,23 @@ final class Evasion {
     this.limits = limits;
     this.room = room;
     this.amongTraffic = amongTraffic;
+    side = limits.stops() ? 0.0 : before.map(choice -> side(choice, pose)).orElse(0.0);
     this.pose = pose;
     this.keptM = keptM;
     reachM = Math.max(limits.lookAheadM(), 1.2 * limits.stoppingM(Math.abs(speedMps)));
+  }
+
+  /**
+   * Side of an evasive motion. Between two that are equally good, an aircraft that changes its mind
+   * flies straight on until neither is possible.
+   */
+  private static double side(ArcChoice before, Pose pose) {
+    boolean evades =
+        before.kind() == ArcChoice.Kind.EVADE || before.kind() == ArcChoice.Kind.BRAKE;
+    double bearing =
+        Math.atan2(before.eastM() - pose.eastM(), before.northM() - pose.northM());
+    double aside = Pose.wrapped(bearing - pose.headingRad());
+    return evades && Math.abs(aside) > ASIDE_RAD ? Math.signum(aside) : 0.0;
   }
 
   /** Adds a choice on the route that is free but too near to traffic. */
@@ -199,6 +218,7 @@ final class Evasion {
             Math.hypot(to.northM() - goalNorthM, to.eastM() - goalEastM)
                 + reachM * (0.3 * dislike)
                 + (motion.backwards() ? reachM : 0.0)
+                + (motion.curvature() * side < 0.0 ? OTHER_SIDE * reachM : 0.0)
                 + (escapes ? 0.0 : DEAD_END * reachM);
         if (outcome.meetsS() >= limits.horizonS() && score < leastScore) {
           leastScore = score;

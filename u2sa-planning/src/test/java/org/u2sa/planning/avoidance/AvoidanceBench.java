@@ -132,8 +132,9 @@ final class AvoidanceBench {
         now.pose(),
         0.0,
         now.micros(),
-        false,
-        Optional.empty(), Drift.NONE);
+        Optional.empty(),
+        Optional.empty(),
+        Drift.NONE);
   }
 
   /** One step of an attempt. */

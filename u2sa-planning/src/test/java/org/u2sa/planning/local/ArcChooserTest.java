@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.ParameterizedTest;
 import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.route.Route;
 import org.u2sa.planning.search.BodyDiscs;
@@ -57,8 +59,22 @@ class ArcChooserTest {
   }
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
+    return arcs(limits, speedMps, Optional.empty(), movers);
+  }
+
+  private ArcChooser arcs(
+      MotionLimits limits, double speedMps, Optional<ArcChoice> before, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty(), Drift.NONE);
+        costs,
+        BODY,
+        List.of(movers),
+        limits,
+        ORIGIN,
+        speedMps,
+        0L,
+        before,
+        Optional.empty(),
+        Drift.NONE);
   }
 
   private static RouteTrack north() {
@@ -143,8 +159,21 @@ class ArcChooserTest {
   }
 
   private ArcChooser makingRoom(double speedMps, Mover... movers) {
-    return new ArcChooser(
-        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty(), Drift.NONE);
+    ArcChoice before = new ArcChoice(0.0, 0.0, 0.0, false, ArcChoice.Kind.MAKE_ROOM);
+    return arcs(rover(), speedMps, Optional.of(before), movers);
+  }
+
+  /** Traffic comes from ahead, a little to one side, so that the other one is slightly better. */
+  @ParameterizedTest
+  @CsvSource({"0.01, -2", "0.01, 2", "-0.01, -2", "-0.01, 2"})
+  void along_aircraftThatTurnsAlready_keepsTurningToThatSide(double eastM, double turnsM) {
+    ArcChoice before = new ArcChoice(2.0, turnsM, 1.0, false, ArcChoice.Kind.EVADE);
+    Mover traffic = mover(6.0, eastM, -1.0, 0.0);
+
+    ArcChoice choice = arcs(aeroplane(), 1.0, Optional.of(before), traffic).along(north());
+
+    assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);
+    assertThat(choice.eastM() * turnsM).isPositive();
   }
 
   @Test

@@ -86,8 +86,9 @@ class VerticalRoomTest {
             ORIGIN,
             10.0,
             0L,
-            false,
-            Optional.ofNullable(room), Drift.NONE)
+            Optional.empty(),
+            Optional.ofNullable(room),
+            Drift.NONE)
         .along(new RouteTrack(Route.of(List.of(from, to), 280.0)));
   }
 
@@ -209,8 +210,9 @@ class VerticalRoomTest {
                 ORIGIN,
                 10.0,
                 0L,
-                false,
-                Optional.of(room(-200.0, -10.0, UNKNOWN)), Drift.NONE)
+                Optional.empty(),
+                Optional.of(room(-200.0, -10.0, UNKNOWN)),
+                Drift.NONE)
             .along(right);
 
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);

@@ -18,7 +18,7 @@ final class TargetColours {
     {120, 40, 150}
   };
   private static final double LETTER_SHARE = 0.12; // of the patch, the pixels that differ most
-  private static final double MIN_APART = 60.0;
+  private static final double MIN_APART = 35.0;
 
   private final double[] shape = new double[3];
   private final double[] letter = new double[3];
