@@ -110,7 +110,7 @@ public record BrokerLimits(
    * that have not logged in, after what its services need: otherwise clients of any role could keep
    * operators out.
    */
-  public BrokerLimits within(int openFiles) {
+  BrokerLimits within(int openFiles) {
     int clients = Math.max(MIN_CLIENTS, (openFiles - OWN_FILES) / 2);
     return clients >= maxClients
         ? this
