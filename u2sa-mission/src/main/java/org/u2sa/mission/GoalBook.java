@@ -128,6 +128,12 @@ final class GoalBook {
         && hasRoomFor(updated(present.get(update.uid()), update));
   }
 
+  /** What a goal would lack to be pursued if an update were taken over; empty if nothing. */
+  Optional<String> lackAfter(GoalInformation update) {
+    return WaypointRules.lack(updated(defined.get(update.uid()), update))
+        .or(() -> WaypointRules.lack(updated(present.get(update.uid()), update)));
+  }
+
   /** {@link #hasRoomForUpdate} for several updates that are taken over together. */
   boolean hasRoomForUpdates(Collection<? extends GoalInformation> updates) {
     return hasRoomForUpdates(defined, updates) && hasRoomForUpdates(present, updates);

@@ -342,6 +342,11 @@ public final class MissionManager extends PeriodicService {
           "update of goal \"" + goal.uid() + "\" refused: the goals would be too long to publish");
       return;
     }
+    Optional<String> lack = updated.book.lackAfter(goal);
+    if (lack.isPresent()) {
+      ignore("update of goal \"" + goal.uid() + "\" refused: it " + lack.get());
+      return;
+    }
     if (updated.update(goal)) {
       log("goal \"" + goal.uid() + "\" updated");
     } else {

@@ -1,6 +1,7 @@
 package org.u2sa.mission;
 
 import java.util.Collection;
+import java.util.Optional;
 import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -61,22 +62,11 @@ final class WaypointRules {
   private static void checkCoordinates(GoalElement goal, Waypoint waypoint) {
     ReferenceFrame frame = waypoint.referenceFrame();
     Home.requireFixed(frame, element(goal, "referenceFrame"));
-    boolean hasX = waypoint.x().isPresent();
-    boolean hasY = waypoint.y().isPresent();
-    if (!hasX && !hasY && waypoint.z().isEmpty() && hasPlace(waypoint)) {
-      throw goal.element().error("has no coordinates; expected at least one of x, y, z");
-    }
-    boolean needsZ = waypoint instanceof TakeOff;
-    if (needsZ && waypoint.z().isEmpty()) {
-      throw goal.element().error("lacks z; expected the altitude to which it climbs");
-    }
-    boolean needsPlace = waypoint instanceof Landing || waypoint instanceof PayloadDrop;
-    if (needsPlace && !(hasX && hasY && waypoint.z().isPresent())) {
-      throw goal.element().error("lacks x, y or z; expected a position on the ground");
-    }
-    if (frame.isUtm() && !(hasX && hasY) && !needsZ) {
-      throw goal.element().error("lacks x or y; UTM needs both");
-    }
+    lack(waypoint)
+        .ifPresent(
+            what -> {
+              throw goal.element().error(what);
+            });
     if (frame.equals(ReferenceFrame.GLOBAL)) {
       goal.field("x").ifPresent(x -> XmlNumbers.checkLongitude(x, waypoint.x().orElseThrow()));
       goal.field("y").ifPresent(y -> XmlNumbers.checkLatitude(y, waypoint.y().orElseThrow()));
@@ -87,6 +77,31 @@ final class WaypointRules {
                 XmlNumbers.checkLatitude(view, waypoint.lookAt().orElseThrow().y());
               });
     }
+  }
+
+  /** What a goal lacks to be pursued; empty if nothing. */
+  static Optional<String> lack(GoalInformation goal) {
+    return goal instanceof Waypoint waypoint ? lack(waypoint) : Optional.empty();
+  }
+
+  private static Optional<String> lack(Waypoint waypoint) {
+    boolean hasX = waypoint.x().isPresent();
+    boolean hasY = waypoint.y().isPresent();
+    boolean needsZ = waypoint instanceof TakeOff;
+    boolean needsPlace = waypoint instanceof Landing || waypoint instanceof PayloadDrop;
+    String what = "";
+    if (waypoint.referenceFrame().isBody()) {
+      what = "is in a frame that moves with the vehicle";
+    } else if (!hasX && !hasY && waypoint.z().isEmpty() && hasPlace(waypoint)) {
+      what = "has no coordinates; expected at least one of x, y, z";
+    } else if (needsZ && waypoint.z().isEmpty()) {
+      what = "lacks z; expected the altitude to which it climbs";
+    } else if (needsPlace && !(hasX && hasY && waypoint.z().isPresent())) {
+      what = "lacks x, y or z; expected a position on the ground";
+    } else if (waypoint.referenceFrame().isUtm() && !(hasX && hasY) && !needsZ) {
+      what = "lacks x or y; UTM needs both";
+    }
+    return Optional.of(what).filter(text -> !text.isEmpty());
   }
 
   private static void checkThresholds(GoalElement goal, Waypoint waypoint) {

@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.ConfigurationChange;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionReport;
@@ -165,6 +167,19 @@ class MissionManagerTest extends ThreeWaypoints {
     kit.publish(Channels.GOAL_UPDATES, report("1").y(44.0));
 
     assertThat(((Waypoint) goals().goals().get(0)).y()).hasValue(44.0);
+  }
+
+  @Test
+  void callback_updateThatCannotBePursued_isRefused() {
+    kit.start(MissionManager::new);
+    kit.publish(Channels.GOAL_UPDATES, new Landing().uid("1").x(8.0).horizontalThreshold(1.0));
+    kit.publish(Channels.GOAL_UPDATES, report("1").referenceFrame(ReferenceFrame.BODY));
+    kit.publish(Channels.GOAL_UPDATES, new Waypoint().uid("new").horizontalThreshold(1.0));
+
+    assertThat(logged("update of goal \"1\" refused: it lacks x, y or z")).isTrue();
+    assertThat(logged("update of goal \"1\" refused: it is in a frame that moves")).isTrue();
+    assertThat(logged("update of goal \"new\" refused: it has no coordinates")).isTrue();
+    assertThat(goals().goals().get(0)).isExactlyInstanceOf(Waypoint.class);
   }
 
   @Test

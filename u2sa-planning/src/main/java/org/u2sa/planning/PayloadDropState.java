@@ -105,8 +105,7 @@ final class PayloadDropState implements PlannerState {
     Place place = Place.of(goal);
     Point to = vehicle.nedOf(place);
     boolean hovers = lines.get().turns().accelerationMps2() == 0.0;
-    Point velocity =
-        Point.of(vehicle.northMps(), vehicle.eastMps(), vehicle.downMps());
+    Point velocity = Point.of(vehicle.northMps(), vehicle.eastMps(), vehicle.downMps());
     Point wind = AirMass.wind(pursuit.state(), vehicle).orElse(Point.ORIGIN);
     Fall fall = Fall.from(Math.max(0.0, to.z()), velocity, wind, goal.terminalSpeed());
     Point impact = fall.way().plus(velocity.times(settings.get().releaseDelay()));

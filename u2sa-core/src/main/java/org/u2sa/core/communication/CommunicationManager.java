@@ -3,7 +3,6 @@ package org.u2sa.core.communication;
 import java.net.InetSocketAddress;
 import java.nio.file.Paths;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.u2sa.core.communication.bridge.ClientBridge;
@@ -65,19 +64,6 @@ public final class CommunicationManager implements AutoCloseable {
     this.announcement = announcement;
   }
 
-  private static BrokerLimits fitted(BrokerLimits configured, Consumer<String> log) {
-    OptionalInt openFiles = OpenFiles.limit();
-    BrokerLimits limits =
-        openFiles.isPresent() ? configured.within(openFiles.getAsInt()) : configured;
-    if (limits.maxClients() < configured.maxClients()) {
-      log.accept(
-          String.format(
-              "MAX CLIENTS %d lowered to %d: this process may have %d files open",
-              configured.maxClients(), limits.maxClients(), openFiles.getAsInt()));
-    }
-    return limits;
-  }
-
   /**
    * Starts the Communication Manager of a system.
    *
@@ -125,7 +111,7 @@ public final class CommunicationManager implements AutoCloseable {
     if (manager.broker().equals("embedded")) {
       BrokerSecurity security = BrokerSecurity.of(settings, bindAddress, port, log);
       secured = security;
-      BrokerLimits limits = fitted(configured, log);
+      BrokerLimits limits = OpenFiles.fitted(configured, log);
       Optional<WebPort> web = WebPort.of(manager, security.isOn());
       InetSocketAddress address = new InetSocketAddress(bindAddress, port);
       broker =

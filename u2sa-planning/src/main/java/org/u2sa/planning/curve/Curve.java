@@ -63,7 +63,8 @@ public record Curve(List<Piece> pieces) {
     List<Sample> samples = new ArrayList<>();
     Pose from = start;
     for (Piece piece : pieces) {
-      int steps = (int) Math.max(1.0, Math.min(MAX_STEPS, Math.ceil(Math.abs(piece.lengthM()) / stepM)));
+      int steps =
+          (int) Math.max(1.0, Math.min(MAX_STEPS, Math.ceil(Math.abs(piece.lengthM()) / stepM)));
       for (int k = 1; k <= steps; k++) {
         Pose pose = from.along(piece.lengthM() * k / steps, piece.curvature());
         samples.add(new Sample(pose, piece.lengthM() < 0.0));

@@ -7,7 +7,8 @@ import org.u2sa.interfaces.time.Clock;
 /** Limits of the embedded broker, per client and in total. */
 public record BrokerLimits(
     @Variable(min = 4, max = 100_000, ifAbsent = 512)
-        @Description("Maximum connections to the broker; fewer where the process may have less than 1,152 files open.")
+        @Description(
+            "Maximum connections to the broker; fewer where the process may have less than 1,152 files open.")
         int maxClients,
     @Variable(min = 10, max = 10_000_000, ifAbsent = 100_000)
         @Description(
@@ -109,7 +110,7 @@ public record BrokerLimits(
    * that have not logged in, after what its services need: otherwise clients of any role could keep
    * operators out.
    */
-  public BrokerLimits within(int openFiles) {
+  BrokerLimits within(int openFiles) {
     int clients = Math.max(MIN_CLIENTS, (openFiles - OWN_FILES) / 2);
     return clients >= maxClients
         ? this

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -16,8 +17,22 @@ public final class OpenFiles {
 
   private OpenFiles() {}
 
+  /** The limits with as many clients as their number allows; reports fewer than configured. */
+  public static BrokerLimits fitted(BrokerLimits configured, Consumer<String> log) {
+    OptionalInt openFiles = limit();
+    BrokerLimits limits =
+        openFiles.isPresent() ? configured.within(openFiles.getAsInt()) : configured;
+    if (limits.maxClients() < configured.maxClients()) {
+      log.accept(
+          String.format(
+              "MAX CLIENTS %d lowered to %d: this process may have %d files open",
+              configured.maxClients(), limits.maxClients(), openFiles.getAsInt()));
+    }
+    return limits;
+  }
+
   /** Their number; empty if there is no limit, or the system does not tell. */
-  public static OptionalInt limit() {
+  static OptionalInt limit() {
     try {
       return limit(new String(Files.readAllBytes(LIMITS), StandardCharsets.US_ASCII));
     } catch (IOException e) {

@@ -12,7 +12,8 @@ class OpenFilesTest {
 
   @Test
   void limit_asLinuxWritesIt_isTheSoftOne() {
-    String line = "Max open files            256                  1048576              files     \n";
+    String line =
+        "Max open files            256                  1048576              files     \n";
     assertThat(OpenFiles.limit("Limit   Soft Limit\n" + line)).hasValue(256);
   }
 
