@@ -121,7 +121,11 @@ class FenceWatchTest {
 
   /** Northward at 20 m/s and 45° of bank half a turn needs 82 m to one side, 41 m ahead. */
   @ParameterizedTest
-  @CsvSource({"TURN, 60, 0, false", "TURN TO ONE SIDE, 60, 0, true", "TURN TO ONE SIDE, 0, 60, false"})
+  @CsvSource({
+    "TURN, 60, 0, false",
+    "TURN TO ONE SIDE, 60, 0, true",
+    "TURN TO ONE SIDE, 0, 60, false"
+  })
   void trouble_fliesAlongTheFence_isNoneIfRoomOnOneSideIsEnough(
       String manoeuvre, double eastM, double northM, boolean well) {
     variables.put("FENCE MANOEUVRE", manoeuvre);

@@ -85,7 +85,7 @@ class HexacopterTrafficTest {
                         + "</ceiling><keepIn><centre><x>-76.555</x><y>38.316</y></centre>"
                         + "<radius>2000</radius></keepIn></fence>"),
             "--limit",
-            "60",
+            "40",
             "--port",
             "0",
             "--out",
