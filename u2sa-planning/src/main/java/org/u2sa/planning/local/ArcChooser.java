@@ -67,7 +67,7 @@ public final class ArcChooser {
         new Evasion(
             forecast, limits, heights, !traffic.isEmpty(), pose, speedMps, costs.frame().cellM());
     drifting =
-        drift.speedMps() < STILL_MPS
+        !limits.stops() || !limits.turnsOnTheSpot() || drift.speedMps() < STILL_MPS
             ? Optional.empty()
             : Optional.of(
                 new SteeredChoice(

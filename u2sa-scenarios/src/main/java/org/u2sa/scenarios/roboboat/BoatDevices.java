@@ -1,12 +1,9 @@
 package org.u2sa.scenarios.roboboat;
 
 import java.util.Optional;
-import java.util.function.LongConsumer;
-import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.interfaces.communication.LocalBus;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
-import org.u2sa.scenarios.roboboat.gun.SimulatedDartGun;
 import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.scenarios.roboboat.subvehicle.SubVehicle;
 import org.u2sa.service.ServiceContext;
@@ -15,22 +12,17 @@ import org.u2sa.service.ServiceContext;
  * Devices of a simulated boat.
  *
  * @param vehicle those of its vehicle file
- * @param fired called with the time of each shot of the dart gun [µs]
  * @param quadrotor on its deck
  * @param radioFails whether nothing is heard of the quadrotor
  */
 record BoatDevices(
     ServiceContext.DeviceSource vehicle,
-    LongConsumer fired,
     QuadrotorOnDeck quadrotor,
     boolean radioFails)
     implements ServiceContext.DeviceSource {
   @Override
   public <D> Optional<D> device(
       Class<D> port, String service, XmlConfiguration variables, Clock clock) {
-    if (port == SwitchOutput.class) {
-      return Optional.of(port.cast(new SimulatedDartGun(fired)));
-    }
     if (port == SubVehicle.class) {
       SubVehicle radio = () -> radioFails ? new LocalBus("nobody") : quadrotor.switchOn(clock);
       return Optional.of(port.cast(radio));

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
@@ -130,27 +129,19 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             sailed.site(TaskSite.Task.DOCK).object().center(),
             directory.resolve("logs/quadrotor"),
             seed);
-    AtomicReference<BoatJudge> judge = new AtomicReference<>();
-    BoatDevices devices =
-        new BoatDevices(
-            placed.devices(),
-            micros -> {
-              BoatJudge present = judge.get();
-              if (present != null) { // before it looks on, nothing counts
-                present.fired(micros);
-              }
-            },
-            quadrotor,
-            radioFails);
     Trial trial =
         placed.trial(
             mission,
             placed.name(),
-            clock -> {
-              judge.set(new BoatJudge(sailed, placed.run(), quadrotor, clock, directory));
-              return judge.get();
-            },
-            launch -> launch.devices(devices));
+            clock ->
+                new BoatJudge(
+                    sailed,
+                    placed.run(),
+                    () -> placed.devices().switchPercent(HulaHoopState.GUN),
+                    quadrotor,
+                    clock,
+                    directory),
+            launch -> launch.devices(new BoatDevices(placed.devices(), quadrotor, radioFails)));
     return new Trial(
         trial.mission(),
         trial.observer(),
