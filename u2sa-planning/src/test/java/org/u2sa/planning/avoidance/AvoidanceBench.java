@@ -120,7 +120,8 @@ final class AvoidanceBench {
         0.0,
         now.micros(),
         false,
-        Optional.empty(), Drift.NONE);
+        Optional.empty(),
+        Drift.NONE);
   }
 
   /** One step of an attempt. */

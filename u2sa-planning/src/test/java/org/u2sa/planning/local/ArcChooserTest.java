@@ -58,7 +58,16 @@ class ArcChooserTest {
 
   private ArcChooser arcs(MotionLimits limits, double speedMps, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), limits, ORIGIN, speedMps, 0L, false, Optional.empty(), Drift.NONE);
+        costs,
+        BODY,
+        List.of(movers),
+        limits,
+        ORIGIN,
+        speedMps,
+        0L,
+        false,
+        Optional.empty(),
+        Drift.NONE);
   }
 
   private static RouteTrack north() {
@@ -144,7 +153,16 @@ class ArcChooserTest {
 
   private ArcChooser makingRoom(double speedMps, Mover... movers) {
     return new ArcChooser(
-        costs, BODY, List.of(movers), rover(), ORIGIN, speedMps, 0L, true, Optional.empty(), Drift.NONE);
+        costs,
+        BODY,
+        List.of(movers),
+        rover(),
+        ORIGIN,
+        speedMps,
+        0L,
+        true,
+        Optional.empty(),
+        Drift.NONE);
   }
 
   @Test

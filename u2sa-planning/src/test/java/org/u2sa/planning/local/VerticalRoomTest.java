@@ -14,8 +14,8 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.Mover;
-import org.u2sa.service.motion.Drift;
 import org.u2sa.planning.seen.PlanarShape;
+import org.u2sa.service.motion.Drift;
 
 /** A vehicle 50 m high in a lane too narrow to turn in, which a sphere enters from the front. */
 class VerticalRoomTest {
@@ -87,7 +87,8 @@ class VerticalRoomTest {
             10.0,
             0L,
             false,
-            Optional.ofNullable(room), Drift.NONE)
+            Optional.ofNullable(room),
+            Drift.NONE)
         .along(new RouteTrack(Route.of(List.of(from, to), 280.0)));
   }
 
@@ -210,7 +211,8 @@ class VerticalRoomTest {
                 10.0,
                 0L,
                 false,
-                Optional.of(room(-200.0, -10.0, UNKNOWN)), Drift.NONE)
+                Optional.of(room(-200.0, -10.0, UNKNOWN)),
+                Drift.NONE)
             .along(right);
 
     assertThat(choice.kind()).isEqualTo(ArcChoice.Kind.EVADE);

@@ -41,8 +41,7 @@ final class TaskJudge {
   private int hits;
   private OptionalDouble targetErrorM = OptionalDouble.empty();
   private final Berth berth;
-  private final NavigableMap<Double, Boolean> entries =
-      new TreeMap<>(); // whether into the bay, by time [s]
+  private final NavigableMap<Double, Boolean> inBay = new TreeMap<>(); // from a time on [s]
   private boolean isEntered;
   private boolean isDocked;
   private final FetchJudge fetch;
@@ -80,7 +79,7 @@ final class TaskJudge {
     isDocked |= isHere;
     if (berth.isEntered(boat) != isEntered) {
       isEntered = !isEntered;
-      entries.put(boat.timeS(), isEntered);
+      inBay.put(boat.timeS(), isEntered);
     }
     boolean wasGripped = fetch.isGripped();
     boolean wasBack = fetch.isBack();
@@ -117,7 +116,7 @@ final class TaskJudge {
   }
 
   private boolean isInBay(ContactWatch.Contact contact) {
-    Map.Entry<Double, Boolean> newest = entries.floorEntry(contact.timeS());
+    Map.Entry<Double, Boolean> newest = inBay.floorEntry(contact.timeS());
     return contact.object() instanceof Dock && newest != null && newest.getValue();
   }
 
