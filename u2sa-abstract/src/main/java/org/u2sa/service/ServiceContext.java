@@ -6,6 +6,7 @@ import java.util.Deque;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedDeque;
+import java.util.function.Function;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.interfaces.communication.Transport;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
@@ -43,6 +44,20 @@ public final class ServiceContext {
      *     for it
      */
     <D> Optional<D> device(Class<D> port, String service, XmlConfiguration variables, Clock clock);
+
+    /** These devices, but another one of a kind, made by the clock of its service. */
+    default <P> DeviceSource with(Class<P> kind, Function<Clock, P> device) {
+      DeviceSource others = this;
+      return new DeviceSource() {
+        @Override
+        public <D> Optional<D> device(
+            Class<D> port, String service, XmlConfiguration variables, Clock clock) {
+          return port == kind
+              ? Optional.of(port.cast(device.apply(clock)))
+              : others.device(port, service, variables, clock);
+        }
+      };
+    }
   }
 
   /** Records the executions of services created after it, such as a recorder. */

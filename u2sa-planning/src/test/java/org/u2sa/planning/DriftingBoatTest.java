@@ -18,8 +18,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Circle;
 
 /**
- * A boat of 1.2 m by 0.7 m without sideways thrust, which wind and current carry and waves rock,
- * on its way past moored buoys. Scored by its true distance to them.
+ * A boat of 1.2 m by 0.7 m without sideways thrust, which wind and current carry and waves rock, on
+ * its way past moored buoys. Scored by its true distance to them.
  */
 class DriftingBoatTest extends PlannedVehicle {
   private static final Map<String, Object> BOAT =
@@ -46,7 +46,9 @@ class DriftingBoatTest extends PlannedVehicle {
   private static final double BUOY_M = 0.15;
   private static final double WAY_M = 30.0;
   private static final double[] START = {0.0, 0.0};
-  private static final double[][] WAYPOINTS = {{-15.0, -5.0}, {-30.0, 0.0}, {-10.0, 4.0}, {0.0, 0.0}};
+  private static final double[][] WAYPOINTS = {
+    {-15.0, -5.0}, {-30.0, 0.0}, {-10.0, 4.0}, {0.0, 0.0}
+  };
   private static final int BUOYS = 16;
   private static final double APART_M = 3.5;
 
@@ -141,8 +143,7 @@ class DriftingBoatTest extends PlannedVehicle {
     double right = driftEast * Math.cos(course) - driftNorth * Math.sin(course);
     double share = Math.max(-1.0, Math.min(1.0, right / Math.max(0.3, aheadMps)));
     double crab = Math.max(-0.87, Math.min(0.87, -Math.asin(share)));
-    double turn =
-        point.backwards() ? Math.IEEEremainder(off + Math.PI, 2.0 * Math.PI) : off + crab;
+    double turn = point.backwards() ? Math.IEEEremainder(off + Math.PI, 2.0 * Math.PI) : off + crab;
     double wanted = Math.max(-0.44, Math.min(0.44, 1.2 * Math.IEEEremainder(turn, 2.0 * Math.PI)));
     turnRadps += Math.min(1.0, STEP_S / 0.3) * (wanted - turnRadps);
     double speed = point.speed().orElse(1.2) * sign * Math.max(0.0, sign * Math.cos(off));

@@ -30,8 +30,7 @@ public record Drift(double northMps, double eastMps) {
    */
   public double crabRad(double courseRad, double aheadMps) {
     double right = eastMps * Math.cos(courseRad) - northMps * Math.sin(courseRad);
-    double ahead = northMps * Math.cos(courseRad) + eastMps * Math.sin(courseRad);
-    double through = Math.max(SLOWEST_MPS, aheadMps - ahead);
+    double through = Math.max(SLOWEST_MPS, aheadMps - towardsMps(courseRad));
     double angle = -Math.asin(Math.max(-1.0, Math.min(1.0, right / through)));
     return Math.max(-MAX_RAD, Math.min(MAX_RAD, angle));
   }

@@ -1,9 +1,8 @@
 package org.u2sa.service.motion;
 
 /**
- * Learns the {@link Drift} of a vehicle that cannot move sideways
- * from the sideways velocity on different headings, besides the slip of its hull in turns. With the
- * bow turned against it, the course over ground is the wanted one (Fossen, Handbook of Marine Craft
+ * Learns the {@link Drift} of a vehicle that cannot move sideways from its sideways velocity on
+ * different headings, apart from the slip of its hull in turns (Fossen, Handbook of Marine Craft
  * Hydrodynamics and Motion Control, 2nd ed., section 12.4). Not thread-safe.
  */
 public final class DriftFilter {

@@ -33,7 +33,8 @@ class DriftFilterTest {
     sail(0.0, 30.0);
     sail(Math.PI / 8.0, 8.0); // half a turn
 
-    assertThat(filter.drift().crabRad(Math.PI, 1.0)).isCloseTo(Math.asin(EASTWARD_MPS), within(0.1));
+    assertThat(filter.drift().crabRad(Math.PI, 1.0))
+        .isCloseTo(Math.asin(EASTWARD_MPS), within(0.1));
   }
 
   @Test

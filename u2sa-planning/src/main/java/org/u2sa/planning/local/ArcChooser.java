@@ -75,7 +75,7 @@ public final class ArcChooser {
             speedMps,
             costs.frame().cellM());
     drifting =
-        drift.speedMps() < STILL_MPS
+        !limits.stops() || !limits.turnsOnTheSpot() || drift.speedMps() < STILL_MPS
             ? Optional.empty()
             : Optional.of(
                 new SteeredChoice(

@@ -41,7 +41,9 @@ final class SteeredChoice {
     return forecast.to(ahead.northM(), ahead.eastM(), 0.0, false).isFree();
   }
 
-  /** The free direction that leads nearest to a place; otherwise the one that stays free longest. */
+  /**
+   * The free direction that leads nearest to a place; otherwise the one that stays free longest.
+   */
   ArcChoice evade(double northM, double eastM) {
     ArcChoice best = null;
     ArcChoice longest = null;
@@ -57,8 +59,7 @@ final class SteeredChoice {
       ArcChoice choice =
           new ArcChoice(north, east, limits.speedMps(), backwards, ArcChoice.Kind.EVADE);
       double cost =
-          outcome.end().distanceM(northM, eastM)
-              + (backwards ? ASTERN * limits.lookAheadM() : 0.0);
+          outcome.end().distanceM(northM, eastM) + (backwards ? ASTERN * limits.lookAheadM() : 0.0);
       if (outcome.isFree() && cost < leastCost) {
         leastCost = cost;
         best = choice;

@@ -14,8 +14,8 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.planning.search.GridFrame;
 import org.u2sa.planning.search.Inflation;
 import org.u2sa.planning.seen.Mover;
-import org.u2sa.service.motion.Drift;
 import org.u2sa.planning.seen.PlanarShape;
+import org.u2sa.service.motion.Drift;
 
 /** A vehicle 50 m high in a lane too narrow to turn in, which a sphere enters from the front. */
 class VerticalRoomTest {

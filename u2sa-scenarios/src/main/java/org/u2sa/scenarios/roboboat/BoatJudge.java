@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.DoubleSupplier;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
@@ -27,9 +28,11 @@ final class BoatJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 20.0 * 60.0;
 
+  private static final double FIRES_PERCENT = 50.0;
   private static final double HOME_M = 2.5; // the mission's 2 m, and the errors of the boat
 
   private final RunningVehicle run;
+  private final DoubleSupplier gunPercent;
   private final Clock clock;
   private final TaskJudge tasks;
   private final QuadrotorOnDeck quadrotor;
@@ -82,13 +85,18 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
   }
 
+  /**
+   * @param gunPercent position of the dart gun's trigger now [%]
+   */
   BoatJudge(
       BoatCourse course,
       RunningVehicle run,
+      DoubleSupplier gunPercent,
       QuadrotorOnDeck quadrotor,
       Clock clock,
       Path directory) {
     this.run = run;
+    this.gunPercent = gunPercent;
     this.quadrotor = quadrotor;
     this.clock = clock;
     tasks = new TaskJudge(course.sites(), quadrotor.gripper(), course.weather().seed(), this::say);
@@ -114,7 +122,7 @@ final class BoatJudge implements TruthObserver.Scorer {
       say(truth.timeS(), "home");
     }
     before = now;
-    tasks.judgeShots();
+    tasks.trigger(gunPercent.getAsDouble() > FIRES_PERCENT, truth);
     tasks.dock(truth, quadrotor.flown().map(flown -> flown.at(clock.micros())));
     over |= truth.timeS() >= RUN_S;
   }
@@ -131,11 +139,6 @@ final class BoatJudge implements TruthObserver.Scorer {
     }
     tasks.reported(report, run.at(clock.micros()).timeS());
     return true;
-  }
-
-  /** The boat's dart gun fires. Thread-safe. */
-  void fired(long micros) {
-    tasks.fired(run.at(micros));
   }
 
   private void say(double timeS, String line) {

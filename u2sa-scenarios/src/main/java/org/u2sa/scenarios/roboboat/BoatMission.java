@@ -2,7 +2,6 @@ package org.u2sa.scenarios.roboboat;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import org.u2sa.messages.frame.Geodetic;
@@ -149,15 +148,14 @@ final class BoatMission {
 
   /** Time by which the boat has to set out for home from a place [s of the run]. */
   private double endByS(Point from) {
-    List<Point> way = new ArrayList<>(List.of(from));
-    List<Gate> gates = new ArrayList<>(course.channel());
-    Collections.reverse(gates);
-    gates.forEach(gate -> way.add(gate.middle()));
-    way.add(course.start());
     double metres = 0.0;
-    for (int i = 1; i < way.size(); i++) {
-      metres += way.get(i - 1).flatDistanceTo(way.get(i));
+    Point at = from;
+    for (int i = course.channel().size() - 1; i >= 0; i--) {
+      Point middle = course.channel().get(i).middle();
+      metres += at.flatDistanceTo(middle);
+      at = middle;
     }
+    metres += at.flatDistanceTo(course.start());
     return BoatJudge.RUN_S - RESERVE_S - metres / HOMEWARD_MPS;
   }
 

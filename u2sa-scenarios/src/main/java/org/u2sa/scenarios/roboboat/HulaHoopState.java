@@ -11,13 +11,15 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
-import org.u2sa.scenarios.roboboat.gun.DartGunControl;
 
 /**
  * {@link HulaHoop}: turns the bow, on which the gun is fixed, to the hoop and fires while it points
  * there. A navigation point of the subsystem DART GUN is the order to fire.
  */
 final class HulaHoopState extends StationTaskState {
+  /** Subsystem of the gun, and its actuator. */
+  static final String GUN = "DART GUN";
+
   private static final double AIMED_RAD = Math.toRadians(3.0);
   private static final double STEADY_S = 0.3; // aimed before a shot
   private static final double ORDER_S = 0.6; // longer than the gun's interlock holds
@@ -95,6 +97,6 @@ final class HulaHoopState extends StationTaskState {
   }
 
   private static NavigationPoint order() {
-    return NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).subsystem(DartGunControl.SUBSYSTEM);
+    return NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).subsystem(GUN);
   }
 }

@@ -4,19 +4,21 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.communication.LocalBus;
+import org.u2sa.interfaces.communication.Transport;
+import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Surroundings;
 import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
+import org.u2sa.scenarios.roboboat.subvehicle.SubVehicle;
 import org.u2sa.scenarios.run.Demo;
 import org.u2sa.scenarios.run.DemoFrame;
 import org.u2sa.scenarios.run.SimulatedWorld;
-import org.u2sa.scenarios.run.Simulation;
 import org.u2sa.scenarios.run.VehicleFileChanges;
 import org.u2sa.scenarios.run.VehicleTrial;
 import org.u2sa.sim.file.VehicleFile;
@@ -130,48 +132,32 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
             sailed.site(TaskSite.Task.DOCK).object().center(),
             directory.resolve("logs/quadrotor"),
             seed);
-    AtomicReference<BoatJudge> judge = new AtomicReference<>();
-    BoatDevices devices =
-        new BoatDevices(
-            placed.devices(),
-            micros -> {
-              BoatJudge present = judge.get();
-              if (present != null) { // before it looks on, nothing counts
-                present.fired(micros);
-              }
-            },
-            quadrotor,
-            radioFails);
     Trial trial =
         placed.trial(
             mission,
             placed.name(),
-            clock -> {
-              judge.set(new BoatJudge(sailed, placed.run(), quadrotor, clock, directory));
-              return judge.get();
-            },
-            launch -> launch.devices(devices));
+            clock ->
+                new BoatJudge(
+                    sailed,
+                    placed.run(),
+                    () -> placed.devices().switchPercent(HulaHoopState.GUN),
+                    quadrotor,
+                    clock,
+                    directory),
+            launch ->
+                launch.devices(
+                    placed
+                        .devices()
+                        .with(SubVehicle.class, clock -> () -> radio(quadrotor, clock))));
     return new Trial(
         trial.mission(),
         trial.observer(),
         trial.settings(),
-        launch -> with(quadrotor, trial.lockstep().apply(launch)),
-        launch -> with(quadrotor, trial.realTime().apply(launch)));
+        launch -> trial.lockstep().apply(launch).and(quadrotor::close),
+        launch -> trial.realTime().apply(launch).and(quadrotor::close));
   }
 
-  /** A simulation that ends the quadrotor's services, too. */
-  private static Simulation with(QuadrotorOnDeck quadrotor, Simulation boat) {
-    return new Simulation() {
-      @Override
-      public String name() {
-        return boat.name();
-      }
-
-      @Override
-      public void close() {
-        quadrotor.close();
-        boat.close();
-      }
-    };
+  private Transport radio(QuadrotorOnDeck quadrotor, Clock clock) {
+    return radioFails ? new LocalBus("nobody") : quadrotor.switchOn(clock);
   }
 }

@@ -7,10 +7,8 @@ import java.util.Map;
 import java.util.NavigableMap;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.Queue;
 import java.util.Random;
 import java.util.TreeMap;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiConsumer;
 import java.util.stream.Collectors;
 import org.u2sa.messages.frame.Geodetic;
@@ -18,7 +16,6 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.marine.Button;
 import org.u2sa.messages.marine.Dock;
 import org.u2sa.messages.marine.Hoop;
-import org.u2sa.scenarios.roboboat.gun.Dart;
 import org.u2sa.scenarios.roboboat.subvehicle.FetchJudge;
 import org.u2sa.scenarios.roboboat.subvehicle.PuckGripper;
 import org.u2sa.sim.vehicle.ContactWatch;
@@ -29,7 +26,7 @@ import org.u2sa.sim.world.LocalPlane;
 /**
  * Scores the optional tasks by the truth: darts through the right hoop, the right button pressed,
  * the reported place of the hot target, and the puck fetched from the dock. Confined to the judge's
- * thread but for {@link #fired}.
+ * thread.
  */
 final class TaskJudge {
   /** Largest error of a reported target that counts [m]. */
@@ -38,14 +35,13 @@ final class TaskJudge {
   private final Map<TaskSite.Task, TaskSite> sites;
   private final BiConsumer<Double, String> log; // at a time [s]
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
-  private final Queue<VehicleTruth> shots = new ConcurrentLinkedQueue<>(); // not judged yet
   private final Random random;
+  private boolean wasPulled;
   private int fired;
   private int hits;
   private OptionalDouble targetErrorM = OptionalDouble.empty();
   private final Berth berth;
-  private final NavigableMap<Double, Boolean> entries =
-      new TreeMap<>(); // whether into the bay, by time [s]
+  private final NavigableMap<Double, Boolean> inBay = new TreeMap<>(); // from a time on [s]
   private boolean isEntered;
   private boolean isDocked;
   private final FetchJudge fetch;
@@ -58,20 +54,16 @@ final class TaskJudge {
     this.log = log;
   }
 
-  /** A dart was fired from a boat in this state. Thread-safe. */
-  void fired(VehicleTruth boat) {
-    shots.add(boat);
-  }
-
-  /** Judges the shots so far. */
-  void judgeShots() {
-    for (VehicleTruth boat = shots.poll(); boat != null; boat = shots.poll()) {
+  /** Judges the trigger of the dart gun: it fires as it is pulled. */
+  void trigger(boolean isPulled, VehicleTruth boat) {
+    if (isPulled && !wasPulled) {
       fired++;
       Dart dart = Dart.shot(boat, random);
       boolean isHit = dart.passes((Hoop) sites.get(TaskSite.Task.HOOP).object());
       hits += isHit ? 1 : 0;
       log.accept(boat.timeS(), "dart " + fired + (isHit ? " through the hoop" : " misses"));
     }
+    wasPulled = isPulled;
   }
 
   /**
@@ -87,7 +79,7 @@ final class TaskJudge {
     isDocked |= isHere;
     if (berth.isEntered(boat) != isEntered) {
       isEntered = !isEntered;
-      entries.put(boat.timeS(), isEntered);
+      inBay.put(boat.timeS(), isEntered);
     }
     boolean wasGripped = fetch.isGripped();
     boolean wasBack = fetch.isBack();
@@ -124,7 +116,7 @@ final class TaskJudge {
   }
 
   private boolean isInBay(ContactWatch.Contact contact) {
-    Map.Entry<Double, Boolean> newest = entries.floorEntry(contact.timeS());
+    Map.Entry<Double, Boolean> newest = inBay.floorEntry(contact.timeS());
     return contact.object() instanceof Dock && newest != null && newest.getValue();
   }
 
@@ -139,7 +131,6 @@ final class TaskJudge {
       List<String> violations,
       Map<String, Integer> counts,
       Map<String, Double> figures) {
-    judgeShots();
     Optional<ContactWatch.Contact> first =
         run.contacts().stream().filter(each -> each.object() instanceof Button).findFirst();
     boolean isRight = first.filter(this::isPress).isPresent();

@@ -4,15 +4,14 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** {@link DropMarkers}: hovers above a bin. */
 final class BinState extends ReleaseState {
   private static final double ABOVE_M = 0.9; // height above the bin's middle
   private static final double STEADY_M = 0.1; // distance from that place
 
-  BinState(PlannerView surroundings) {
-    super(surroundings, "DROPPER");
+  BinState(Sightings sightings) {
+    super(sightings, "DROPPER");
   }
 
   @Override

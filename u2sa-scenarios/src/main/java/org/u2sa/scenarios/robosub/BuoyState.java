@@ -4,14 +4,13 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** {@link BumpBuoy}: straight into a buoy. */
 final class BuoyState extends SightState {
   private static final double TOUCHED_M = 0.25; // from centre to centre, inside of both hulls
 
-  BuoyState(PlannerView surroundings) {
-    super(surroundings);
+  BuoyState(Sightings sightings) {
+    super(sightings);
   }
 
   @Override

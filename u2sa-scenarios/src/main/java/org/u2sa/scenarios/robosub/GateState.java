@@ -6,7 +6,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** {@link PassGate}: through the middle between two poles and on (thesis 4.3.1.3). */
 final class GateState extends SightState {
@@ -19,8 +18,8 @@ final class GateState extends SightState {
   private Optional<Point> axis = Optional.empty(); // level unit vector through the gate
   private boolean isThrough;
 
-  GateState(PlannerView surroundings) {
-    super(surroundings);
+  GateState(Sightings sightings) {
+    super(sightings);
   }
 
   @Override

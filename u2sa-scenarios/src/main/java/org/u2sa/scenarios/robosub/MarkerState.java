@@ -6,7 +6,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** {@link FollowMarker}: above a path marker, then along it, onwards. */
 final class MarkerState extends SightState {
@@ -19,8 +18,8 @@ final class MarkerState extends SightState {
   private Optional<Point> came = Optional.empty(); // level way to the marker when first seen
   private Optional<Point> axis = Optional.empty(); // level unit vector, once above it
 
-  MarkerState(PlannerView surroundings) {
-    super(surroundings);
+  MarkerState(Sightings sightings) {
+    super(sightings);
   }
 
   @Override

@@ -7,7 +7,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /**
  * {@link HomeOnPinger}: up a little, then level until the pinger is straight below. Only its
@@ -22,8 +21,8 @@ final class PingerState extends SightState {
   private long enteredMicros;
   private Optional<Double> downM = Optional.empty(); // depth to keep, on the planner's plane
 
-  PingerState(PlannerView surroundings) {
-    super(surroundings);
+  PingerState(Sightings sightings) {
+    super(sightings);
   }
 
   @Override

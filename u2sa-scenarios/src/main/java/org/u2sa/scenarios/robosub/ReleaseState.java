@@ -7,7 +7,6 @@ import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** Releases a payload twice, each time the vehicle is aimed (thesis 4.3.1.5). */
 abstract class ReleaseState extends SightState {
@@ -22,8 +21,8 @@ abstract class ReleaseState extends SightState {
   /**
    * @param actuator name of the release, and of its subsystem
    */
-  ReleaseState(PlannerView surroundings, String actuator) {
-    super(surroundings);
+  ReleaseState(Sightings sightings, String actuator) {
+    super(sightings);
     this.actuator = actuator;
   }
 

@@ -7,7 +7,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** {@link SurfaceInRing}: below the middle of a floating ring well under it, then up. */
 final class RingState extends SightState {
@@ -23,8 +22,8 @@ final class RingState extends SightState {
   private double highestDownM;
   private long highestMicros;
 
-  RingState(PlannerView surroundings) {
-    super(surroundings);
+  RingState(Sightings sightings) {
+    super(sightings);
   }
 
   @Override

@@ -28,17 +28,20 @@ abstract class SightState implements PlannerState {
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
   private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
   private static final double AROUND_S = 15.0;
+  private static final double BLIND_S = 40.0; // without any sight: it looks around only
   private static final double AROUND_RAD = 0.3; // heading ahead of the vehicle's, to keep turning
   private static final double FACED_M =
       0.7; // nearer places are approached without turning toward them
 
   final PlannerView surroundings;
+  private final Sightings sightings;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
   private long enteredMicros;
   private long seenMicros;
 
-  SightState(PlannerView surroundings) {
-    this.surroundings = surroundings;
+  SightState(Sightings sightings) {
+    this.sightings = sightings;
+    surroundings = sightings.surroundings;
   }
 
   /**
@@ -103,18 +106,21 @@ abstract class SightState implements PlannerState {
       aim = Optional.empty(); // relative to the vehicle, which has moved since
     }
     double unseenS = Clock.seconds(now - seenMicros);
+    boolean isBlind =
+        Clock.seconds(now - sightings.lastMicros(seen.isPresent(), now)) > BLIND_S;
     if (aim.isEmpty()) {
-      return search(task, unseenS, Clock.seconds(now - enteredMicros));
+      return search(task, unseenS, Clock.seconds(now - enteredMicros), isBlind);
     }
     return approach(task, state, aim.get().minus(surroundings.here(state)));
   }
 
-  private static Plan search(SubTask task, double unseenS, double sinceS) {
+  private static Plan search(
+      SubTask task, double unseenS, double sinceS, boolean isBlind) {
     if (unseenS > GIVE_UP_S) {
       return abandoned(
           String.format(Locale.ROOT, "%s unseen for %.0f s", task.objectTypes(), unseenS));
     }
-    boolean looksAround = sinceS % (STRAIGHT_S + AROUND_S) > STRAIGHT_S;
+    boolean looksAround = isBlind || sinceS % (STRAIGHT_S + AROUND_S) > STRAIGHT_S;
     NavigationPoint point =
         looksAround
             ? NavigationPoint.at(Point.of(0.01, 0.0, 0.0)).turn(AROUND_RAD)

@@ -27,13 +27,14 @@ public final class SubTasks implements MessageTypeProvider, PlannerStateProvider
   @Override
   public Collection<PlannerState> plannerStates(
       Configurator configuration, PlannerView surroundings) {
+    Sightings sightings = new Sightings(surroundings);
     return List.of(
-        new GateState(surroundings),
-        new BuoyState(surroundings),
-        new RingState(surroundings),
-        new MarkerState(surroundings),
-        new BinState(surroundings),
-        new TorpedoState(surroundings),
-        new PingerState(surroundings));
+        new GateState(sightings),
+        new BuoyState(sightings),
+        new RingState(sightings),
+        new MarkerState(sightings),
+        new BinState(sightings),
+        new TorpedoState(sightings),
+        new PingerState(sightings));
   }
 }

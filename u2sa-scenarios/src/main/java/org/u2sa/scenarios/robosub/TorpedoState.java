@@ -5,7 +5,6 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
-import org.u2sa.planning.PlannerView;
 
 /** {@link ShootTorpedoes}: in front of a hoop, at its depth, heading through its middle. */
 final class TorpedoState extends ReleaseState {
@@ -17,8 +16,8 @@ final class TorpedoState extends ReleaseState {
   private Optional<Point> normal = Optional.empty(); // level unit vector through the hoop
   private boolean isThere;
 
-  TorpedoState(PlannerView surroundings) {
-    super(surroundings, "LAUNCHER");
+  TorpedoState(Sightings sightings) {
+    super(sightings, "LAUNCHER");
   }
 
   @Override

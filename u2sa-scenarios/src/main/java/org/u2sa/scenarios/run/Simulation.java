@@ -16,6 +16,33 @@ public interface Simulation extends AutoCloseable {
   @Override
   default void close() {}
 
+  /** This simulation, with something more to end. */
+  default Simulation and(Runnable end) {
+    Simulation first = this;
+    return new Simulation() {
+      @Override
+      public void start() throws InterruptedException {
+        first.start();
+      }
+
+      @Override
+      public String name() {
+        return first.name();
+      }
+
+      @Override
+      public String vehicle() {
+        return first.vehicle();
+      }
+
+      @Override
+      public void close() {
+        end.run();
+        first.close();
+      }
+    };
+  }
+
   /** A simulation stepped by a service of the system: nothing to start or stop. */
   record Within(String name, String vehicle) implements Simulation {}
 }

@@ -174,17 +174,7 @@ public final class VehicleTrial {
     }
     IoioTcpServer server = new IoioTcpServer(board.get(), new SystemClock(), 0);
     launch.override("IoioService", "CONNECTION", "tcp:127.0.0.1:" + server.port());
-    return new Simulation() {
-      @Override
-      public String name() {
-        return simulator;
-      }
-
-      @Override
-      public void close() {
-        server.close();
-      }
-    };
+    return new Simulation.Within(simulator, "vehicle").and(server::close);
   }
 
   public String name() {

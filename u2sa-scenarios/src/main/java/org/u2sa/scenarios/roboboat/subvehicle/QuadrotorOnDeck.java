@@ -7,12 +7,10 @@ import org.u2sa.core.launch.RunningSystem;
 import org.u2sa.core.launch.SystemFile;
 import org.u2sa.device.payload.LoadCell;
 import org.u2sa.interfaces.communication.Transport;
-import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.run.VehicleTrial;
-import org.u2sa.service.ServiceContext;
 import org.u2sa.sim.device.SensorErrors;
 import org.u2sa.sim.device.SimulatedLoadCell;
 import org.u2sa.sim.file.VehicleFile;
@@ -86,24 +84,12 @@ public final class QuadrotorOnDeck implements AutoCloseable {
                 .seed(seed)
                 .logDirectory(logs)
                 .override("CommunicationManager", "BROKER", "none")
-                .devices(new Devices(trial.devices(), cell())));
+                .devices(trial.devices().with(LoadCell.class, unused -> cell())));
     return system.communicationManager().transport();
   }
 
   private LoadCell cell() {
     return new SimulatedLoadCell(CELL, new NoiseStreams(seed), gripper::loadN);
-  }
-
-  /** The vehicle's devices, and the gripper's load cell. */
-  private record Devices(ServiceContext.DeviceSource vehicle, LoadCell cell)
-      implements ServiceContext.DeviceSource {
-    @Override
-    public <D> Optional<D> device(
-        Class<D> port, String service, XmlConfiguration variables, Clock clock) {
-      return port == LoadCell.class
-          ? Optional.of(port.cast(cell))
-          : vehicle.device(port, service, variables, clock);
-    }
   }
 
   @Override

@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat.gun;
+package org.u2sa.scenarios.roboboat;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

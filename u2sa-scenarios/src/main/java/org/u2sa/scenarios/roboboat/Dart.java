@@ -1,4 +1,4 @@
-package org.u2sa.scenarios.roboboat.gun;
+package org.u2sa.scenarios.roboboat;
 
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
