@@ -123,8 +123,7 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
     } else if (object instanceof Hoop hoop) {
       return hoop(hoop, centre);
     } else if (object instanceof Dock dock) {
-      double radius = 0.5 * dock.thickness();
-      return joined(dock, PlanarShape.Kind.CHAIN, dock.outline(), radius, dock.height(), centre);
+      return dock(dock, centre);
     } else if (object instanceof Polygon polygon) {
       return joined(object, PlanarShape.Kind.AREA, polygon.points(), 0.0, polygon.height(), centre);
     } else if (object instanceof PolyLine band) {
@@ -150,6 +149,14 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
             radius,
             2.0 * hoop.radius() + hoop.thickness(),
             centre);
+  }
+
+  /** The walls of a dock; of a dock of which only the width was seen, all that may be wall. */
+  private PlanarShape dock(Dock dock, Point centre) {
+    double radius = 0.5 * dock.thickness();
+    return dock.length() == 0.0
+        ? points(dock, List.of(dock.center()), 0.5 * dock.width(), dock.height(), centre)
+        : joined(dock, PlanarShape.Kind.CHAIN, dock.outline(), radius, dock.height(), centre);
   }
 
   private PlanarShape points(

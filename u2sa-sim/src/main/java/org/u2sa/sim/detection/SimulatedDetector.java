@@ -9,6 +9,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.marine.Dock;
 import org.u2sa.messages.marine.Hoop;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
@@ -165,6 +166,8 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
         ? ball.radius()
         : object instanceof Cylinder pillar
             ? pillar.radius()
-            : object instanceof Hoop hoop ? hoop.radius() : 0.0;
+            : object instanceof Hoop hoop
+                ? hoop.radius()
+                : object instanceof Dock dock ? 0.5 * dock.width() : 0.0;
   }
 }

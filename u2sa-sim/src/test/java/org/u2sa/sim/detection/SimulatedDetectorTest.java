@@ -13,6 +13,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.marine.Buoy;
 import org.u2sa.messages.marine.Colour;
+import org.u2sa.messages.marine.Dock;
 import org.u2sa.messages.marine.PathMarker;
 import org.u2sa.messages.shape.Box;
 import org.u2sa.sim.device.SensorErrors;
@@ -92,6 +93,16 @@ class SimulatedDetectorTest {
     assertThat(axis.x()).isCloseTo(0.5, within(1e-9));
     assertThat(axis.y()).as("to the left").isCloseTo(-Math.cos(Math.PI / 6.0), within(1e-9));
     assertThat(axis.z()).isCloseTo(0.0, within(1e-9));
+  }
+
+  @Test
+  void read_dock_hasHalfItsWidth() {
+    ObjectDescription dock = new Dock().length(1.5).width(3.2).height(0.5).thickness(0.2);
+    dock.uid("dock").objectType("dock").referenceFrame(ReferenceFrame.LOCAL_ENU);
+    dock.x(0.0).y(10.0).z(1.0);
+    dock.freeze();
+
+    assertThat(seen(EXACT, 1, dock).get(0).radiusM()).isEqualTo(1.6);
   }
 
   @Test
