@@ -105,16 +105,14 @@ abstract class SightState implements PlannerState {
       aim = Optional.empty(); // relative to the vehicle, which has moved since
     }
     double unseenS = Clock.seconds(now - seenMicros);
-    boolean isBlind =
-        Clock.seconds(now - sightings.lastMicros(seen.isPresent(), now)) > BLIND_S;
+    boolean isBlind = Clock.seconds(now - sightings.lastMicros(seen.isPresent(), now)) > BLIND_S;
     if (aim.isEmpty()) {
       return search(task, unseenS, Clock.seconds(now - enteredMicros), isBlind);
     }
     return approach(task, state, aim.get().minus(surroundings.here(state)));
   }
 
-  private static Plan search(
-      SubTask task, double unseenS, double sinceS, boolean isBlind) {
+  private static Plan search(SubTask task, double unseenS, double sinceS, boolean isBlind) {
     if (unseenS > GIVE_UP_S) {
       return abandoned(
           String.format(Locale.ROOT, "%s unseen for %.0f s", task.objectTypes(), unseenS));
