@@ -33,14 +33,14 @@ abstract class SightState implements PlannerState {
   private static final double FACED_M = 0.7; // nearer places are gone to without turning to them
 
   final PlannerView surroundings;
-  private final Sightings sightings;
+  private final TaskSight sight;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
   private long enteredMicros;
   private long seenMicros;
 
-  SightState(Sightings sightings) {
-    this.sightings = sightings;
-    surroundings = sightings.surroundings;
+  SightState(TaskSight sight) {
+    this.sight = sight;
+    surroundings = sight.surroundings;
   }
 
   /**
@@ -105,7 +105,7 @@ abstract class SightState implements PlannerState {
       aim = Optional.empty(); // relative to the vehicle, which has moved since
     }
     double unseenS = Clock.seconds(now - seenMicros);
-    boolean isBlind = Clock.seconds(now - sightings.lastMicros(seen.isPresent(), now)) > BLIND_S;
+    boolean isBlind = Clock.seconds(now - sight.lastMicros(seen.isPresent(), now)) > BLIND_S;
     if (aim.isEmpty()) {
       return search(task, unseenS, Clock.seconds(now - enteredMicros), isBlind);
     }
