@@ -78,7 +78,7 @@ public final class AllocatingControl extends ControlSystem {
           double retryTime,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether without states the motion is taken from an IMU and a velocity log on sensed-state, while both measure.")
+              "Whether without states the motion is taken from an IMU and a velocity log on sensed-state. Once both have measured, the actuators are neutral while one is silent.")
           boolean sensesMotion) {
     Choices {
       axes(essential);
@@ -124,6 +124,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
   private boolean wentBySight; // at the previous step
+  private boolean isMeasured; // has been by IMU and velocity log
   private boolean takesOver;
   private double fluidMps; // speed of the newest state through air or water
   private OptionalDouble headingBefore = OptionalDouble.empty();
@@ -164,7 +165,10 @@ public final class AllocatingControl extends ControlSystem {
     if (motion.isEmpty() != isBlind) {
       isBlind = motion.isEmpty();
       if (isBlind) {
-        trouble("the state lacks heading or velocity: actuators are neutral");
+        trouble(
+            isMeasured && isStateless()
+                ? "no IMU, velocity log or navigation point: actuators are neutral"
+                : "the state lacks heading or velocity: actuators are neutral");
       } else {
         log("heading and velocity are known");
       }
@@ -197,6 +201,10 @@ public final class AllocatingControl extends ControlSystem {
     }
     Optional<BodyMotion> measured = sensed.now(clock().micros());
     cascade.goBySight(isStateless(), measured.isPresent());
+    isMeasured |= measured.isPresent();
+    if (isStateless() && isMeasured && measured.isEmpty()) {
+      return Optional.empty(); // lost: what was seen is carried along by the same sensors
+    }
     if (isStateless()) {
       Point acceleration =
           Point.of(

@@ -10,8 +10,8 @@ final class BinState extends ReleaseState {
   private static final double ABOVE_M = 0.9; // height above the bin's middle
   private static final double STEADY_M = 0.1; // distance from that place
 
-  BinState(Sightings sightings) {
-    super(sightings, "DROPPER");
+  BinState(TaskSight sight) {
+    super(sight, "DROPPER");
   }
 
   @Override

@@ -9,8 +9,8 @@ import org.u2sa.planning.Plan;
 final class BuoyState extends SightState {
   private static final double TOUCHED_M = 0.25; // from centre to centre, inside of both hulls
 
-  BuoyState(Sightings sightings) {
-    super(sightings);
+  BuoyState(TaskSight sight) {
+    super(sight);
   }
 
   @Override

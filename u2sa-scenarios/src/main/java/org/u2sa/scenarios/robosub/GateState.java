@@ -18,8 +18,8 @@ final class GateState extends SightState {
   private Optional<Point> axis = Optional.empty(); // level unit vector through the gate
   private boolean isThrough;
 
-  GateState(Sightings sightings) {
-    super(sightings);
+  GateState(TaskSight sight) {
+    super(sight);
   }
 
   @Override

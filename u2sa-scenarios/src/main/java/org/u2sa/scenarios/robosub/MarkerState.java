@@ -18,8 +18,8 @@ final class MarkerState extends SightState {
   private Optional<Point> came = Optional.empty(); // level way to the marker when first seen
   private Optional<Point> axis = Optional.empty(); // level unit vector, once above it
 
-  MarkerState(Sightings sightings) {
-    super(sightings);
+  MarkerState(TaskSight sight) {
+    super(sight);
   }
 
   @Override

@@ -21,8 +21,8 @@ final class PingerState extends SightState {
   private long enteredMicros;
   private Optional<Double> downM = Optional.empty(); // depth to keep, on the planner's plane
 
-  PingerState(Sightings sightings) {
-    super(sightings);
+  PingerState(TaskSight sight) {
+    super(sight);
   }
 
   @Override

@@ -21,8 +21,8 @@ abstract class ReleaseState extends SightState {
   /**
    * @param actuator name of the release, and of its subsystem
    */
-  ReleaseState(Sightings sightings, String actuator) {
-    super(sightings);
+  ReleaseState(TaskSight sight, String actuator) {
+    super(sight);
     this.actuator = actuator;
   }
 

@@ -22,8 +22,8 @@ final class RingState extends SightState {
   private double highestDownM;
   private long highestMicros;
 
-  RingState(Sightings sightings) {
-    super(sightings);
+  RingState(TaskSight sight) {
+    super(sight);
   }
 
   @Override

@@ -34,14 +34,14 @@ abstract class SightState implements PlannerState {
       0.7; // nearer places are approached without turning toward them
 
   final PlannerView surroundings;
-  private final Sightings sightings;
+  private final TaskSight sight;
   private Optional<Point> aim = Optional.empty(); // on the planner's plane
   private long enteredMicros;
   private long seenMicros;
 
-  SightState(Sightings sightings) {
-    this.sightings = sightings;
-    surroundings = sightings.surroundings;
+  SightState(TaskSight sight) {
+    this.sight = sight;
+    surroundings = sight.surroundings;
   }
 
   /**
@@ -106,16 +106,14 @@ abstract class SightState implements PlannerState {
       aim = Optional.empty(); // relative to the vehicle, which has moved since
     }
     double unseenS = Clock.seconds(now - seenMicros);
-    boolean isBlind =
-        Clock.seconds(now - sightings.lastMicros(seen.isPresent(), now)) > BLIND_S;
+    boolean isBlind = Clock.seconds(now - sight.lastMicros(seen.isPresent(), now)) > BLIND_S;
     if (aim.isEmpty()) {
       return search(task, unseenS, Clock.seconds(now - enteredMicros), isBlind);
     }
     return approach(task, state, aim.get().minus(surroundings.here(state)));
   }
 
-  private static Plan search(
-      SubTask task, double unseenS, double sinceS, boolean isBlind) {
+  private static Plan search(SubTask task, double unseenS, double sinceS, boolean isBlind) {
     if (unseenS > GIVE_UP_S) {
       return abandoned(
           String.format(Locale.ROOT, "%s unseen for %.0f s", task.objectTypes(), unseenS));

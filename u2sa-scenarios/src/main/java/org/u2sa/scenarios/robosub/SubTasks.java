@@ -27,14 +27,14 @@ public final class SubTasks implements MessageTypeProvider, PlannerStateProvider
   @Override
   public Collection<PlannerState> plannerStates(
       Configurator configuration, PlannerView surroundings) {
-    Sightings sightings = new Sightings(surroundings);
+    TaskSight sight = new TaskSight(surroundings);
     return List.of(
-        new GateState(sightings),
-        new BuoyState(sightings),
-        new RingState(sightings),
-        new MarkerState(sightings),
-        new BinState(sightings),
-        new TorpedoState(sightings),
-        new PingerState(sightings));
+        new GateState(sight),
+        new BuoyState(sight),
+        new RingState(sight),
+        new MarkerState(sight),
+        new BinState(sight),
+        new TorpedoState(sight),
+        new PingerState(sight));
   }
 }

@@ -16,8 +16,8 @@ final class TorpedoState extends ReleaseState {
   private Optional<Point> normal = Optional.empty(); // level unit vector through the hoop
   private boolean isThere;
 
-  TorpedoState(Sightings sightings) {
-    super(sightings, "LAUNCHER");
+  TorpedoState(TaskSight sight) {
+    super(sight, "LAUNCHER");
   }
 
   @Override

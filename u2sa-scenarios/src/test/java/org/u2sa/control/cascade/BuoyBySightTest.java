@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
@@ -32,6 +33,7 @@ class BuoyBySightTest {
   private final SixThrusterDive dive = new SixThrusterDive(0.0, 0.05);
   private PathPlanner planner;
   private boolean sees = true;
+  private boolean hasVelocityLog;
 
   @AfterEach
   void close() {
@@ -64,8 +66,21 @@ class BuoyBySightTest {
       if (sees) {
         dive.kit.publish(Channels.SENSED_OBJECTS, seen(truth));
       }
+      if (hasVelocityLog) {
+        measure(truth);
+      }
       dive.kit.advance(SixThrusterDive.STEP_S);
     }
+  }
+
+  /** As IMU and velocity log of a vehicle that lies level and hardly turns. */
+  private void measure(VehicleTruth truth) {
+    StateInformation imu = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_NED);
+    dive.kit.publish(Channels.SENSED_STATE, imu.psiDot(truth.rates().z()));
+    Point ned = Point.of(truth.velocity().y(), truth.velocity().x(), -truth.velocity().z());
+    Point frd = truth.attitude().bodyOf(ned);
+    StateInformation log = new StateInformation().referenceFrame(ReferenceFrame.BODY);
+    dive.kit.publish(Channels.SENSED_STATE, log.xDot(frd.x()).yDot(frd.y()).zDot(frd.z()));
   }
 
   private static Point place(VehicleTruth truth) {
@@ -152,6 +167,22 @@ class BuoyBySightTest {
     assertThat(dive.thrusters.keySet()).anySatisfy(name -> assertThat(isDriven(name)).isTrue());
     sees = false;
     dive(6.0);
+    assertThat(isReached()).isFalse();
+    assertThat(dive.thrusters.keySet()).allSatisfy(name -> assertThat(isDriven(name)).isFalse());
+  }
+
+  @Test
+  void sensedState_velocityLogFails_thrustersAreLetGoAlthoughTheBuoyIsSeen() {
+    start(true);
+    dive.control.kill();
+    variables(true);
+    dive.control = dive.kit.with("SENSES MOTION", true).start(AllocatingControl::new);
+    hasVelocityLog = true;
+    dive(4.0);
+    assertThat(dive.thrusters.keySet()).anySatisfy(name -> assertThat(isDriven(name)).isTrue());
+    hasVelocityLog = false;
+    dive(3.5);
+
     assertThat(isReached()).isFalse();
     assertThat(dive.thrusters.keySet()).allSatisfy(name -> assertThat(isDriven(name)).isFalse());
   }

@@ -46,10 +46,10 @@ class SightStateTest {
 
   @Test
   void plan_nothingSeenByAnyGoal_travelsBlindlyForFortySecondsAtMost() {
-    Sightings sightings = new Sightings(BLIND);
+    TaskSight sight = new TaskSight(BLIND);
 
-    double first = pursue(new BuoyState(sightings), 0.0);
-    double second = pursue(new RingState(sightings), first);
+    double first = pursue(new BuoyState(sight), 0.0);
+    double second = pursue(new RingState(sight), first);
 
     assertThat(lastTravelS).isBetween(10.0, 40.0);
     assertThat(second - first).isBetween(60.0, 61.0);

@@ -3,11 +3,11 @@ package org.u2sa.scenarios.robosub;
 import org.u2sa.planning.PlannerView;
 
 /** What the states of all goals see, and when one of them last saw what it goes to. */
-final class Sightings {
+final class TaskSight {
   final PlannerView surroundings;
   private long lastMicros = Long.MIN_VALUE; // until the first step
 
-  Sightings(PlannerView surroundings) {
+  TaskSight(PlannerView surroundings) {
     this.surroundings = surroundings;
   }
 
