@@ -67,10 +67,8 @@ final class Evasion {
    * flies straight on until neither is possible.
    */
   private static double side(ArcChoice before, Pose pose) {
-    boolean evades =
-        before.kind() == ArcChoice.Kind.EVADE || before.kind() == ArcChoice.Kind.BRAKE;
-    double bearing =
-        Math.atan2(before.eastM() - pose.eastM(), before.northM() - pose.northM());
+    boolean evades = before.kind() == ArcChoice.Kind.EVADE || before.kind() == ArcChoice.Kind.BRAKE;
+    double bearing = Math.atan2(before.eastM() - pose.eastM(), before.northM() - pose.northM());
     double aside = Pose.wrapped(bearing - pose.headingRad());
     return evades && Math.abs(aside) > ASIDE_RAD ? Math.signum(aside) : 0.0;
   }

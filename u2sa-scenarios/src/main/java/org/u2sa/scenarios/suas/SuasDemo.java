@@ -263,8 +263,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
             launch.override("SurveyCamera", "TERRAIN", map.toString());
           }
           gimbal()
-              .ifPresent(
-                  each -> launch.override("SurveyCamera", "GIMBAL LIMIT", each.limitRad()));
+              .ifPresent(each -> launch.override("SurveyCamera", "GIMBAL LIMIT", each.limitRad()));
           mosaic.ifPresent(each -> each.start(launch));
           launch.override("WorldModeler", "WORLD", world.toAbsolutePath().toString());
           launch.override("SafetyManager", "FENCE", fence.toAbsolutePath().toString());

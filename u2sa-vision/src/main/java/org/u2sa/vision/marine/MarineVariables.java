@@ -10,7 +10,8 @@ record MarineVariables(
             "Kinds of objects the camera can look for, separated by commas: Buoy, Pole, Hoop, Button, Dock, Bin, PathMarker.")
         String kinds,
     @Variable(ifAbsentText = "")
-        @Description("Kinds always looked for, regardless of the current goal, for example to avoid them.")
+        @Description(
+            "Kinds always looked for, regardless of the current goal, for example to avoid them.")
         String always,
     @Variable(ifAbsentText = "")
         @Description(

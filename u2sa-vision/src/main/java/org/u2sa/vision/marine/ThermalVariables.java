@@ -6,7 +6,8 @@ import org.u2sa.interfaces.configuration.Variable;
 /** Detection settings of a {@link ThermalCamera}. */
 record ThermalVariables(
     @Variable(ifAbsentText = "")
-        @Description("Kinds always looked for, regardless of the current goal: HotTarget, or empty.")
+        @Description(
+            "Kinds always looked for, regardless of the current goal: HotTarget, or empty.")
         String always,
     @Variable(ifAbsentText = "")
         @Description(

@@ -43,7 +43,8 @@ record CloserLook(double resolution) {
     StringBuilder goal = new StringBuilder("<searchArea>");
     element(goal, "name", name);
     element(goal, "corners", corners(middle));
-    number(goal, "resolution", Math.max(SearchArea.MIN_RESOLUTION_M, resolution * area.resolution()));
+    number(
+        goal, "resolution", Math.max(SearchArea.MIN_RESOLUTION_M, resolution * area.resolution()));
     number(goal, "ground", area.ground());
     area.lowest().ifPresent(metres -> number(goal, "lowest", metres));
     area.highest().ifPresent(metres -> number(goal, "highest", metres));

@@ -34,8 +34,7 @@ import org.u2sa.world.modeller.PoseHistory;
  * publishes which ground each image shows, and afterwards the targets that it found. Of a search
  * area all images count, otherwise one each time the distance has been flown. In: state, goals.
  * Out: sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set;
- * mission, orders for closer looks if CLOSER LOOKS is set.
- * Thesis 4.4.1.1, 4.4.1.3.
+ * mission, orders for closer looks if CLOSER LOOKS is set. Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
   private record Variables(

@@ -41,7 +41,9 @@ final class TargetLog {
       return first.fromEnu(Point.of(eastM / count, northM / count, 0.0));
     }
 
-    /** Whether it was seen more than once, and most sightings agree on shape, letter and colours. */
+    /**
+     * Whether it was seen more than once, and most sightings agree on shape, letter and colours.
+     */
     boolean isClear() {
       return count >= LEAST
           && votes.subList(0, READ).stream()

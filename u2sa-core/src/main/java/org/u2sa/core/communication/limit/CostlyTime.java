@@ -1,7 +1,10 @@
 package org.u2sa.core.communication.limit;
 
 /**
- * Rations the network thread's time for decrypting, reading and forwarding clients' long messages and grids. Several clients share a part of it, in small slices, so that short messages such as an emergency stop are hardly delayed. A single client only has to pause between slices. Confined to the network thread.
+ * Rations the network thread's time for decrypting, reading and forwarding clients' long messages
+ * and grids. Several clients share a part of it, in small slices, so that short messages such as an
+ * emergency stop are hardly delayed. A single client only has to pause between slices. Confined to
+ * the network thread.
  */
 public final class CostlyTime {
   private static final double PART = 0.5;
