@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.StateInformation;
@@ -43,7 +44,7 @@ final class ChannelState extends TaskState {
   private static final double RETRY_M = 0.5; // between two attempts to plan
   private static final double DECIDE_M = 3.0; // before a gate: the last place to break off
   private static final double STEEPEST = 0.25; // of the way back to the line, aside per metre
-  private static final double TWICE_M = 1.5; // between buoys of a colour: the same one
+  private static final double TWICE_M = 2.5; // between buoys of a colour: the same one
   private static final double UNKNOWN_SIGMA_M = 10.0;
   private static final int MAX_BREAK_OFFS = 3;
 
@@ -108,19 +109,27 @@ final class ChannelState extends TaskState {
     return search(pursuit, here, now);
   }
 
-  /**
-   * Places of the buoys of a type. A buoy that is on the map twice, as sightings from afar missed
-   * it, is where it is known best: two of a colour are never that near.
-   */
   private List<Point> places(String type, StateInformation state) {
-    List<Point> places = new ArrayList<>();
-    surroundings.objects().stream()
-        .filter(object -> object.objectType().equals(type))
-        .sorted(Comparator.comparingDouble(ChannelState::sigmaM))
-        .map(object -> surroundings.centre(object, state))
-        .filter(place -> places.stream().allMatch(each -> each.flatDistanceTo(place) > TWICE_M))
-        .forEach(places::add);
-    return places;
+    return known(
+        surroundings.objects().stream()
+            .filter(object -> object.objectType().equals(type))
+            .sorted(Comparator.comparingDouble(ChannelState::sigmaM))
+            .map(object -> surroundings.centre(object, state)));
+  }
+
+  /**
+   * Places of the buoys of a colour. A buoy that is on the map twice, as sightings from afar missed
+   * it, is where it is known best: gates are 4 m apart or more, so two of a colour are never that
+   * near.
+   *
+   * @param places the best known first
+   */
+  static List<Point> known(Stream<Point> places) {
+    List<Point> known = new ArrayList<>();
+    places
+        .filter(place -> known.stream().allMatch(each -> each.flatDistanceTo(place) > TWICE_M))
+        .forEachOrdered(known::add);
+    return known;
   }
 
   private static double sigmaM(ObjectDescription object) {
