@@ -38,8 +38,8 @@ public interface PlannerView {
   Point centre(ObjectDescription object, StateInformation state);
 
   /**
-   * Outlines of the newest objects on the planner's plane, including those that the planner does
-   * not avoid.
+   * Outlines of the newest {@link #objects}, in their order, on the planner's plane, including
+   * those that the planner does not avoid.
    */
   List<PlanarShape> outlines(StateInformation state);
 

@@ -21,6 +21,8 @@ final class RouteKeeper {
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
 
+  private static final int MAX_DOUBLINGS = 4; // of the wait after searches in vain
+
   private final SeenWorld world;
   private final VirtualObstacles obstacles;
   private final Passages passages;
@@ -32,6 +34,7 @@ final class RouteKeeper {
   private boolean searches; // search in progress: no route until it ends
   private int revision; // world revision last checked
   private int triedRevision = -1; // world revision of the last search
+  private int failures; // searches in vain, one after the other
   private long plannedMicros = Long.MIN_VALUE / 2;
 
   /**
@@ -60,6 +63,7 @@ final class RouteKeeper {
   void dropUntil(long micros) {
     track = Optional.empty();
     searches = false;
+    failures = 0;
     plannedMicros = micros;
     tryAgain();
   }
@@ -89,9 +93,7 @@ final class RouteKeeper {
     boolean changed = world.revision() != revision;
     boolean blocked = changed && track.isPresent() && costLeft() == Double.POSITIVE_INFINITY;
     boolean due = now.micros() - plannedMicros >= now.settings().replanMicros();
-    // one that cannot stop is elsewhere by then, where it may have room to turn
-    boolean hopeless =
-        track.isEmpty() && world.revision() == triedRevision && now.settings().stops();
+    boolean hopeless = track.isEmpty() && world.revision() == triedRevision && !isElsewhere(now);
     boolean lacking = track.isEmpty() && (searches || (due && !hopeless));
     revision = world.revision();
     if (blocked && now.settings().stops()) {
@@ -105,6 +107,15 @@ final class RouteKeeper {
         track = Optional.of(new RouteTrack(route));
       }
     }
+  }
+
+  /**
+   * Whether a vehicle that cannot stop is where it may have room to turn since the last search. A
+   * search in vain takes long, so each is followed by twice the wait.
+   */
+  private boolean isElsewhere(Situation now) {
+    long wait = now.settings().replanMicros() << Math.min(failures, MAX_DOUBLINGS);
+    return !now.settings().stops() && now.micros() - plannedMicros >= wait;
   }
 
   /** Distance of the vehicle off the route [m]. */
@@ -130,7 +141,10 @@ final class RouteKeeper {
     obstacle = route.obstacle();
     searches = route.goesOn();
     triedRevision = revision; // a longer search may have missed recent changes
-    if (!route.exists() && !route.goesOn()) {
+    if (route.exists()) {
+      failures = 0;
+    } else if (!route.goesOn()) {
+      failures++;
       obstacles.forgetGaps();
       if (passages.narrow()) {
         tryAgain();

@@ -99,6 +99,19 @@ class RouteKeeperTest {
     assertThat(flying.routes.track()).isPresent();
   }
 
+  /** A search in vain takes long. */
+  @Test
+  void update_noRouteForLong_isTriedLessAndLessOften() {
+    AvoidanceBench flying = new AvoidanceBench(Map.of("MIN SPEED", 1.0));
+    flying.answer = Route.none("a pillar ahead");
+
+    for (double s = 0.0; s < 120.0; s += 0.1) {
+      flying.routes.update(flying.at(s));
+    }
+
+    assertThat(flying.requests).hasSizeBetween(10, 25);
+  }
+
   @Test
   void update_noRouteWithRoomToTurn_triesNarrowerPassagesOnce() {
     bench.turnsOnTheSpot = true;

@@ -15,6 +15,7 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 import org.u2sa.planning.curve.Pose;
+import org.u2sa.planning.seen.PlanarShape;
 import org.u2sa.scenarios.roboboat.gate.Gate;
 import org.u2sa.scenarios.roboboat.gate.GateApproach;
 import org.u2sa.scenarios.roboboat.gate.GateLine;
@@ -42,6 +43,8 @@ final class ChannelState extends TaskState {
   private static final double MOVED_M = 0.8; // of the start of the run: the way is planned again
   private static final double OFF_M = 1.2; // from the planned way: it is planned again
   private static final double RETRY_M = 0.5; // between two attempts to plan
+  private static final double ARRIVED_M = 1.5; // from a place before the gate
+  private static final int DIRECTIONS = 8; // tried there
   private static final double DECIDE_M = 3.0; // before a gate: the last place to break off
   private static final double STEEPEST = 0.25; // of the way back to the line, aside per metre
   private static final double TWICE_M = 2.5; // between buoys of a colour: the same one
@@ -53,6 +56,7 @@ final class ChannelState extends TaskState {
   private Optional<GateApproach> approach = Optional.empty(); // while not on that line
   private Optional<Point> triedAt = Optional.empty(); // place of the last planning
   private OptionalDouble arrivedS = OptionalDouble.empty(); // at the entrance, without a gate
+  private double turnsS; // time of the next plan that begins with a turn
   private int breakOffs;
 
   ChannelState(PlannerView surroundings) {
@@ -72,6 +76,7 @@ final class ChannelState extends TaskState {
     approach = Optional.empty();
     triedAt = Optional.empty();
     arrivedS = OptionalDouble.empty();
+    turnsS = 0.0;
     breakOffs = 0;
   }
 
@@ -132,6 +137,25 @@ final class ChannelState extends TaskState {
     return known;
   }
 
+  /** Outlines of all objects but those of buoys that are on the map once more. */
+  private List<PlanarShape> obstacles(Pursuit pursuit) {
+    BuoyChannel goal = (BuoyChannel) pursuit.goal();
+    StateInformation state = pursuit.state();
+    List<String> types = List.of(name(goal.left(), "buoy"), name(goal.right(), "buoy"));
+    List<Point> known = new ArrayList<>();
+    types.forEach(type -> known.addAll(places(type, state)));
+    List<ObjectDescription> objects = surroundings.objects();
+    List<PlanarShape> outlines = surroundings.outlines(state); // in the same order
+    List<PlanarShape> obstacles = new ArrayList<>();
+    for (int i = 0; i < objects.size(); i++) {
+      boolean isBuoy = types.contains(objects.get(i).objectType());
+      if (!isBuoy || known.contains(surroundings.centre(objects.get(i), state))) {
+        obstacles.add(outlines.get(i));
+      }
+    }
+    return obstacles;
+  }
+
   private static double sigmaM(ObjectDescription object) {
     return object.motion().sigma().map(Point::distance).orElse(UNKNOWN_SIGMA_M);
   }
@@ -164,7 +188,7 @@ final class ChannelState extends TaskState {
     Point middle = gate.middle();
     Point after = gates.next(middle, gate).map(Gate::middle).orElse(gate.beyond(BEFORE_M));
     GateLine line = new GateLine(lineFrom.get(), middle, after);
-    if (mustBreakOff(gate, line, here) && plan(gate, here, pursuit.state())) {
+    if (mustBreakOff(gate, line, here) && plan(gate, here, pursuit)) {
       breakOffs++;
       lineFrom = Optional.empty();
       return approach(gate, here, pursuit, now);
@@ -191,14 +215,13 @@ final class ChannelState extends TaskState {
             .orElse(true);
     if (isOff && triedAt.map(place -> place.flatDistanceTo(here) > RETRY_M).orElse(true)) {
       triedAt = Optional.of(here);
-      plan(gate, here, state);
+      plan(gate, here, pursuit);
     }
     if (approach.isEmpty()) {
-      return step(
-          pursuit,
-          towards(
-              pursuit, GateApproach.before(gate, surroundings.outlines(state)), 1.0, APPROACH_MPS),
-          now);
+      Point before = GateApproach.before(gate, obstacles(pursuit));
+      if (away(before, state) > ARRIVED_M || !planTurning(gate, here, pursuit)) {
+        return step(pursuit, towards(pursuit, before, 1.0, APPROACH_MPS), now);
+      }
     }
     SailingPath path = approach.get().path();
     path.follow(here);
@@ -209,9 +232,23 @@ final class ChannelState extends TaskState {
     return steer(pursuit, here, path.ahead(AHEAD_M), APPROACH_MPS, now);
   }
 
-  private boolean plan(Gate gate, Point here, StateInformation state) {
-    Pose pose = new Pose(here.x(), here.y(), surroundings.courseRad(state));
-    Optional<GateApproach> planned = GateApproach.plan(pose, gate, surroundings.outlines(state));
+  /** Plans, each second, a way that begins in any direction: there is room to turn on the spot. */
+  private boolean planTurning(Gate gate, Point here, Pursuit pursuit) {
+    if (pursuit.missionS() < turnsS) {
+      return false;
+    }
+    turnsS = pursuit.missionS() + 1.0;
+    List<PlanarShape> objects = obstacles(pursuit);
+    for (int k = 0; k < DIRECTIONS && approach.isEmpty(); k++) {
+      Pose pose = new Pose(here.x(), here.y(), 2.0 * Math.PI * k / DIRECTIONS);
+      approach = GateApproach.plan(pose, gate, objects);
+    }
+    return approach.isPresent();
+  }
+
+  private boolean plan(Gate gate, Point here, Pursuit pursuit) {
+    Pose pose = new Pose(here.x(), here.y(), surroundings.courseRad(pursuit.state()));
+    Optional<GateApproach> planned = GateApproach.plan(pose, gate, obstacles(pursuit));
     approach = planned.or(() -> approach);
     return planned.isPresent();
   }
