@@ -600,6 +600,8 @@ MESSAGES = [
         ('file', 'text', 'optional', None, None, None, (), 3, None, False),
         ('margin', 'float64', 'always', 0.0, 0.0, None, (), 3, None, False),
         ('rally', 'messages:GoalInformation', 'always', (), None, None, (), 3, None, False),
+        ('lowest', 'float64', 'optional', None, None, None, (), 3, None, False),
+        ('highest', 'float64', 'optional', None, None, None, (), 3, None, False),
     ]),
     (('FenceOrder',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
