@@ -21,7 +21,7 @@ final class RouteKeeper {
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
 
-  private static final int MAX_DOUBLINGS = 4; // of the wait after searches in vain
+  private static final int MAX_DOUBLINGS = 4; // of the wait after failed searches
 
   private final SeenWorld world;
   private final VirtualObstacles obstacles;
@@ -34,7 +34,7 @@ final class RouteKeeper {
   private boolean searches; // search in progress: no route until it ends
   private int revision; // world revision last checked
   private int triedRevision = -1; // world revision of the last search
-  private int failures; // searches in vain, one after the other
+  private int failures; // failed searches, one after the other
   private long plannedMicros = Long.MIN_VALUE / 2;
 
   /**
@@ -111,7 +111,7 @@ final class RouteKeeper {
 
   /**
    * Whether a vehicle that cannot stop is where it may have room to turn since the last search. A
-   * search in vain takes long, so each is followed by twice the wait.
+   * failed search takes long, so the wait doubles after each.
    */
   private boolean isElsewhere(Situation now) {
     long wait = now.settings().replanMicros() << Math.min(failures, MAX_DOUBLINGS);

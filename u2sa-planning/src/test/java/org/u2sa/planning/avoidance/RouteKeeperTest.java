@@ -99,7 +99,7 @@ class RouteKeeperTest {
     assertThat(flying.routes.track()).isPresent();
   }
 
-  /** A search in vain takes long. */
+  /** A failed search takes long. */
   @Test
   void update_noRouteForLong_isTriedLessAndLessOften() {
     AvoidanceBench flying = new AvoidanceBench(Map.of("MIN SPEED", 1.0));
