@@ -31,7 +31,7 @@ import org.u2sa.messages.schema.MessageTypes;
 class TopicPermissionsTest {
   private static final String OWN = "my-own-channel";
 
-  /** Of the chains that no reader accepts, every one so many is judged: coprime to their number. */
+  /** Share of the chains that no reader accepts which is judged: one in this many. */
   private static final int MADE_UP_SHARE = 13;
 
   private static final MessageTypes TYPES = StandardTypes.registry();
