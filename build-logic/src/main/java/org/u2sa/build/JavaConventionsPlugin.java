@@ -34,8 +34,8 @@ public class JavaConventionsPlugin implements Plugin<Project> {
           "-parameters");
   private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos,android,spark,browser";
   private static final List<String> TEST_CLASSES = List.of("**/*Test", "**/*Properties");
-  private static final int TEST_FORKS = 2;
-  private static final String TEST_JVM = "-XX:+UseSerialGC";
+  private static final int TEST_FORKS = 3;
+  private static final String TEST_JVM = "-XX:+UseSerialGC -XX:TieredStopAtLevel=1";
 
   @Override
   public void apply(Project project) {
@@ -131,7 +131,7 @@ public class JavaConventionsPlugin implements Plugin<Project> {
               task.useJUnitPlatform(platform -> platform.excludeTags(tags));
               TEST_CLASSES.forEach(name -> task.include(name + ".class"));
               task.setMaxParallelForks(TEST_FORKS);
-              task.jvmArgs(TEST_JVM);
+              task.jvmArgs(List.of(TEST_JVM.split(" ")));
               task.setMaxHeapSize("1g");
               // Instead of ~/.u2sa/run: tests do not touch the account's real folders.
               task.environment(
