@@ -97,11 +97,14 @@ record LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
           if (Math.abs(x) > nearest) {
             break;
           }
-          double away = Math.hypot(x, y);
           double along = sign * (x * sample.dx + y * sample.dy);
-          double across = Math.abs(x * sample.dy - y * sample.dx);
           boolean parallel = Math.abs(sample.dx * other.dx + sample.dy * other.dy) > ASIDE;
-          if (parallel && along > 0.02 && across <= ASIDE * away && away < nearest) {
+          if (!parallel || along <= 0.02 || Math.abs(y) >= nearest) {
+            continue; // without hypot, which is slow
+          }
+          double away = Math.hypot(x, y);
+          double across = Math.abs(x * sample.dy - y * sample.dx);
+          if (across <= ASIDE * away && away < nearest) {
             best = byX[k];
             nearest = away;
           }
