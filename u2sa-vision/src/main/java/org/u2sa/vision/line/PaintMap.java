@@ -86,7 +86,10 @@ final class PaintMap {
       if (!view.seen()[at]) {
         continue;
       }
-      double most = Math.max(response(row, column, true), response(row, column, false));
+      double middle = mean(row, column, half, true);
+      double most = response(middle, row, column, true);
+      middle = half == 1 ? middle : mean(row, column, half, false); // the same square
+      most = Math.max(most, response(middle, row, column, false));
       if (most >= threshold) {
         strength[at] = (byte) Math.min(255.0, most);
       }
@@ -94,8 +97,7 @@ final class PaintMap {
   }
 
   /** Contrast of the centre over the brighter side; 0 if not paint. */
-  private double response(int row, int column, boolean alongRow) {
-    double middle = mean(row, column, half, alongRow);
+  private double response(double middle, int row, int column, boolean alongRow) {
     double left = sideMean(row, column, -1, alongRow);
     if (middle < 0.0 || left < 0.0 || middle - left < leastContrast) {
       return 0.0;
