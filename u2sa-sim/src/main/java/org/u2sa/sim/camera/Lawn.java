@@ -11,4 +11,5 @@ package org.u2sa.sim.camera;
  * @param blades brightness; 128 leaves the map unchanged
  * @param bladeM cell size of the pattern [m]
  */
-record Lawn(MipMap map, double westM, double southM, double cellM, TiledMap blades, double bladeM) {}
+record Lawn(
+    MipMap map, double westM, double southM, double cellM, TiledMap blades, double bladeM) {}

@@ -312,8 +312,7 @@ final class LawnPainter {
   }
 
   Lawn lawn() {
-    return new Lawn(
-        new MipMap(cells, width, height), westM, southM, CELL_M, blades(), BLADE_M);
+    return new Lawn(new MipMap(cells, width, height), westM, southM, CELL_M, blades(), BLADE_M);
   }
 
   /** Bright blades and dark gaps, finer than the map; repeats every 4 m. */

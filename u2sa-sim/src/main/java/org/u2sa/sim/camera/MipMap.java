@@ -1,6 +1,8 @@
 package org.u2sa.sim.camera;
 
-/** Mip map of a ground texture with four 8-bit channels; beyond its edge it continues. Immutable. */
+/**
+ * Mip map of a ground texture with four 8-bit channels; beyond its edge it continues. Immutable.
+ */
 final class MipMap {
   static final int LEVELS = 6;
   static final int ONE = 256; // weight of a cell sampled at its centre

@@ -194,10 +194,12 @@ class RendererTest {
   @Test
   void picture_solidsAllAround_isThatOfTracingThemInEveryPixel() {
     ColourLens mast =
-        new ColourLens(10.0, WIDTH, HEIGHT, 1.75, 0.0, 0.0, 0.004, 0.025, 0.0, 0.6, 0.1, 0.0, 1.1, 0.38);
+        new ColourLens(
+            10.0, WIDTH, HEIGHT, 1.75, 0.0, 0.0, 0.004, 0.025, 0.0, 0.6, 0.1, 0.0, 1.1, 0.38);
     double tiny = 1e-18; // distorts nothing, but then there are no bounding boxes
     ColourLens everywhere =
-        new ColourLens(10.0, WIDTH, HEIGHT, 1.75, tiny, 0.0, 0.004, 0.025, 0.0, 0.6, 0.1, 0.0, 1.1, 0.38);
+        new ColourLens(
+            10.0, WIDTH, HEIGHT, 1.75, tiny, 0.0, 0.004, 0.025, 0.0, 0.6, 0.1, 0.0, 1.1, 0.38);
     List<ObjectDescription> around = new ArrayList<>();
     for (int i = 0; i < 12; i++) {
       double away = 0.5 + 0.3 * i;
