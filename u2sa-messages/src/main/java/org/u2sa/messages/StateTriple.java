@@ -1,6 +1,5 @@
 package org.u2sa.messages;
 
-import java.util.Arrays;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
@@ -38,11 +37,15 @@ enum StateTriple {
   }
 
   boolean isEmpty(TranslationState<?> state) {
-    return Arrays.stream(fields).noneMatch(field -> state.number(field).isPresent());
+    return state.number(fields[0]).isEmpty()
+        && state.number(fields[1]).isEmpty()
+        && state.number(fields[2]).isEmpty();
   }
 
   boolean isComplete(TranslationState<?> state) {
-    return Arrays.stream(fields).allMatch(field -> state.number(field).isPresent());
+    return state.number(fields[0]).isPresent()
+        && state.number(fields[1]).isPresent()
+        && state.number(fields[2]).isPresent();
   }
 
   /** The three values, with 0 for absent ones. */

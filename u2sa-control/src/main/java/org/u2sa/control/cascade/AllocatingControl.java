@@ -117,7 +117,7 @@ public final class AllocatingControl extends ControlSystem {
   private Allocator allocator = new Allocator(tuning.weights());
   private Authority sound = new Authority(Map.of());
   private Authority left = new Authority(Map.of());
-  private List<DegreeOfFreedom> lost = List.of();
+  private boolean lacksEssentials; // an essential axis is lost
   private long revision = -1;
   private String said = "";
   private boolean armed = true; // without an arming service, actuators obey immediately
@@ -173,7 +173,7 @@ public final class AllocatingControl extends ControlSystem {
         log("heading and velocity are known");
       }
     }
-    if (isBlind || !armed || !lost.isEmpty() && essentialsLost()) {
+    if (isBlind || !armed || lacksEssentials) {
       if (armed) {
         cascade.rest();
       } else {
@@ -331,7 +331,8 @@ public final class AllocatingControl extends ControlSystem {
     Set<DegreeOfFreedom> controlled = tuning.controlled();
     sound = Authority.of(roster.sound(), controlled);
     left = Authority.of(allocator.effectors(), controlled);
-    lost = left.lost(sound);
+    List<DegreeOfFreedom> lost = left.lost(sound);
+    lacksEssentials = Choices.axes(choices.get().essential()).stream().anyMatch(lost::contains);
     List<String> gone = roster.lost(now);
     weak.lost().stream().filter(name -> !gone.contains(name)).forEach(gone::add);
     gone.forEach(name -> command(name, 0.0));
@@ -343,7 +344,7 @@ public final class AllocatingControl extends ControlSystem {
         (gone.isEmpty() ? "" : "lost: " + String.join(", ", gone) + "; ")
             + weak.words()
             + (authority.isEmpty() && !gone.isEmpty() ? "all authority is left" : authority)
-            + (essentialsLost() ? "; actuators are neutral" : "");
+            + (lacksEssentials ? "; actuators are neutral" : "");
     if (words.equals(said)) {
       return;
     }
@@ -354,10 +355,6 @@ public final class AllocatingControl extends ControlSystem {
     } else {
       trouble(words);
     }
-  }
-
-  private boolean essentialsLost() {
-    return Choices.axes(choices.get().essential()).stream().anyMatch(lost::contains);
   }
 
   @Override

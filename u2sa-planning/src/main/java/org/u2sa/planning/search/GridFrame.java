@@ -85,6 +85,11 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
 
   /** East of a cell's centre [m]. */
   public double centreEastM(int index) {
-    return eastM + (index % columns + 0.5) * cellM;
+    return columnEastM(index % columns);
+  }
+
+  /** East of a column's centre [m]. */
+  public double columnEastM(int column) {
+    return eastM + (column + 0.5) * cellM;
   }
 }

@@ -78,7 +78,7 @@ final class GridRaster {
       for (int c = Math.max(0, frame.column(Math.min(from, to) - reach)); c <= right; c++) {
         int i = frame.index(row, c);
         if (!isOccupied(i)
-            && PlanarShape.segmentM(north, frame.centreEastM(i), n1, e1, n2, e2) - radiusM
+            && PlanarShape.segmentM(north, frame.columnEastM(c), n1, e1, n2, e2) - radiusM
                 <= half) {
           occupy(i);
         }

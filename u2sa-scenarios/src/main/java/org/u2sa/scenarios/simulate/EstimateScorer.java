@@ -106,9 +106,11 @@ final class EstimateScorer implements TruthObserver.Scorer {
             || frame.equals(ReferenceFrame.LOCAL_ENU)
             || frame.equals(ReferenceFrame.LOCAL_NED);
     if (isPlace && (!frame.isEarth() || state.x().isPresent() && state.y().isPresent())) {
-      compare(state.in(ReferenceFrame.LOCAL_ENU, origin), state.timestamp().orElse(clock.micros()));
-      double trueRad = run.at(clock.micros()).headingRad();
-      headingError(state, trueRad, origin).ifPresent(error -> heading.add(error, state.psiSigma()));
+      StateInformation ned = state.in(ReferenceFrame.LOCAL_NED, origin);
+      VehicleTruth truth = run.at(clock.micros());
+      compare(ned, state.timestamp().orElse(clock.micros()), truth);
+      headingError(ned, truth.headingRad(), origin)
+          .ifPresent(error -> heading.add(error, state.psiSigma()));
     }
     return true;
   }
@@ -127,24 +129,23 @@ final class EstimateScorer implements TruthObserver.Scorer {
   }
 
   /**
-   * @param enu east, north, up
+   * @param ned north, east, down
    * @param atMicros time of the state
    */
-  private void compare(StateInformation enu, long atMicros) {
-    if (enu.x().isEmpty() || enu.y().isEmpty()) {
+  private void compare(StateInformation ned, long atMicros, VehicleTruth truth) {
+    if (ned.x().isEmpty() || ned.y().isEmpty()) {
       return;
     }
-    VehicleTruth truth = run.at(clock.micros());
     double ageS = Math.max(0.0, (clock.micros() - atMicros) / US_PER_S);
     Point then =
         Point.of(
             truth.position().x() - ageS * truth.velocity().x(),
             truth.position().y() - ageS * truth.velocity().y(),
             0.0);
-    double east = enu.x().getAsDouble() - then.x();
-    double north = enu.y().getAsDouble() - then.y();
-    position.add(east, enu.xSigma());
-    position.add(north, enu.ySigma());
+    double east = ned.y().getAsDouble() - then.x();
+    double north = ned.x().getAsDouble() - then.y();
+    position.add(east, ned.ySigma());
+    position.add(north, ned.xSigma());
     double square = east * east + north * north;
     squares += square;
     farthestM = Math.max(farthestM, Math.sqrt(square));

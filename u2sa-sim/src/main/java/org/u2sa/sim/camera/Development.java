@@ -143,9 +143,9 @@ final class Development {
   }
 
   private byte tone(float value, int random) {
-    float clipped = value >= 1.0f ? 1.0f : value;
-    float bright = tone[(int) (clipped * TONES)] + noise[random & NOISES - 1];
-    return (byte) (bright <= 0.0f ? 0 : bright >= 255.0f ? 255 : (int) bright);
+    int level = Math.min(TONES, (int) (value * TONES));
+    int bright = (int) (tone[level] + noise[random & NOISES - 1]);
+    return (byte) Math.max(0, Math.min(255, bright));
   }
 
   private void expose(float[] light) {

@@ -9,7 +9,10 @@ final class Ground {
   private static final long HALVES = 0x7FFF_7FFF_7FFF_7FFFL;
   private static final long QUARTERS = 0x3FFF_3FFF_3FFF_3FFFL;
 
-  private final Lawn lawn;
+  private final MipMap map;
+  private final TiledMap blades;
+  private final float west;
+  private final float south;
   private final float perFocal;
   private final float perCell;
   private final float perBlade;
@@ -17,7 +20,11 @@ final class Ground {
   private final float sun;
 
   Ground(Scenery scenery, float focal) {
-    lawn = scenery.lawn;
+    Lawn lawn = scenery.lawn;
+    map = lawn.map();
+    blades = lawn.blades();
+    west = (float) lawn.westM();
+    south = (float) lawn.southM();
     perFocal = 1.0f / focal;
     perCell = (float) (1.0 / lawn.cellM());
     perBlade = (float) (1.0 / lawn.bladeM());
@@ -48,21 +55,20 @@ final class Ground {
     int bladeLevel = MipMap.level(0.5f * (across + along) * perBlade);
     float east = x + t * dx;
     float north = y + t * dy;
-    float column = (east - (float) lawn.westM()) * perCell;
-    float row = (north - (float) lawn.southM()) * perCell;
+    float column = (east - west) * perCell;
+    float row = (north - south) * perCell;
     long seen = seen(level, column, row, along * dx * perCell, along * dy * perCell, along);
-    float grass = lawn.blades().at(bladeLevel, east * perBlade, north * perBlade) & CHANNEL;
-    float lit = sky + sun * facing * (seen >>> 48) / FULL;
+    float grass = blades.at(bladeLevel, east * perBlade, north * perBlade);
+    float lit = sky + sun * facing * (int) (seen >>> 48) / FULL;
     float bright = lit * grass / (MIDDLE * FULL);
-    into[at] = bright * (seen >>> 16 & CHANNEL);
-    into[at + 1] = bright * (seen >>> 32 & CHANNEL);
-    into[at + 2] = bright * (seen & CHANNEL);
+    into[at] = bright * (int) (seen >>> 16 & CHANNEL);
+    into[at + 1] = bright * (int) (seen >>> 32 & CHANNEL);
+    into[at + 2] = bright * (int) (seen & CHANNEL);
   }
 
   /** Averages one, two or four samples, one cell of the level apart. */
   private long seen(int level, float column, float row, float dx, float dy, float along) {
-    float cells = along * perCell / (1 << level);
-    MipMap map = lawn.map();
+    float cells = along * perCell * MipMap.scale(level);
     if (cells < 2.0f) {
       return map.at(level, column, row);
     }

@@ -8,7 +8,8 @@ package org.u2sa.sim.camera;
  * @param westM centre of the map's first column [m]
  * @param southM centre of its first row [m]
  * @param cellM cell size of the map [m]
- * @param blades brightness in the lowest bits; 128 leaves the map unchanged
+ * @param blades brightness; 128 leaves the map unchanged
  * @param bladeM cell size of the pattern [m]
  */
-record Lawn(MipMap map, double westM, double southM, double cellM, MipMap blades, double bladeM) {}
+record Lawn(
+    MipMap map, double westM, double southM, double cellM, TiledMap blades, double bladeM) {}

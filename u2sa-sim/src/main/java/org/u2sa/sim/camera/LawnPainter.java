@@ -312,22 +312,21 @@ final class LawnPainter {
   }
 
   Lawn lawn() {
-    return new Lawn(
-        new MipMap(cells, width, height, false), westM, southM, CELL_M, blades(), BLADE_M);
+    return new Lawn(new MipMap(cells, width, height), westM, southM, CELL_M, blades(), BLADE_M);
   }
 
   /** Bright blades and dark gaps, finer than the map; repeats every 4 m. */
-  private MipMap blades() {
-    int[] pattern = new int[BLADES * BLADES];
+  private TiledMap blades() {
+    byte[] pattern = new byte[BLADES * BLADES];
     for (int i = 0; i < pattern.length; i++) {
       int row = i / BLADES;
       int column = i % BLADES;
       double tuft = wrapped(column / 8.0, row / 8.0, BLADES / 8);
       double blade = wrapped(column / 2.0 + 1000.0, row / 2.0, BLADES / 2);
       double value = 128.0 * (1.0 + 0.3 * tuft + 0.35 * blade);
-      pattern[i] = (int) Math.max(0.0, Math.min(255.0, value));
+      pattern[i] = (byte) Math.max(0.0, Math.min(255.0, value));
     }
-    return new MipMap(pattern, BLADES, BLADES, true);
+    return new TiledMap(pattern, BLADES);
   }
 
   /** Tileable noise, cross-faded at the seam. */

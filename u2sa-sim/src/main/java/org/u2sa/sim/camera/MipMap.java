@@ -1,20 +1,19 @@
 package org.u2sa.sim.camera;
 
-/** Mip map of a ground texture with four 8-bit channels. Immutable. */
+/**
+ * Mip map of a ground texture with four 8-bit channels; beyond its edge it continues. Immutable.
+ */
 final class MipMap {
-  private static final int LEVELS = 6;
-  private static final int ONE = 256; // weight of a cell sampled at its centre
+  static final int LEVELS = 6;
+  static final int ONE = 256; // weight of a cell sampled at its centre
+
+  private static final float[] SCALES = {1.0f, 0.5f, 0.25f, 0.125f, 0.0625f, 0.03125f};
 
   private final int[][] pixels = new int[LEVELS][];
   private final int[] widths = new int[LEVELS];
   private final int[] heights = new int[LEVELS];
-  private final boolean tiled;
 
-  /**
-   * @param tiled whether it tiles (sides must be powers of two); otherwise the edge is clamped
-   */
-  MipMap(int[] finest, int width, int height, boolean tiled) {
-    this.tiled = tiled;
+  MipMap(int[] finest, int width, int height) {
     pixels[0] = finest;
     widths[0] = width;
     heights[0] = height;
@@ -61,6 +60,11 @@ final class MipMap {
     return Math.min(LEVELS - 1, level);
   }
 
+  /** Cells of a level per finest cell. */
+  static float scale(int level) {
+    return SCALES[level];
+  }
+
   /**
    * Bilinear sample: four 16-bit channels, each 0…255 times 256. From the lowest bits up: bits 0–7,
    * 16–23, 8–15 and 24–31 of a cell.
@@ -68,7 +72,7 @@ final class MipMap {
    * @param x in cells of the finest level, from the centre of the first
    */
   long at(int level, float x, float y) {
-    float scale = 1.0f / (1 << level);
+    float scale = SCALES[level];
     float u = (x + 0.5f) * scale - 0.5f;
     float v = (y + 0.5f) * scale - 0.5f;
     int column = floor(u);
@@ -77,10 +81,10 @@ final class MipMap {
     int down = (int) ((v - row) * ONE);
     int width = widths[level];
     int height = heights[level];
-    int x0 = column(column, width);
-    int x1 = column(column + 1, width);
-    int above = column(row, height) * width;
-    int below = column(row + 1, height) * width;
+    int x0 = inside(column, width);
+    int x1 = inside(column + 1, width);
+    int above = inside(row, height) * width;
+    int below = inside(row + 1, height) * width;
     int[] cells = pixels[level];
     int both = right * down >> 8;
     return (ONE - right - down + both) * spread(cells[above + x0])
@@ -89,15 +93,15 @@ final class MipMap {
         + both * spread(cells[below + x1]);
   }
 
-  private int column(int column, int width) {
-    return tiled ? column & width - 1 : Math.max(0, Math.min(width - 1, column));
+  private static int inside(int column, int width) {
+    return Math.max(0, Math.min(width - 1, column));
   }
 
   private static long spread(int cell) {
     return cell & 0xFF00FFL | (cell >>> 8 & 0xFF00FFL) << 32;
   }
 
-  private static int floor(float value) {
+  static int floor(float value) {
     int whole = (int) value;
     return value < whole ? whole - 1 : whole;
   }

@@ -13,6 +13,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 public final class Renderer {
   private static final float TREES = 0.2f; // elevation above which there are no trees
   private static final float GLARE = 2.2f;
+  private static final float NEAREST_M = 0.2f; // closer solids may fill the image
   private static final int BANDS = 8;
 
   private final ColourLens lens;
@@ -22,6 +23,7 @@ public final class Renderer {
   private final float[] depth;
   private final CameraPose[] poses; // one per row
   private final CameraPose middle;
+  private final RayRow[] rows = new RayRow[BANDS];
   private final int[] boxes; // image bounding box of each solid: left, top, right, bottom
   private final Ground ground;
   private final Development development;
@@ -36,6 +38,7 @@ public final class Renderer {
     depth = new float[lens.width() * lens.height()];
     poses = new CameraPose[lens.height()];
     Arrays.setAll(poses, row -> new CameraPose(lens));
+    Arrays.setAll(rows, band -> new RayRow(lens.width()));
     middle = new CameraPose(lens);
     boxes = new int[4 * scenery.solids.size()];
     ground = new Ground(scenery, (float) lens.intrinsics().focalX());
@@ -53,7 +56,7 @@ public final class Renderer {
     for (int i = 0; i < scenery.solids.size(); i++) {
       box(scenery.solids.get(i), truth, 4 * i);
     }
-    bands((from, to, band) -> expose(truth, from, to));
+    bands((from, to, band) -> expose(truth, from, to, rows[band]));
     development.begin(light, lens.exposureS() * truth.rates().z());
     byte[] picture = new byte[light.length];
     bands((from, to, band) -> baths[band].develop(light, picture, from, to));
@@ -71,10 +74,11 @@ public final class Renderer {
         .forEach(band -> each.work(band * rows / BANDS, (band + 1) * rows / BANDS, band));
   }
 
-  private void expose(VehicleTruth truth, int from, int to) {
+  private void expose(VehicleTruth truth, int from, int to, RayRow way) {
     for (int row = from; row < to; row++) {
       poses[row].at(truth, lens.readoutS() * row / (lens.height() - 1));
-      background(row, poses[row]);
+      way.aim(rays, row * lens.width(), poses[row]);
+      background(row * lens.width(), poses[row], way);
     }
     Solid.Touch touch = new Solid.Touch();
     for (int k = 0; k < scenery.solids.size(); k++) {
@@ -89,25 +93,23 @@ public final class Renderer {
     }
   }
 
-  private void background(int row, CameraPose pose) {
-    int at = row * lens.width();
+  private void background(int at, CameraPose pose, RayRow way) {
     boolean glares = scenery.light.glare() > 0.0;
-    for (int i = at; i < at + lens.width(); i++) {
-      float u = rays.right[i];
-      float v = rays.down[i];
-      float dx = u * pose.right[0] + v * pose.below[0] + pose.axis[0];
-      float dy = u * pose.right[1] + v * pose.below[1] + pose.axis[1];
-      float dz = u * pose.right[2] + v * pose.below[2] + pose.axis[2];
+    for (int i = 0; i < lens.width(); i++) {
+      float dx = way.dx[i];
+      float dy = way.dy[i];
+      float dz = way.dz[i];
+      int pixel = at + i;
       if (dz < -1.0e-3f) {
         float t = -pose.z / dz;
-        depth[i] = t;
-        ground.look(pose.x, pose.y, t, dx, dy, -dz, 1.0f, light, 3 * i);
+        depth[pixel] = t;
+        ground.look(pose.x, pose.y, t, dx, dy, -dz, 1.0f, light, 3 * pixel);
       } else {
-        depth[i] = Float.POSITIVE_INFINITY;
-        sky(dx, dy, dz, 3 * i);
+        depth[pixel] = Float.POSITIVE_INFINITY;
+        sky(dx, dy, dz, 3 * pixel);
       }
       if (glares) {
-        veil(dx, dy, dz, 3 * i);
+        veil(dx, dy, dz, 3 * pixel);
       }
     }
   }
@@ -158,8 +160,9 @@ public final class Renderer {
     int left = 0;
     int right = lens.width() - 1;
     boolean distorted = lens.k1() != 0.0 || lens.k2() != 0.0;
-    float near = ahead - deep;
-    if (near > 0.2f && !distorted) {
+    if (!distorted) {
+      float near = ahead - deep;
+      float far = ahead + deep;
       float focal = (float) lens.intrinsics().focalX();
       float aside = x * middle.right[0] + y * middle.right[1] + z * middle.right[2];
       float below = x * middle.below[0] + y * middle.below[1] + z * middle.below[2];
@@ -168,11 +171,10 @@ public final class Renderer {
       float slack = 4.0f + (float) Math.abs(truth.rates().z() * lens.readoutS()) * focal;
       float centreX = (float) lens.intrinsics().centreX();
       float centreY = (float) lens.intrinsics().centreY();
-      left = Math.max(0, (int) (centreX + focal * least(aside - wide, near, ahead) - slack));
-      right = Math.min(right, (int) (centreX + focal * -least(-aside - wide, near, ahead) + slack));
-      top = Math.max(0, (int) (centreY + focal * least(below - tall, near, ahead) - slack));
-      bottom =
-          Math.min(bottom, (int) (centreY + focal * -least(-below - tall, near, ahead) + slack));
+      left = Math.max(0, (int) (centreX + focal * least(aside - wide, near, far) - slack));
+      right = Math.min(right, (int) (centreX + focal * -least(-aside - wide, near, far) + slack));
+      top = Math.max(0, (int) (centreY + focal * least(below - tall, near, far) - slack));
+      bottom = Math.min(bottom, (int) (centreY + focal * -least(-below - tall, near, far) + slack));
     }
     boxes[into] = left;
     boxes[into + 1] = top;
@@ -186,9 +188,15 @@ public final class Renderer {
     return 1.1f * (column[3] * level + column[4] * Math.abs(axis[2])) + 0.05f;
   }
 
-  /** Minimum image coordinate of a column's side, from its nearest or farthest distance. */
-  private static float least(float side, float near, float ahead) {
-    return Math.min(side / near, side / (2.0f * ahead - near));
+  /**
+   * Minimum image coordinate of a column's side, from its nearest or farthest distance; unlimited
+   * if the column reaches the camera.
+   */
+  private static float least(float side, float near, float far) {
+    if (side > 0.0f) {
+      return side / far;
+    }
+    return near > NEAREST_M ? side / near : Float.NEGATIVE_INFINITY;
   }
 
   private void trace(Solid solid, int i, CameraPose pose, Solid.Touch touch) {

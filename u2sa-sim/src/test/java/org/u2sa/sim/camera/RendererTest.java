@@ -2,6 +2,7 @@ package org.u2sa.sim.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.ObjectDescription;
@@ -188,5 +189,40 @@ class RendererTest {
     }
     assertThat(count).isPositive();
     return sum / count;
+  }
+
+  @Test
+  void picture_solidsAllAround_isThatOfTracingThemInEveryPixel() {
+    ColourLens mast =
+        new ColourLens(
+            10.0, WIDTH, HEIGHT, 1.75, 0.0, 0.0, 0.004, 0.025, 0.0, 0.6, 0.1, 0.0, 1.1, 0.38);
+    double tiny = 1e-18; // distorts nothing, but then there are no bounding boxes
+    ColourLens everywhere =
+        new ColourLens(
+            10.0, WIDTH, HEIGHT, 1.75, tiny, 0.0, 0.004, 0.025, 0.0, 0.6, 0.1, 0.0, 1.1, 0.38);
+    List<ObjectDescription> around = new ArrayList<>();
+    for (int i = 0; i < 12; i++) {
+      double away = 0.5 + 0.3 * i;
+      double x = away * Math.sin(2.5 * i);
+      double y = away * Math.cos(2.5 * i);
+      around.add(
+          i % 3 == 0
+              ? placed(new Cylinder(), Scenery.RED_FLAG, x, y).radius(0.01).height(0.6)
+              : placed(new Cylinder(), Scenery.BARREL, x, y).radius(0.3).height(1.0));
+    }
+    Scenery scenery = new Scenery(around, Light.clear(), 7L);
+    Renderer boxed = new Renderer(mast, scenery, new NoiseStreams(7L));
+    Renderer unboxed = new Renderer(everywhere, scenery, new NoiseStreams(7L));
+    for (double heading = 0.0; heading < 6.3; heading += 0.3) {
+      VehicleTruth truth =
+          new VehicleTruth(
+              0.0,
+              Point.ORIGIN,
+              new Attitude(0.05, -0.05, heading),
+              Point.of(1.0, 1.0, 0.0),
+              Point.of(0.1, 0.1, 1.0),
+              Point.ORIGIN);
+      assertThat(boxed.picture(truth)).as("heading " + heading).isEqualTo(unboxed.picture(truth));
+    }
   }
 }

@@ -1,6 +1,7 @@
 package org.u2sa.vision.lane;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.time.Clock;
@@ -41,6 +42,7 @@ final class DrivenLane {
   record Inferred(List<Point> points, boolean atVehicle) {}
 
   private final List<LanePlace> places = new ArrayList<>();
+  private double[][] ways = {}; // path direction at each position, as of the last sides
   private int now = -1; // index of the vehicle's current position
   private long addedMicros; // time of the newest position
 
@@ -92,6 +94,8 @@ final class DrivenLane {
   /** Inferred sides of the lane, where no line is certain. */
   List<Inferred> sides(List<Known> known, LineGaps.Reach reach) {
     int from = Math.max(0, places.size() - LOOKED_AT);
+    ways = new double[places.size()][];
+    Arrays.setAll(ways, this::direction);
     follow(from, known, reach);
     bridge(from, reach);
     List<Known> barriers = barriers(known);
@@ -135,7 +139,7 @@ final class DrivenLane {
 
   private void look(
       int i, LanePlace before, double gateM, List<Known> known, LineGaps.Reach reach) {
-    double[] along = direction(i);
+    double[] along = ways[i];
     for (double sign = 1.0; sign >= -1.0; sign -= 2.0) {
       LanePlace.Side side = places.get(i).side(sign);
       double expectedM = before == null ? 0.0 : before.side(sign).awayM;
@@ -201,13 +205,13 @@ final class DrivenLane {
    * lane.
    */
   private double beforeBarrierM(int i, double sign, double awayM, List<Known> barriers) {
-    double[] along = direction(i);
+    double[] along = ways[i];
     LineRay ray = new LineRay(places.get(i).at, -sign * along[1], sign * along[0], awayM);
     return ray.nearest(barriers, 0.0) == null ? awayM : ray.metres();
   }
 
   private Point beside(int i, double leftM) {
-    double[] along = direction(i);
+    double[] along = ways[i];
     Point at = places.get(i).at;
     return Point.of(at.x() - leftM * along[1], at.y() + leftM * along[0], 0.0);
   }

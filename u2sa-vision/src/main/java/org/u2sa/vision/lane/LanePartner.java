@@ -157,7 +157,7 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
   boolean isNearOther(Point at, List<Point> own, List<Point> other) {
     for (List<Point> line : lines) {
       for (int i = 0; line != own && line != other && i < line.size(); i++) {
-        if (LineGeometry.metres(at, line.get(i)) < reach.narrowestM()) {
+        if (LineGeometry.isWithin(reach.narrowestM(), at, line.get(i))) {
           return true;
         }
       }

@@ -14,6 +14,7 @@ record LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
   private static final double LINK_M = 0.5; // maximum step between samples
   private static final double ASIDE = 0.7; // sine of the maximum angle between step and line
   private static final double SHORTEST_M = 0.5; // minimum length of a line
+  private static final double LESS_SURE = 1.0 + 1e-9; // squares round differently from hypot
   private static final double VIEWS = 2.5; // minimum mean number of viewpoints of a sure line
 
   static LineChains of(List<LineSamples.Sample> samples) {
@@ -97,11 +98,14 @@ record LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
           if (Math.abs(x) > nearest) {
             break;
           }
-          double away = Math.hypot(x, y);
           double along = sign * (x * sample.dx + y * sample.dy);
-          double across = Math.abs(x * sample.dy - y * sample.dx);
           boolean parallel = Math.abs(sample.dx * other.dx + sample.dy * other.dy) > ASIDE;
-          if (parallel && along > 0.02 && across <= ASIDE * away && away < nearest) {
+          if (!parallel || along <= 0.02 || x * x + y * y > LESS_SURE * nearest * nearest) {
+            continue; // without hypot, which is slow
+          }
+          double away = Math.hypot(x, y);
+          double across = Math.abs(x * sample.dy - y * sample.dx);
+          if (across <= ASIDE * away && away < nearest) {
             best = byX[k];
             nearest = away;
           }

@@ -180,7 +180,7 @@ final class LineGaps {
     for (List<Point> line : lines) {
       boolean longer = line != end.line() && line.size() > end.line().size();
       for (int i = 0; longer && i < line.size(); i++) {
-        if (LineGeometry.metres(end.at(), line.get(i)) < BESIDE_M) {
+        if (LineGeometry.isWithin(BESIDE_M, end.at(), line.get(i))) {
           return true;
         }
       }

@@ -15,6 +15,11 @@ final class LineGeometry {
     return Math.sqrt(x * x + y * y); // hypot is ten times slower
   }
 
+  /** Whether two points are closer than a distance [m]. */
+  static boolean isWithin(double metres, Point a, Point b) {
+    return Math.abs(a.x() - b.x()) < metres && metres(a, b) < metres;
+  }
+
   static double lengthM(List<Point> line) {
     double length = 0.0;
     for (int i = 1; i < line.size(); i++) {
@@ -26,8 +31,12 @@ final class LineGeometry {
   /** Index of the line point nearest to a position. */
   static int nearest(Point place, List<Point> line) {
     int nearest = 0;
-    for (int i = 1; i < line.size(); i++) {
-      nearest = metres(place, line.get(i)) < metres(place, line.get(nearest)) ? i : nearest;
+    double least = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < line.size(); i++) {
+      if (isWithin(least, place, line.get(i))) {
+        least = metres(place, line.get(i));
+        nearest = i;
+      }
     }
     return nearest;
   }

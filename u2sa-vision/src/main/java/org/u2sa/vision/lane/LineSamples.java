@@ -185,18 +185,14 @@ final class LineSamples {
     int row = (int) Math.floor(y / CELL_M);
     for (int r = row - span; r <= row + span; r++) {
       for (int c = column - span; c <= column + span; c++) {
-        found.addAll(cells.getOrDefault(key(c, r), List.of()));
+        found.addAll(cells.getOrDefault(CellKey.of(c, r), List.of()));
       }
     }
     return found;
   }
 
   private static long cell(double x, double y) {
-    return key((int) Math.floor(x / CELL_M), (int) Math.floor(y / CELL_M));
-  }
-
-  private static long key(int column, int row) {
-    return (long) column << 32 | row & 0xFFFFFFFFL;
+    return CellKey.of((int) Math.floor(x / CELL_M), (int) Math.floor(y / CELL_M));
   }
 
   /**

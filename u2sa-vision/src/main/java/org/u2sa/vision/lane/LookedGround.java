@@ -46,7 +46,7 @@ final class LookedGround {
         boolean inView =
             away >= NEAREST_M && away <= reachM && toX * cos + toY * sin >= least * away;
         if (inView && view.isOpen(x + toX, y + toY)) {
-          looks.merge(key(c, r), 1, Integer::sum);
+          looks.merge(CellKey.of(c, r), 1, Integer::sum);
         }
       }
     }
@@ -56,19 +56,15 @@ final class LookedGround {
   }
 
   private static boolean isFar(long key, long column, long row, long span) {
-    return Math.abs((key >> 32) - column) > span || Math.abs((int) key - row) > span;
+    return Math.abs(CellKey.column(key) - column) > span || Math.abs(CellKey.row(key) - row) > span;
   }
 
   private static long cell(double metres) {
     return (long) Math.floor(metres / CELL_M);
   }
 
-  private static long key(long column, long row) {
-    return column << 32 | row & 0xFFFFFFFFL;
-  }
-
   /** Whether a position was observed often enough. */
   boolean isKnown(double x, double y) {
-    return looks.getOrDefault(key(cell(x), cell(y)), 0) >= LOOKS;
+    return looks.getOrDefault(CellKey.of(cell(x), cell(y)), 0) >= LOOKS;
   }
 }

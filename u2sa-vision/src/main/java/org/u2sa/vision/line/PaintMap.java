@@ -26,6 +26,10 @@ final class PaintMap {
   private final double noiseFactor;
   private final SummedArea sums;
   private final SummedArea tints;
+  private final long[] along; // strips of the sums: the rows of a line along a row
+  private final long[] middle; // the rows of a line's centre, across rows
+  private final long[] nearer; // the rows of the ground on its two sides
+  private final long[] farther;
   private final byte[] strength;
   private final int[] histogram = new int[512];
 
@@ -39,6 +43,10 @@ final class PaintMap {
     noiseFactor = settings.noiseFactor();
     sums = new SummedArea(area);
     tints = new SummedArea(area);
+    along = new long[area.columns() + 1];
+    middle = new long[along.length];
+    nearer = new long[along.length];
+    farther = new long[along.length];
     strength = new byte[area.rows() * area.columns()];
   }
 
@@ -60,11 +68,12 @@ final class PaintMap {
     Arrays.fill(histogram, 0);
     int all = 0;
     for (int row = fromRow; row < toRow; row += 2) {
+      sums.strip(row - 1, row + 2, along);
       for (int column = guard + side; column < area.columns() - half; column += 3) {
-        double middle = mean(row, column, half, true);
-        double left = sideMean(row, column, -1, true);
-        if (middle >= 0.0 && left >= 0.0) {
-          histogram[Math.min(511, (int) Math.round(Math.abs(middle - left)))]++;
+        double centre = centre(column, true);
+        double left = left(column, true);
+        if (centre >= 0.0 && left >= 0.0) {
+          histogram[Math.min(511, (int) Math.round(Math.abs(centre - left)))]++;
           all++;
         }
       }
@@ -80,6 +89,10 @@ final class PaintMap {
   }
 
   private void look(TopView view, int row, double threshold) {
+    sums.strip(row - 1, row + 2, along);
+    sums.strip(row - half, row + half + 1, middle);
+    sums.strip(row - guard - side + 1, row - guard + 1, nearer);
+    sums.strip(row + guard, row + guard + side, farther);
     for (int column = 0; column < area.columns(); column++) {
       int at = row * area.columns() + column;
       strength[at] = 0;
@@ -95,17 +108,33 @@ final class PaintMap {
 
   /** Contrast of the centre over the brighter side; 0 if not paint. */
   private double response(int row, int column, boolean alongRow) {
-    double middle = mean(row, column, half, alongRow);
-    double left = sideMean(row, column, -1, alongRow);
-    if (middle < 0.0 || left < 0.0 || middle - left < leastContrast) {
+    double centre = centre(column, alongRow);
+    double left = left(column, alongRow);
+    if (centre < 0.0 || left < 0.0 || centre - left < leastContrast) {
       return 0.0;
     }
-    double right = sideMean(row, column, 1, alongRow);
-    double response = middle - Math.max(left, right);
+    double right =
+        alongRow
+            ? SummedArea.mean(along, column + guard, column + guard + side, side)
+            : SummedArea.mean(farther, column - 1, column + 2, side);
+    double response = centre - Math.max(left, right);
     if (right < 0.0 || response < leastContrast || !isPale(row, column, alongRow)) {
       return 0.0;
     }
     return response;
+  }
+
+  /** Mean shade around the centre, in the strips' rows; -1 if not visible. */
+  private double centre(int column, boolean alongRow) {
+    return alongRow
+        ? SummedArea.mean(along, column - half, column + half + 1, 1)
+        : SummedArea.mean(middle, column - 1, column + 2, 1);
+  }
+
+  private double left(int column, boolean alongRow) {
+    return alongRow
+        ? SummedArea.mean(along, column - guard - side + 1, column - guard + 1, side)
+        : SummedArea.mean(nearer, column - 1, column + 2, side);
   }
 
   private boolean isPale(int row, int column, boolean alongRow) {
@@ -118,28 +147,12 @@ final class PaintMap {
     return middle <= PALER * 0.5 * (left + right);
   }
 
-  /** Mean shade of a patch around the centre; -1 if not visible. */
-  private double mean(int row, int column, int reach, boolean alongRow) {
-    return patch(sums, row, column, -reach, reach, alongRow, 1);
-  }
-
-  private double sideMean(int row, int column, int direction, boolean alongRow) {
-    return direction < 0
-        ? patch(sums, row, column, -guard - side + 1, -guard, alongRow, side)
-        : patch(sums, row, column, guard, guard + side - 1, alongRow, side);
-  }
-
   private double tint(int row, int column, int from, int to, boolean alongRow) {
-    return patch(tints, row, column, from, to, alongRow, 1);
-  }
-
-  private static double patch(
-      SummedArea of, int row, int column, int from, int to, boolean alongRow, int least) {
     int top = alongRow ? row - 1 : row + from;
     int bottom = alongRow ? row + 2 : row + to + 1;
     int left = alongRow ? column + from : column - 1;
     int right = alongRow ? column + to + 1 : column + 2;
-    return of.mean(top, left, bottom, right, least);
+    return tints.mean(top, left, bottom, right, 1);
   }
 
   /** Contrast to the ground, in shades, where it looks like paint, otherwise 0; unsigned. */

@@ -36,6 +36,32 @@ final class SummedArea {
   }
 
   /**
+   * Sums over the columns before each column, between two rows, the upper one exclusive; rows
+   * beyond the edge are ignored.
+   *
+   * @param into columns + 1 elements
+   */
+  void strip(int row, int toRow, long[] into) {
+    int top = Math.min(rows, Math.max(0, row)) * stride;
+    int bottom = Math.min(rows, Math.max(0, toRow)) * stride;
+    for (int column = 0; column < stride; column++) {
+      into[column] = table[bottom + column] - table[top + column];
+    }
+  }
+
+  /** Like {@link #mean(int, int, int, int, int)} in a strip. */
+  static double mean(long[] strip, int column, int toColumn, int least) {
+    int last = strip.length - 1;
+    long right = strip[Math.min(last, Math.max(0, toColumn))];
+    return mean(right - strip[Math.min(last, Math.max(0, column))], least);
+  }
+
+  private static double mean(long both, int least) {
+    int count = (int) (both >>> COUNT);
+    return count < least ? -1.0 : (double) (int) both / count;
+  }
+
+  /**
    * Mean shade of the visible cells between two rows and columns, the upper ones exclusive; cells
    * beyond the edge are ignored.
    *
@@ -55,7 +81,6 @@ final class SummedArea {
             - table[top * stride + right]
             - table[bottom * stride + left]
             + table[top * stride + left];
-    int count = (int) (both >>> COUNT);
-    return count < least ? -1.0 : (double) (int) both / count;
+    return mean(both, least);
   }
 }
