@@ -68,7 +68,7 @@ public final class ForeignPrograms {
       return Optional.empty();
     }
     String with = pythonModules.length == 0 ? "" : " with " + String.join(", ", pythonModules);
-    String words = name + with + " is not here (./u2sa test installs it)";
+    String words = name + with + " is not here (docs/testing.md)";
     if (ci) {
       throw new AssertionError(words + ", and CI=true skips nothing");
     }

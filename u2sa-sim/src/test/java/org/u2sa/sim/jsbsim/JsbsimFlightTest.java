@@ -12,6 +12,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -38,10 +40,10 @@ class JsbsimFlightTest {
     return JsbsimAircraft.read(trainerFile(), Map.of());
   }
 
-  private static List<Map<String, Double>> reference() throws IOException, URISyntaxException {
+  private static List<Map<String, Double>> reference(String name)
+      throws IOException, URISyntaxException {
     List<String> lines =
-        Files.readAllLines(
-            Path.of(JsbsimFlightTest.class.getResource("trainer_reference.csv").toURI()));
+        Files.readAllLines(Path.of(JsbsimFlightTest.class.getResource(name).toURI()));
     String[] names = lines.get(0).split(",");
     List<Map<String, Double>> rows = new ArrayList<>();
     for (String line : lines.subList(1, lines.size())) {
@@ -111,9 +113,10 @@ class JsbsimFlightTest {
         Map.entry("propulsion/tank/contents-lbs", flight.property("propulsion/tank/contents-lbs")));
   }
 
-  @Test
-  void step_commandsOfJsbsim_fliesAsJsbsim() throws IOException, URISyntaxException {
-    List<Map<String, Double>> rows = reference();
+  @ParameterizedTest
+  @ValueSource(strings = {"trainer_reference.csv", "trainer_low_reference.csv"})
+  void step_commandsOfJsbsim_fliesAsJsbsim(String name) throws IOException, URISyntaxException {
+    List<Map<String, Double>> rows = reference(name);
     JsbsimFlight flight = begin(rows.get(0));
     Map<String, Double> worst = new LinkedHashMap<>();
     for (int i = 1; i < rows.size(); i++) {
@@ -123,13 +126,13 @@ class JsbsimFlightTest {
       flight.aircraft().step(ROW_S - FRAME_S);
       Map<String, Double> row = rows.get(i);
       state(flight)
-          .forEach((name, value) -> worst.merge(name, Math.abs(value - row.get(name)), Math::max));
+          .forEach((key, value) -> worst.merge(key, Math.abs(value - row.get(key)), Math::max));
     }
     worst.forEach(
-        (name, difference) -> {
-          double lowest = rows.stream().mapToDouble(row -> row.get(name)).min().orElseThrow();
-          double highest = rows.stream().mapToDouble(row -> row.get(name)).max().orElseThrow();
-          assertThat(difference / (highest - lowest)).as(name).isLessThan(WITHIN);
+        (quantity, difference) -> {
+          double lowest = rows.stream().mapToDouble(row -> row.get(quantity)).min().orElseThrow();
+          double highest = rows.stream().mapToDouble(row -> row.get(quantity)).max().orElseThrow();
+          assertThat(difference / (highest - lowest)).as(quantity).isLessThan(WITHIN);
         });
     assertThat(worst).hasSize(12);
   }

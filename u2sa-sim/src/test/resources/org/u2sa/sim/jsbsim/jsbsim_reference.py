@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Flies config/vehicles/trainer/trainer.xml with JSBSim and writes trainer_reference.csv: pip install jsbsim==1.3.3; python3 jsbsim_reference.py
+"""Flies config/vehicles/trainer/trainer.xml with JSBSim and writes *_reference.csv: pip install jsbsim==1.3.3; python3 jsbsim_reference.py
 
-From level flight as JSBSim trims it, without feedback: doublets of elevator, aileron and rudder, throttle, flaps. Each row
-holds the state and the commands from then until the next row. At 45 degrees of latitude gravity is the standard one.
+From level flight as JSBSim trims it, without feedback. High: doublets of elevator, aileron and rudder, throttle, flaps. Low:
+3 m above the ground, a climb, a stall and the dive from it. Each row holds the state and the commands from then until the next
+row. At 45 degrees of latitude gravity is the standard one.
 """
 
 import pathlib
@@ -21,15 +22,19 @@ STATE = (
     "propulsion/engine/propeller-rpm", "propulsion/engine/power-hp", "propulsion/engine/map-pa", "propulsion/tank/contents-lbs",
 )  # fmt: skip
 CONTROLS = ("elevator", "aileron", "rudder", "throttle", "flap")
-STEPS = {  # seconds: added to the trim's command from then on
+HIGH = {  # seconds: added to the trim's command from then on
     2.0: ("elevator", 0.15), 3.0: ("elevator", -0.15), 4.0: ("elevator", 0.0),
     10.0: ("aileron", 0.3), 11.0: ("aileron", -0.3), 12.0: ("aileron", 0.0),
     16.0: ("rudder", 0.3), 17.0: ("rudder", -0.3), 18.0: ("rudder", 0.0),
     22.0: ("throttle", 0.25), 28.0: ("throttle", -0.25), 34.0: ("flap", 0.6),
 }  # fmt: skip
+LOW = {
+    4.0: ("throttle", 0.3), 12.0: ("throttle", -0.5), 14.0: ("elevator", -0.4), 19.0: ("elevator", 0.0),
+    21.0: ("elevator", -0.5), 26.0: ("elevator", 0.0),
+}  # fmt: skip
 
 
-def main():
+def fly(name, feet, knots, steps, count):
     fdm = jsbsim.FGFDMExec(None)
     fdm.set_debug_level(0)
     if not fdm.load_model_with_paths("trainer", str(TRAINER), str(TRAINER / "engine"), str(TRAINER), False):
@@ -37,9 +42,9 @@ def main():
     fdm.disable_output()
     fdm.set_dt(1.0 / RATE)
     fdm["ic/lat-geod-deg"] = 45.0
-    fdm["ic/h-sl-ft"] = 2000.0
+    fdm["ic/h-sl-ft"] = feet
     fdm["ic/terrain-elevation-ft"] = 0.0
-    fdm["ic/vc-kts"] = 80.0
+    fdm["ic/vc-kts"] = knots
     fdm["fcs/mixture-cmd-norm"] = 1.0
     fdm["fcs/throttle-cmd-norm"] = 0.6
     fdm.run_ic()
@@ -51,20 +56,21 @@ def main():
         fdm[f"fcs/{axis}-trim-cmd-norm"] = 0.0
     fdm.run()
     begin = fdm["simulation/sim-time-sec"]
-    trim = {name: fdm[f"fcs/{name}-cmd-norm"] for name in CONTROLS}
+    trim = {each: fdm[f"fcs/{each}-cmd-norm"] for each in CONTROLS}
     rows = [",".join([*STATE, *CONTROLS])]
-    for row in range(89):
+    for row in range(count):
         time = row * ROW_FRAMES / RATE
-        if time in STEPS:
-            name, added = STEPS[time]
-            fdm[f"fcs/{name}-cmd-norm"] = trim[name] + added
-        state = [fdm[name] for name in STATE]
+        if time in steps:
+            control, added = steps[time]
+            fdm[f"fcs/{control}-cmd-norm"] = trim[control] + added
+        state = [fdm[each] for each in STATE]
         state[0] -= begin
-        rows.append(",".join(f"{value:.6g}" for value in state + [fdm[f"fcs/{name}-cmd-norm"] for name in CONTROLS]))
+        rows.append(",".join(f"{value:.6g}" for value in state + [fdm[f"fcs/{each}-cmd-norm"] for each in CONTROLS]))
         for _ in range(ROW_FRAMES):
             fdm.run()
-    (HERE / "trainer_reference.csv").write_text("\n".join(rows) + "\n")
+    (HERE / f"{name}_reference.csv").write_text("\n".join(rows) + "\n")
 
 
 if __name__ == "__main__":
-    main()
+    fly("trainer", 2000.0, 80.0, HIGH, 89)
+    fly("trainer_low", 10.0, 70.0, LOW, 61)
