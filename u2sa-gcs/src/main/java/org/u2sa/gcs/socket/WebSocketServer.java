@@ -22,11 +22,11 @@ import io.netty.handler.ssl.SslContext;
 import io.netty.handler.ssl.SslContextBuilder;
 import io.netty.handler.ssl.SslProvider;
 import java.net.InetSocketAddress;
+import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.net.ssl.SSLException;
@@ -39,7 +39,7 @@ import org.u2sa.interfaces.RunFailedException;
  */
 public final class WebSocketServer implements AutoCloseable {
   private static final int LONGEST_REQUEST = 1 << 16;
-  private static final int LONGEST_FRAME = 1 << 20;
+  private static final int LONGEST_MESSAGE = 1 << 18; // orders have at most 64 KiB
   private static final long LARGEST_BUFFER = 4 << 20; // unread bytes of a client
   private static final long HEAP_PART = 8; // of all clients' unread bytes together
   private static final int RESUME_PART = 4; // of a full buffer, at which it takes more
@@ -52,7 +52,8 @@ public final class WebSocketServer implements AutoCloseable {
    * @param address where it listens
    * @param subprotocols names, separated by commas; empty: none is agreed
    * @param origins web pages that may connect besides those of {@link OriginCheck}
-   * @param maxClients clients at a time; as many connections again may be in their handshake
+   * @param maxClients clients at a time; as many connections again may be in their handshake, of
+   *     which a newer one displaces the oldest
    * @param security certificate and key; empty: no encryption
    */
   public record Offer(
@@ -70,6 +71,9 @@ public final class WebSocketServer implements AutoCloseable {
     void binary();
 
     void ended();
+
+    /** Whether it gives way to a client that names a user, if there are too many. */
+    boolean givesWay();
   }
 
   private final Offer offer;
@@ -77,8 +81,9 @@ public final class WebSocketServer implements AutoCloseable {
   private final Consumer<String> remarks;
   private final Optional<SslContext> tls;
   private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
-  private final AtomicInteger sockets = new AtomicInteger();
-  private final AtomicInteger clients = new AtomicInteger();
+  private final Set<Channel> handshakes = new LinkedHashSet<>(); // oldest first
+  private final Set<Connection> clients = new LinkedHashSet<>(); // oldest first
+  private long faults; // these three: the server's thread only
   private final Channel listening;
 
   /**
@@ -154,18 +159,17 @@ public final class WebSocketServer implements AutoCloseable {
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
-      if (sockets.incrementAndGet() > 2 * offer.maxClients()) {
-        sockets.decrementAndGet();
-        socket.close();
-        return;
+      handshakes.add(socket);
+      socket.closeFuture().addListener(closed -> handshakes.remove(socket));
+      if (handshakes.size() > offer.maxClients()) {
+        handshakes.iterator().next().close();
       }
-      socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
       tls.ifPresent(context -> socket.pipeline().addLast(context.newHandler(socket.alloc())));
       WebSocketServerProtocolConfig.Builder protocol =
           WebSocketServerProtocolConfig.newBuilder()
               .websocketPath("/")
               .checkStartsWith(true)
-              .maxFramePayloadLength(LONGEST_FRAME);
+              .maxFramePayloadLength(LONGEST_MESSAGE);
       if (!offer.subprotocols().isEmpty()) {
         protocol.subprotocols(offer.subprotocols());
       }
@@ -176,7 +180,7 @@ public final class WebSocketServer implements AutoCloseable {
           .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
           .addLast(new OriginCheck(offer.origins()))
           .addLast(new WebSocketServerProtocolHandler(protocol.build()))
-          .addLast(new WebSocketFrameAggregator(LONGEST_FRAME))
+          .addLast(new WebSocketFrameAggregator(LONGEST_MESSAGE))
           .addLast(new Connection());
     }
   }
@@ -196,26 +200,41 @@ public final class WebSocketServer implements AutoCloseable {
 
   private final class Connection extends SimpleChannelInboundHandler<WebSocketFrame> {
     private Conversation conversation; // null until the handshake is complete
+    private ClientSocket socket;
 
     @Override
     public void userEventTriggered(ChannelHandlerContext context, Object event) throws Exception {
       if (event instanceof WebSocketServerProtocolHandler.HandshakeComplete complete) {
         begin(
             new ClientSocket(
-                context.channel(), complete.requestHeaders(), complete.selectedSubprotocol()));
+                context.channel(), complete.requestHeaders(), complete.selectedSubprotocol()),
+            context.channel());
       }
       super.userEventTriggered(context, event);
     }
 
-    private void begin(ClientSocket socket) {
-      if (!offer.subprotocols().isEmpty() && socket.subprotocol().isEmpty()) {
-        socket.close("expected one of the subprotocols " + offer.subprotocols());
-      } else if (clients.get() >= offer.maxClients()) {
-        socket.close("there are " + offer.maxClients() + " clients already");
+    private void begin(ClientSocket client, Channel channel) {
+      if (!offer.subprotocols().isEmpty() && client.subprotocol().isEmpty()) {
+        client.close("expected one of the subprotocols " + offer.subprotocols());
+      } else if (clients.size() >= offer.maxClients() && !makesRoom(client)) {
+        client.close("there are " + offer.maxClients() + " clients already");
       } else {
-        clients.incrementAndGet();
-        conversation = welcome.apply(socket);
+        handshakes.remove(channel);
+        clients.add(this);
+        socket = client;
+        conversation = welcome.apply(client);
       }
+    }
+
+    /** Lets the oldest client that gives way leave for one that names a user. */
+    private boolean makesRoom(ClientSocket client) {
+      Optional<Connection> oldest =
+          client.header("Authorization").isEmpty()
+              ? Optional.empty()
+              : clients.stream().filter(each -> each.conversation.givesWay()).findFirst();
+      oldest.ifPresent(
+          each -> each.socket.close("too many clients: one that names a user comes instead"));
+      return oldest.isPresent();
     }
 
     @Override
@@ -241,7 +260,7 @@ public final class WebSocketServer implements AutoCloseable {
     @Override
     public void channelInactive(ChannelHandlerContext context) throws Exception {
       if (conversation != null) {
-        clients.decrementAndGet();
+        clients.remove(this);
         conversation.ended();
       }
       super.channelInactive(context);
@@ -249,7 +268,12 @@ public final class WebSocketServer implements AutoCloseable {
 
     @Override
     public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-      remarks.accept(context.channel().remoteAddress() + ": " + cause.getMessage());
+      if (Long.bitCount(++faults) == 1) { // 1, 2, 4, 8…: others choose how many there are
+        remarks.accept(
+            String.format(
+                "%s: %s (%d so far)",
+                context.channel().remoteAddress(), cause.getMessage(), faults));
+      }
       context.close();
     }
 
