@@ -42,11 +42,6 @@ final class RosBacklog {
     return fits;
   }
 
-  /** Whether so much is more than may wait. */
-  boolean isExceededBy(long length) {
-    return length > most;
-  }
-
   void free(int length) {
     held.addAndGet(-length);
   }

@@ -21,7 +21,9 @@ import org.u2sa.messages.schema.MessageTypes;
 
 /** Serves clients of the rosbridge protocol beside the embedded broker. */
 final class RosbridgeServer implements ClientBridge {
-  private static final int MAX_CLIENTS = 16;
+  private static final int MAX_CLIENTS = // each may take megabytes of the vehicle's heap
+      (int) Math.max(4, Math.min(16, Runtime.getRuntime().maxMemory() / (8 << 20)));
+
   private static final int MAX_WAITING = 256; // operations of a client
   private static final int MAX_CALLS = 32; // waiting calls of a client
   private static final double PER_S = 2_000.0; // operations of a client, or KiB of them

@@ -28,6 +28,8 @@ import org.u2sa.report.message.MessageFromJson;
 final class RosbridgeSession {
   private static final int MAX_SUBSCRIPTIONS = 256;
   private static final int MAX_ADVERTISED = 256;
+  private static final long MAX_UNREAD = // answers, beyond what messages may take
+      Runtime.getRuntime().maxMemory() / 256;
   private static final String TOPIC = "topic";
   private static final String TYPE = "type";
 
@@ -287,7 +289,7 @@ final class RosbridgeSession {
 
   /** Sends what must not be dropped; a client that leaves too much of it unread is disconnected. */
   private void answer(JsonText text) {
-    if (backlog.isExceededBy(socket.backlog())) {
+    if (socket.backlog() > MAX_UNREAD) {
       socket.close();
     } else {
       socket.text(text.line());

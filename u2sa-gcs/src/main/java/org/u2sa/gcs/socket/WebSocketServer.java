@@ -1,6 +1,8 @@
 package org.u2sa.gcs.socket;
 
 import io.netty.bootstrap.ServerBootstrap;
+import io.netty.buffer.ByteBufAllocator;
+import io.netty.buffer.PooledByteBufAllocator;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
@@ -39,12 +41,20 @@ import org.u2sa.interfaces.RunFailedException;
  */
 public final class WebSocketServer implements AutoCloseable {
   private static final int LONGEST_REQUEST = 1 << 16;
-  private static final int LONGEST_MESSAGE = 1 << 18; // orders have at most 64 KiB
+  private static final int LONGEST_MESSAGE = 1 << 17; // orders have at most 64 KiB
   private static final long LARGEST_BUFFER = 4 << 20; // unread bytes of a client
   private static final long HEAP_PART = 8; // of all clients' unread bytes together
   private static final int RESUME_PART = 4; // of a full buffer, at which it takes more
   private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
+
+  /**
+   * What is incomplete lies on the heap, in chunks of 256 KiB, not of 4 MiB: beside a small heap
+   * there is as little memory for buffers, and without any the broker's network thread waits for
+   * the garbage collector.
+   */
+  private static final ByteBufAllocator MEMORY =
+      new PooledByteBufAllocator(false, 1, 1, 8_192, 5, 0, 0, false);
 
   /**
    * Settings of a server.
@@ -106,6 +116,7 @@ public final class WebSocketServer implements AutoCloseable {
               .channel(NioServerSocketChannel.class)
               .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, buffer(offer.maxClients()))
               .childOption(ChannelOption.TCP_NODELAY, true)
+              .childOption(ChannelOption.ALLOCATOR, MEMORY)
               .childHandler(new Initializer())
               .bind(offer.address())
               .syncUninterruptibly()

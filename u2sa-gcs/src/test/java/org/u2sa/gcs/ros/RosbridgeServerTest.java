@@ -302,7 +302,7 @@ class RosbridgeServerTest {
         hostile.send("{'op':'subscribe','id':'s" + i + "','topic':'/clock'}");
       }
       assertThat(hostile.nextStatus()).containsAnyOf("256 subscriptions", "too many operations");
-      hostile.flood("{'op':'" + "a".repeat(1 << 18) + "'}");
+      hostile.flood("{'op':'" + "a".repeat(1 << 17) + "'}");
       assertThat(hostile.isClosed()).isTrue();
       other.send("{'op':'subscribe','topic':'/clock'}");
       assertThat(firstAfterStates(other).get("msg").get("clock").get("sec").asLong()).isPositive();
@@ -326,8 +326,8 @@ class RosbridgeServerTest {
             log::add);
     try (ClientBridge server = new RosbridgeServer(setting, new StoppedClock());
         RosClient flood = new RosClient(other)) {
-      String padding = " ".repeat(250_000);
-      for (int i = 0; i < 20; i++) {
+      String padding = " ".repeat(120_000);
+      for (int i = 0; i < 40; i++) {
         flood.flood("{'op':'set_level'" + padding + "}");
       }
       assertThat(flood.isClosed()).as("by " + server).isTrue();
@@ -336,8 +336,8 @@ class RosbridgeServerTest {
 
   /** Small objects take fifty bytes for each of their two characters. */
   @Test
-  void take_aHundredThousandValues_isRefusedBeforeTheyTakeMemory() throws Exception {
-    String values = "{},".repeat(80_000) + "{}";
+  void take_fortyThousandValues_isRefusedBeforeTheyTakeMemory() throws Exception {
+    String values = "{},".repeat(40_000) + "{}";
     try (RosClient client = new RosClient(port)) {
       client.send(
           "{'op':'call_service','service':'/rosapi/get_param_names','args':{'a':[" + values + "]}}");
@@ -349,7 +349,7 @@ class RosbridgeServerTest {
   @Test
   void take_longOperationsWhileOneWaits_areDroppedBeyondTheClientsShare() throws Exception {
     RosBacklog backlog = RosBacklog.incoming();
-    int length = 250_000;
+    int length = 120_000;
     int fitting = 0;
     while (backlog.hold(length)) {
       fitting++;
