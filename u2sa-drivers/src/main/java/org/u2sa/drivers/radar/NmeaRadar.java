@@ -15,8 +15,8 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * A marine radar that sends its tracked targets by NMEA 0183 (TTM). Targets being acquired are
- * ignored; lost targets, and those silent for a minute, are dropped, and of more than a thousand the
- * later ones.
+ * ignored; lost targets, and those silent for a minute, are dropped, and of more than a thousand
+ * the later ones.
  */
 public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implements TrackingRadar {
   private static final double MAX_RANGE_M = 500_000.0;

@@ -340,7 +340,9 @@ class RosbridgeServerTest {
     String values = "{},".repeat(40_000) + "{}";
     try (RosClient client = new RosClient(port)) {
       client.send(
-          "{'op':'call_service','service':'/rosapi/get_param_names','args':{'a':[" + values + "]}}");
+          "{'op':'call_service','service':'/rosapi/get_param_names','args':{'a':["
+              + values
+              + "]}}");
       assertThat(client.nextStatus()).contains("too many values");
     }
   }
