@@ -24,7 +24,6 @@ import io.netty.handler.ssl.SslContext;
 import io.netty.handler.ssl.SslContextBuilder;
 import io.netty.handler.ssl.SslProvider;
 import java.net.InetSocketAddress;
-import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Future;
@@ -91,9 +90,8 @@ public final class WebSocketServer implements AutoCloseable {
   private final Consumer<String> remarks;
   private final Optional<SslContext> tls;
   private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
-  private final Set<Channel> handshakes = new LinkedHashSet<>(); // oldest first
-  private final Set<Connection> clients = new LinkedHashSet<>(); // oldest first
-  private long faults; // these three: the server's thread only
+  private final ClientPlaces places; // this and the next: the server's thread only
+  private long faults;
   private final Channel listening;
 
   /**
@@ -108,6 +106,7 @@ public final class WebSocketServer implements AutoCloseable {
     this.offer = offer;
     this.welcome = welcome;
     this.remarks = remarks;
+    places = new ClientPlaces(offer.maxClients());
     tls = offer.security().map(WebSocketServer::encryption);
     try {
       listening =
@@ -170,11 +169,7 @@ public final class WebSocketServer implements AutoCloseable {
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
-      handshakes.add(socket);
-      socket.closeFuture().addListener(closed -> handshakes.remove(socket));
-      if (handshakes.size() > offer.maxClients()) {
-        handshakes.iterator().next().close();
-      }
+      places.connected(socket);
       tls.ifPresent(context -> socket.pipeline().addLast(context.newHandler(socket.alloc())));
       WebSocketServerProtocolConfig.Builder protocol =
           WebSocketServerProtocolConfig.newBuilder()
@@ -227,25 +222,13 @@ public final class WebSocketServer implements AutoCloseable {
     private void begin(ClientSocket client, Channel channel) {
       if (!offer.subprotocols().isEmpty() && client.subprotocol().isEmpty()) {
         client.close("expected one of the subprotocols " + offer.subprotocols());
-      } else if (clients.size() >= offer.maxClients() && !makesRoom(client)) {
+      } else if (!places.areOpenTo(client)) {
         client.close("there are " + offer.maxClients() + " clients already");
       } else {
-        handshakes.remove(channel);
-        clients.add(this);
         socket = client;
         conversation = welcome.apply(client);
+        places.enter(channel, client, conversation);
       }
-    }
-
-    /** Lets the oldest client that gives way leave for one that names a user. */
-    private boolean makesRoom(ClientSocket client) {
-      Optional<Connection> oldest =
-          client.header("Authorization").isEmpty()
-              ? Optional.empty()
-              : clients.stream().filter(each -> each.conversation.givesWay()).findFirst();
-      oldest.ifPresent(
-          each -> each.socket.close("too many clients: one that names a user comes instead"));
-      return oldest.isPresent();
     }
 
     @Override
@@ -271,7 +254,7 @@ public final class WebSocketServer implements AutoCloseable {
     @Override
     public void channelInactive(ChannelHandlerContext context) throws Exception {
       if (conversation != null) {
-        clients.remove(this);
+        places.leave(socket);
         conversation.ended();
       }
       super.channelInactive(context);
