@@ -12,6 +12,7 @@ import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.safety.ArmCommand;
@@ -192,6 +193,9 @@ public final class SafetyManager extends PeriodicService {
     long now = clock().micros();
     predecessor.see(message, now);
     arming.see(message, now);
+    if (message instanceof HealthReport report) {
+      pilot.see(report, now);
+    }
     for (Watch watch : watches) {
       if (watch.hears(channel)) {
         watch.see(message, now);
@@ -293,7 +297,7 @@ public final class SafetyManager extends PeriodicService {
   }
 
   private void decide(long now) {
-    boolean waits = pilot.flies();
+    boolean waits = pilot.flies(now);
     for (Watch watch : watches) {
       if (waits) {
         watch.pilotFlies(now);

@@ -2,10 +2,13 @@ package org.u2sa.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.messages.safety.OperatorHeartbeat;
@@ -18,7 +21,26 @@ class PilotTest extends WatchedVehicle {
     kit.with("LONG OPERATOR DEADLINE", 180.0).with("ON LONG OPERATOR LOSS", "STOP");
   }
 
+  private boolean isConfirmed; // by the radio's health reports
+  private boolean radioLives = true;
+
+  /** As {@link WatchedVehicle#live}, with the health reports of the radio. */
+  @Override
+  void live(double seconds) {
+    for (double t = 0.0; t < seconds - 1e-9; t += 0.2) {
+      if (radioLives) {
+        HealthReport report = new HealthReport().serviceName("RadioSensor");
+        report.status(ServiceStatus.RUNNING).interval(0.25);
+        kit.send(
+            Channels.HEALTH,
+            isConfirmed ? report.remarks(List.of(ManualState.REMARK + ": pilot")) : report);
+      }
+      super.live(Math.min(0.2, seconds - t));
+    }
+  }
+
   private void byHand(boolean active) {
+    isConfirmed = active;
     kit.publish(Channels.MANUAL_STATE, new ManualState().active(active).operator("pilot"));
   }
 
@@ -81,6 +103,33 @@ class PilotTest extends WatchedVehicle {
 
     condition("RadioSensor", Condition.LOST);
     live(0.3);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+  }
+
+  /** Not everybody who may publish a manual-state is the radio. */
+  @Test
+  void step_manualStateThatTheRadioDoesNotConfirm_failsafesAct() {
+    startArmed();
+    byHand(true);
+    isConfirmed = false;
+    battery(12.5, 5.0);
+    live(12.0);
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
+  }
+
+  /** Without a Health Monitor that would say so. */
+  @Test
+  void step_radiosServiceDiesWhileAPilotFlies_failsafesActAgain() {
+    startArmed();
+    byHand(true);
+    battery(12.5, 5.0);
+    live(12.0);
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
+
+    radioLives = false;
+    live(1.4);
 
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.STOP);
   }

@@ -15,12 +15,13 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * A marine radar that sends its tracked targets by NMEA 0183 (TTM). Targets being acquired are
- * ignored; lost targets, and those silent for a minute, are dropped.
+ * ignored; lost targets, and those silent for a minute, are dropped, and of more than a thousand
+ * the later ones.
  */
 public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implements TrackingRadar {
   private static final double MAX_RANGE_M = 500_000.0;
   private static final double MAX_MPS = 2_000.0;
-  private static final int MAX_ID = 9_999; // also bounds the number of tracks
+  private static final int MAX_ID = 9_999;
   private static final Map<String, Double> METRES_PER_UNIT =
       Map.of("N", 1852.0, "K", 1000.0, "S", 1609.344);
 
@@ -31,6 +32,7 @@ public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implemen
   /** The targets of one radar. */
   private static final class Targets {
     private static final long FORGOTTEN_AFTER_MICROS = Clock.micros(60.0);
+    private static final int MOST = 1_000; // each sentence costs time for all
     private static final double SECONDS_PER_HOUR = 3_600.0;
 
     private final Map<String, Track> byId = new TreeMap<>();
@@ -42,12 +44,12 @@ public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implemen
         return Optional.empty();
       }
       String id = String.valueOf((int) number(sentence, 1, "target", 0.0, MAX_ID));
-      if (sentence.field(12).equals("T")) {
-        byId.put(id, track(sentence, id, nowMicros));
-      } else {
-        byId.remove(id);
-      }
       byId.values().removeIf(each -> nowMicros - each.measuredAtMicros() > FORGOTTEN_AFTER_MICROS);
+      if (!sentence.field(12).equals("T")) {
+        byId.remove(id);
+      } else if (byId.size() < MOST || byId.containsKey(id)) {
+        byId.put(id, track(sentence, id, nowMicros));
+      }
       return Optional.of(new Tracks(nowMicros, List.copyOf(byId.values())));
     }
 

@@ -76,10 +76,15 @@ public final class RadioSensor extends PeriodicService {
 
   private void tell() {
     isTold = true;
+    confirm();
     publish(
         Channels.MANUAL_STATE,
         new ManualState().active(isManual).operator(variables.pilot()).takeovers(takeovers));
     remember();
+  }
+
+  private void confirm() {
+    remark(ManualState.REMARK, isManual ? variables.pilot() : "");
   }
 
   private void accept(RadioReceiver.Pulses pulses) {
@@ -99,6 +104,7 @@ public final class RadioSensor extends PeriodicService {
     wasAutomatic = state.flag("WAS AUTOMATIC");
     isManual = state.flag("IS MANUAL");
     takeovers = (long) state.number("TAKEOVERS").orElse(0.0);
+    confirm();
   }
 
   @Override

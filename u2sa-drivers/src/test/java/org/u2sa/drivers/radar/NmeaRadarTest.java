@@ -57,6 +57,20 @@ class NmeaRadarTest {
     assertThat(ids(heard(60_000_001, ttm("2", "1.0", "0.0", "K", "T")))).isEqualTo("2");
   }
 
+  /** A broken radar may have ten thousand, and each sentence would cost time for all of them. */
+  @Test
+  void read_moreTargetsThanAnyRadarTracks_keepsToTheFirstThousand() {
+    TrackingRadar.Tracks tracks = null;
+    for (int id = 0; id < 1_001; id++) {
+      tracks = heard(id, ttm(String.valueOf(id), "1.0", "0.0", "K", "T"));
+    }
+    assertThat(tracks.tracks()).hasSize(1_000).noneMatch(track -> track.id().equals("1000"));
+    assertThat(heard(2_000, ttm("7", "1.0", "0.0", "K", "T")).tracks())
+        .anyMatch(track -> track.measuredAtMicros() == 2_000);
+    heard(3_000, ttm("3", "", "", "", "L"));
+    assertThat(ids(heard(4_000, ttm("1000", "1.0", "0.0", "K", "T")))).contains("1000");
+  }
+
   @Test
   void read_noCourse_hasNoVelocity() {
     TrackingRadar.Track track = heard(1, "RATTM,1,1.0,10.0,R,,,T,0.0,0.0,N,,T,,,A").tracks().get(0);

@@ -58,6 +58,27 @@ class RadioSensorTest {
     assertThat(states()).extracting(ManualState::takeovers).containsExactly(0L, 1L, 1L, 2L);
   }
 
+  /** The Safety Manager believes its state only with this remark. */
+  @Test
+  void step_pilotFlies_isConfirmedInHealthUntilHeGivesBackAndAfterARestart() {
+    RadioSensor before = start();
+    hold(0.002, 0.5);
+    assertThat(confirmations()).isEmpty();
+    hold(0.001, 0.5);
+    assertThat(confirmations()).containsExactly("BY HAND: pilot");
+    kit.restart(before, this::sensor);
+    hold(0.001, 0.5);
+    assertThat(confirmations()).containsExactly("BY HAND: pilot");
+    hold(0.002, 0.5);
+    assertThat(confirmations()).isEmpty();
+  }
+
+  private List<String> confirmations() {
+    return kit.latest(Channels.HEALTH).orElseThrow().remarks().stream()
+        .filter(remark -> remark.startsWith(ManualState.REMARK))
+        .toList();
+  }
+
   @Test
   void step_noReceiverYet_isNoTakeover() {
     start();

@@ -32,6 +32,7 @@ final class RosAccount {
   private String user = ""; // guarded by this
   private char[] password = new char[0]; // guarded by this
   private RemoteLink link; // null until needed; guarded by this
+  private volatile boolean operates;
 
   /**
    * @param clientName name of the connection in the broker's log
@@ -90,8 +91,14 @@ final class RosAccount {
       link =
           new RemoteLink(
               setting.as(user, password), clientName, new SystemClock(), ANSWER_WITHIN_S, trouble);
+      operates = isOperator();
     }
     return link;
+  }
+
+  /** Whether the broker has accepted its user, who is an operator. */
+  boolean operates() {
+    return operates;
   }
 
   /**

@@ -9,13 +9,14 @@ import org.u2sa.report.message.JsonReader;
 /** One operation of a client, with checked access to its fields. */
 record RosOperation(Map<String, Object> fields) {
   private static final int LONGEST_NAME = 256;
+  private static final int MAX_VALUES = 2_000; // a change of 256 variables has 770
   private static final long MAX_COUNT = 3_600_000; // ms of an hour
 
   /**
-   * @throws BadInputException if it is no object of JSON with a text "op"
+   * @throws BadInputException if it is no object of JSON with a text "op", or has too many values
    */
   static RosOperation parse(String text) {
-    RosOperation operation = new RosOperation(JsonReader.object("operation", text));
+    RosOperation operation = new RosOperation(JsonReader.object("operation", text, MAX_VALUES));
     operation.text("op");
     return operation;
   }

@@ -21,7 +21,9 @@ import org.u2sa.messages.schema.MessageTypes;
 
 /** Serves clients of the rosbridge protocol beside the embedded broker. */
 final class RosbridgeServer implements ClientBridge {
-  private static final int MAX_CLIENTS = 16;
+  private static final int MAX_CLIENTS = // each may take megabytes of the vehicle's heap
+      (int) Math.max(4, Math.min(16, Runtime.getRuntime().maxMemory() / (8 << 20)));
+
   private static final int MAX_WAITING = 256; // operations of a client
   private static final int MAX_CALLS = 32; // waiting calls of a client
   private static final double PER_S = 2_000.0; // operations of a client, or KiB of them
@@ -113,6 +115,8 @@ final class RosbridgeServer implements ClientBridge {
   private final class Client implements WebSocketServer.Conversation {
     private final ClientSocket socket;
     private final RosbridgeSession session;
+    private final RosAccount account;
+    private final RosBacklog backlog = RosBacklog.incoming();
     private final ThreadPoolExecutor operations;
     private final ThreadPoolExecutor calls;
     private final Allowance rate = new Allowance(PER_S, BURST, clock.micros());
@@ -122,12 +126,20 @@ final class RosbridgeServer implements ClientBridge {
       String name = "rosbridge-" + clients.incrementAndGet();
       operations = thread(name, MAX_WAITING);
       calls = thread(name + "-calls", MAX_CALLS);
-      RosAccount account = new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
+      account = new RosAccount(setting, name, trouble -> warn("broker: " + trouble));
       session = new RosbridgeSession(RosbridgeServer.this, socket, account);
       socket
           .header("Authorization")
           .ifPresent(
-              header -> operations.execute(() -> run("", () -> account.authorization(header))));
+              header ->
+                  operations.execute(
+                      () ->
+                          run(
+                              "",
+                              () -> {
+                                account.authorization(header);
+                                account.link();
+                              })));
     }
 
     private static ThreadPoolExecutor thread(String name, int waiting) {
@@ -159,41 +171,62 @@ final class RosbridgeServer implements ClientBridge {
         return;
       }
       rate.take(1.0 + text.length() / KIB);
-      RosOperation operation;
-      String id;
-      try {
-        operation = RosOperation.parse(text);
-        id = operation.idOr("");
-      } catch (BadInputException e) {
-        session.status("error", e.getMessage(), "");
+      if (!backlog.hold(text.length())) {
+        tooMany("operations", "");
         return;
       }
       try {
+        operations.execute(() -> take(text));
+      } catch (RejectedExecutionException e) {
+        tooMany("operations", "");
+        backlog.free(text.length());
+      }
+    }
+
+    private void tooMany(String what, String id) {
+      session.status("error", "too many " + what + " at once: this one is dropped", id);
+    }
+
+    /** Parses a text no sooner than it is wanted, because it then takes many times its length. */
+    private void take(String text) {
+      boolean isCalled = false;
+      try {
+        RosOperation operation = RosOperation.parse(text);
+        String id = operation.idOr("");
         if (operation.name().equals("call_service")) {
-          operations.execute(() -> call(operation, id));
+          isCalled = call(text, id);
         } else {
-          operations.execute(() -> run(id, () -> session.take(operation)));
+          run(id, () -> session.take(operation));
         }
-      } catch (RejectedExecutionException e) {
-        session.status("error", "too many operations at once: this one is dropped", id);
+      } catch (BadInputException e) {
+        session.status("error", e.getMessage(), "");
+      } finally {
+        if (!isCalled) {
+          backlog.free(text.length());
+        }
       }
     }
 
-    private void call(RosOperation operation, String id) {
+    /** Whether the call waits for its turn. */
+    private boolean call(String text, String id) {
       try {
-        calls.execute(() -> answer(operation, id));
+        calls.execute(() -> answer(text, id));
+        return true;
       } catch (RejectedExecutionException e) {
-        session.status("error", "too many calls at once: this one is dropped", id);
+        tooMany("calls", id);
+        return false;
       }
     }
 
-    private void answer(RosOperation operation, String id) {
+    private void answer(String text, String id) {
       try {
-        session.call(operation);
+        session.call(RosOperation.parse(text));
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt(); // the client has left
       } catch (RuntimeException e) {
         session.status("error", String.valueOf(e.getMessage()), id);
+      } finally {
+        backlog.free(text.length());
       }
     }
 
@@ -206,6 +239,11 @@ final class RosbridgeServer implements ClientBridge {
       } catch (RuntimeException e) {
         session.status("error", String.valueOf(e.getMessage()), id);
       }
+    }
+
+    @Override
+    public boolean givesWay() {
+      return !account.operates();
     }
 
     @Override

@@ -28,6 +28,8 @@ import org.u2sa.report.message.MessageFromJson;
 final class RosbridgeSession {
   private static final int MAX_SUBSCRIPTIONS = 256;
   private static final int MAX_ADVERTISED = 256;
+  private static final long MAX_UNREAD = // answers, beyond what messages may take
+      Runtime.getRuntime().maxMemory() / 256;
   private static final String TOPIC = "topic";
   private static final String TYPE = "type";
 
@@ -40,7 +42,7 @@ final class RosbridgeSession {
   private Optional<String> driver =
       Optional.empty(); // name of the person driving by hand through this client
   private final AtomicLong dropped = new AtomicLong();
-  private final RosBacklog backlog = RosBacklog.ofClient();
+  private final RosBacklog backlog = RosBacklog.outgoing();
 
   RosbridgeSession(RosbridgeServer server, ClientSocket socket, RosAccount account) {
     this.server = server;
@@ -282,7 +284,16 @@ final class RosbridgeSession {
     } catch (RuntimeException e) {
       answer.put("values", String.valueOf(e.getMessage())).put("result", false);
     }
-    socket.text(answer.line());
+    answer(answer);
+  }
+
+  /** Sends what must not be dropped; a client that leaves too much of it unread is disconnected. */
+  private void answer(JsonText text) {
+    if (socket.backlog() > MAX_UNREAD) {
+      socket.close();
+    } else {
+      socket.text(text.line());
+    }
   }
 
   /** Answers are spelled as in ROS 2, except that times have the names of ROS 1, too. */
@@ -305,7 +316,7 @@ final class RosbridgeSession {
   /** Reports an error to the client. */
   void status(String level, String text, String id) {
     JsonText status = new JsonText().put("op", "status").put("level", level).put("msg", text);
-    socket.text((id.isEmpty() ? status : status.put("id", id)).line());
+    answer(id.isEmpty() ? status : status.put("id", id));
   }
 
   void end() {

@@ -1,6 +1,8 @@
 package org.u2sa.gcs.socket;
 
 import io.netty.bootstrap.ServerBootstrap;
+import io.netty.buffer.ByteBufAllocator;
+import io.netty.buffer.PooledByteBufAllocator;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelHandlerContext;
 import io.netty.channel.ChannelInitializer;
@@ -26,7 +28,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.net.ssl.SSLException;
@@ -39,7 +40,7 @@ import org.u2sa.interfaces.RunFailedException;
  */
 public final class WebSocketServer implements AutoCloseable {
   private static final int LONGEST_REQUEST = 1 << 16;
-  private static final int LONGEST_FRAME = 1 << 20;
+  private static final int LONGEST_MESSAGE = 1 << 17; // orders have at most 64 KiB
   private static final long LARGEST_BUFFER = 4 << 20; // unread bytes of a client
   private static final long HEAP_PART = 8; // of all clients' unread bytes together
   private static final int RESUME_PART = 4; // of a full buffer, at which it takes more
@@ -47,12 +48,21 @@ public final class WebSocketServer implements AutoCloseable {
   private static final int END_MS = 500;
 
   /**
+   * What is incomplete lies on the heap, in chunks of 256 KiB, not of 4 MiB: beside a small heap
+   * there is as little memory for buffers, and without any the broker's network thread waits for
+   * the garbage collector.
+   */
+  private static final ByteBufAllocator MEMORY =
+      new PooledByteBufAllocator(false, 1, 1, 8_192, 5, 0, 0, false);
+
+  /**
    * Settings of a server.
    *
    * @param address where it listens
    * @param subprotocols names, separated by commas; empty: none is agreed
    * @param origins web pages that may connect besides those of {@link OriginCheck}
-   * @param maxClients clients at a time; as many connections again may be in their handshake
+   * @param maxClients clients at a time; as many connections again may be in their handshake, of
+   *     which a newer one displaces the oldest
    * @param security certificate and key; empty: no encryption
    */
   public record Offer(
@@ -70,6 +80,9 @@ public final class WebSocketServer implements AutoCloseable {
     void binary();
 
     void ended();
+
+    /** Whether it gives way to a client that names a user, if there are too many. */
+    boolean givesWay();
   }
 
   private final Offer offer;
@@ -77,8 +90,8 @@ public final class WebSocketServer implements AutoCloseable {
   private final Consumer<String> remarks;
   private final Optional<SslContext> tls;
   private final NioEventLoopGroup threads = new NioEventLoopGroup(1);
-  private final AtomicInteger sockets = new AtomicInteger();
-  private final AtomicInteger clients = new AtomicInteger();
+  private final ClientPlaces places; // this and the next: the server's thread only
+  private long faults;
   private final Channel listening;
 
   /**
@@ -93,6 +106,7 @@ public final class WebSocketServer implements AutoCloseable {
     this.offer = offer;
     this.welcome = welcome;
     this.remarks = remarks;
+    places = new ClientPlaces(offer.maxClients());
     tls = offer.security().map(WebSocketServer::encryption);
     try {
       listening =
@@ -101,6 +115,7 @@ public final class WebSocketServer implements AutoCloseable {
               .channel(NioServerSocketChannel.class)
               .childOption(ChannelOption.WRITE_BUFFER_WATER_MARK, buffer(offer.maxClients()))
               .childOption(ChannelOption.TCP_NODELAY, true)
+              .childOption(ChannelOption.ALLOCATOR, MEMORY)
               .childHandler(new Initializer())
               .bind(offer.address())
               .syncUninterruptibly()
@@ -154,18 +169,13 @@ public final class WebSocketServer implements AutoCloseable {
   private final class Initializer extends ChannelInitializer<SocketChannel> {
     @Override
     protected void initChannel(SocketChannel socket) {
-      if (sockets.incrementAndGet() > 2 * offer.maxClients()) {
-        sockets.decrementAndGet();
-        socket.close();
-        return;
-      }
-      socket.closeFuture().addListener(closed -> sockets.decrementAndGet());
+      places.connected(socket);
       tls.ifPresent(context -> socket.pipeline().addLast(context.newHandler(socket.alloc())));
       WebSocketServerProtocolConfig.Builder protocol =
           WebSocketServerProtocolConfig.newBuilder()
               .websocketPath("/")
               .checkStartsWith(true)
-              .maxFramePayloadLength(LONGEST_FRAME);
+              .maxFramePayloadLength(LONGEST_MESSAGE);
       if (!offer.subprotocols().isEmpty()) {
         protocol.subprotocols(offer.subprotocols());
       }
@@ -176,7 +186,7 @@ public final class WebSocketServer implements AutoCloseable {
           .addLast(new HttpObjectAggregator(LONGEST_REQUEST))
           .addLast(new OriginCheck(offer.origins()))
           .addLast(new WebSocketServerProtocolHandler(protocol.build()))
-          .addLast(new WebSocketFrameAggregator(LONGEST_FRAME))
+          .addLast(new WebSocketFrameAggregator(LONGEST_MESSAGE))
           .addLast(new Connection());
     }
   }
@@ -196,25 +206,28 @@ public final class WebSocketServer implements AutoCloseable {
 
   private final class Connection extends SimpleChannelInboundHandler<WebSocketFrame> {
     private Conversation conversation; // null until the handshake is complete
+    private ClientSocket socket;
 
     @Override
     public void userEventTriggered(ChannelHandlerContext context, Object event) throws Exception {
       if (event instanceof WebSocketServerProtocolHandler.HandshakeComplete complete) {
         begin(
             new ClientSocket(
-                context.channel(), complete.requestHeaders(), complete.selectedSubprotocol()));
+                context.channel(), complete.requestHeaders(), complete.selectedSubprotocol()),
+            context.channel());
       }
       super.userEventTriggered(context, event);
     }
 
-    private void begin(ClientSocket socket) {
-      if (!offer.subprotocols().isEmpty() && socket.subprotocol().isEmpty()) {
-        socket.close("expected one of the subprotocols " + offer.subprotocols());
-      } else if (clients.get() >= offer.maxClients()) {
-        socket.close("there are " + offer.maxClients() + " clients already");
+    private void begin(ClientSocket client, Channel channel) {
+      if (!offer.subprotocols().isEmpty() && client.subprotocol().isEmpty()) {
+        client.close("expected one of the subprotocols " + offer.subprotocols());
+      } else if (!places.areOpenTo(client)) {
+        client.close("there are " + offer.maxClients() + " clients already");
       } else {
-        clients.incrementAndGet();
-        conversation = welcome.apply(socket);
+        socket = client;
+        conversation = welcome.apply(client);
+        places.enter(channel, client, conversation);
       }
     }
 
@@ -241,7 +254,7 @@ public final class WebSocketServer implements AutoCloseable {
     @Override
     public void channelInactive(ChannelHandlerContext context) throws Exception {
       if (conversation != null) {
-        clients.decrementAndGet();
+        places.leave(socket);
         conversation.ended();
       }
       super.channelInactive(context);
@@ -249,7 +262,12 @@ public final class WebSocketServer implements AutoCloseable {
 
     @Override
     public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-      remarks.accept(context.channel().remoteAddress() + ": " + cause.getMessage());
+      if (Long.bitCount(++faults) == 1) { // 1, 2, 4, 8…: others choose how many there are
+        remarks.accept(
+            String.format(
+                "%s: %s (%d so far)",
+                context.channel().remoteAddress(), cause.getMessage(), faults));
+      }
       context.close();
     }
 

@@ -23,6 +23,7 @@ public final class ViewServer implements AutoCloseable {
   private static final String SUBPROTOCOLS = "foxglove.sdk.v1,foxglove.websocket.v1";
   private static final int MAX_VIEWERS = 32;
   private static final int MAX_CHANNELS = 2048; // of a running system
+  private static final int MAX_VALUES = 16_384; // of a request: subscriptions to all have 3 each
 
   private final String name;
   private final boolean tellsTime;
@@ -182,6 +183,11 @@ public final class ViewServer implements AutoCloseable {
     }
 
     @Override
+    public boolean givesWay() {
+      return false; // there is no log-in
+    }
+
+    @Override
     public void binary() {
       viewer.status(ViewerSession.Level.ERROR, "read-only: messages of viewers are not taken");
     }
@@ -189,7 +195,7 @@ public final class ViewServer implements AutoCloseable {
     @Override
     public void text(String text) {
       try {
-        take(JsonReader.object("request", text));
+        take(JsonReader.object("request", text, MAX_VALUES));
       } catch (BadInputException e) {
         viewer.status(ViewerSession.Level.ERROR, e.getMessage());
       }

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
@@ -260,9 +262,8 @@ class RosbridgeServerTest {
   }
 
   @Test
-  void connect_wrongPassword_isToldAndDisconnectedAtTheFirstOperation() throws Exception {
+  void connect_wrongPassword_isToldAndDisconnected() throws Exception {
     try (RosClient client = with("local:wrong")) {
-      client.send("{'op':'subscribe','topic':'/odom'}");
       assertThat(client.nextStatus()).contains("Communication Manager");
       assertThat(client.isClosed()).isTrue();
     }
@@ -301,7 +302,7 @@ class RosbridgeServerTest {
         hostile.send("{'op':'subscribe','id':'s" + i + "','topic':'/clock'}");
       }
       assertThat(hostile.nextStatus()).containsAnyOf("256 subscriptions", "too many operations");
-      hostile.flood("{'op':'" + "a".repeat(2 << 20) + "'}");
+      hostile.flood("{'op':'" + "a".repeat(1 << 17) + "'}");
       assertThat(hostile.isClosed()).isTrue();
       other.send("{'op':'subscribe','topic':'/clock'}");
       assertThat(firstAfterStates(other).get("msg").get("clock").get("sec").asLong()).isPositive();
@@ -325,11 +326,81 @@ class RosbridgeServerTest {
             log::add);
     try (ClientBridge server = new RosbridgeServer(setting, new StoppedClock());
         RosClient flood = new RosClient(other)) {
-      String padding = " ".repeat(900_000);
-      for (int i = 0; i < 6; i++) {
+      String padding = " ".repeat(120_000);
+      for (int i = 0; i < 40; i++) {
         flood.flood("{'op':'set_level'" + padding + "}");
       }
       assertThat(flood.isClosed()).as("by " + server).isTrue();
+    }
+  }
+
+  /** Small objects take fifty bytes for each of their two characters. */
+  @Test
+  void take_fortyThousandValues_isRefusedBeforeTheyTakeMemory() throws Exception {
+    String values = "{},".repeat(40_000) + "{}";
+    try (RosClient client = new RosClient(port)) {
+      client.send(
+          "{'op':'call_service','service':'/rosapi/get_param_names','args':{'a':["
+              + values
+              + "]}}");
+      assertThat(client.nextStatus()).contains("too many values");
+    }
+  }
+
+  /** Whoever waits for an answer of the vehicle's has one such text in memory, not thirty. */
+  @Test
+  void take_longOperationsWhileOneWaits_areDroppedBeyondTheClientsShare() throws Exception {
+    RosBacklog backlog = RosBacklog.incoming();
+    int length = 120_000;
+    int fitting = 0;
+    while (backlog.hold(length)) {
+      fitting++;
+    }
+    String padding = " ".repeat(length);
+    try (RosClient client = new RosClient(port)) {
+      for (int i = 0; i <= fitting + 1; i++) {
+        client.flood(
+            "{'op':'call_service','service':'/rosapi/has_param','args':{'name':'/none/none'}"
+                + padding
+                + "}");
+      }
+      assertThat(client.nextStatus()).contains("too many operations at once");
+    }
+  }
+
+  @Test
+  void connect_operatorWhenSilentOnesHaveAllPlaces_comesInsteadOfTheOldest() throws Exception {
+    List<RosClient> silent = new CopyOnWriteArrayList<>();
+    try {
+      for (int i = 0; i < 16; i++) {
+        silent.add(new RosClient(port));
+      }
+      try (RosClient operator = operator()) {
+        assertThat(operator.call("/rosapi/services", "{}").get("services")).isNotEmpty();
+        assertThat(silent.get(0).isClosed()).isTrue();
+        assertThat(silent.get(1).call("/rosapi/services", "{}").get("services")).isNotEmpty();
+      }
+    } finally {
+      silent.forEach(RosClient::close);
+    }
+  }
+
+  /** Each has ten seconds: whoever opens many must not keep the others out for as long. */
+  @Test
+  void connect_moreHandshakesThanThereMayBe_theOldestEnds() throws Exception {
+    List<Socket> silent = new ArrayList<>();
+    try {
+      for (int i = 0; i < 40; i++) {
+        silent.add(new Socket("127.0.0.1", port));
+      }
+      try (RosClient client = new RosClient(port)) {
+        assertThat(client.call("/rosapi/services", "{}").get("services")).isNotEmpty();
+      }
+      assertThat(silent.get(0).getInputStream().read()).isEqualTo(-1);
+    } finally {
+      for (Socket each : silent) {
+        each.close();
+      }
     }
   }
 

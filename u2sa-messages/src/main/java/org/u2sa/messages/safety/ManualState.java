@@ -8,6 +8,12 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Whether the vehicle is driven by hand; also the answer to a {@link ManualOrder}. */
 public final class ManualState extends U2SAData {
+  /**
+   * Part of the remark by which a pilot's radio confirms in its health reports that he flies: the
+   * Safety Manager believes a state of the service PILOT SERVICE only together with it.
+   */
+  public static final String REMARK = "BY HAND";
+
   private static final Schema<ManualState> SCHEMA =
       Schema.of(ManualState.class, ManualState::new, U2SAData.TYPE).since(3);
   private static final ValueField<ManualState, Boolean> ACTIVE = SCHEMA.flag("active");

@@ -24,22 +24,41 @@ public final class JsonReader {
   private static final JsonFactory FACTORY =
       JsonFactory.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
 
-  private JsonReader() {}
+  private final JsonParser parser;
+  private final String origin;
+  private int left; // values that it still takes
+
+  private JsonReader(JsonParser parser, String origin, int most) {
+    this.parser = parser;
+    this.origin = origin;
+    left = most;
+  }
 
   /**
-   * Parses one object.
+   * Parses one object of a file or of one's own.
    *
    * @param origin description of the text, for errors
    * @throws BadInputException if it is not JSON, not an object, contains duplicate keys or is
    *     nested too deeply
    */
   public static Map<String, Object> object(String origin, String text) {
+    return object(origin, text, Integer.MAX_VALUE);
+  }
+
+  /**
+   * Parses one object of somebody on a network. Values, not characters, take memory: an empty
+   * object has two characters and takes fifty bytes.
+   *
+   * @param most values that it may have in all, objects and lists included
+   * @throws BadInputException as {@link #object(String, String)}, or if there are more values
+   */
+  public static Map<String, Object> object(String origin, String text, int most) {
     try (JsonParser parser = FACTORY.createParser(text)) {
       if (parser.nextToken() != JsonToken.START_OBJECT) {
         throw new BadInputException(
             origin + ": expected an object of JSON, such as {\"x\": 1.5}, not \"" + text + "\"");
       }
-      Map<String, Object> object = map(parser, origin, 1);
+      Map<String, Object> object = new JsonReader(parser, origin, most).map(1);
       if (parser.nextToken() != null) {
         throw new BadInputException(origin + ": unexpected text after the object");
       }
@@ -56,32 +75,34 @@ public final class JsonReader {
     }
   }
 
-  private static Map<String, Object> map(JsonParser parser, String origin, int depth)
-      throws IOException {
+  private Map<String, Object> map(int depth) throws IOException {
     Map<String, Object> map = new LinkedHashMap<>();
     while (parser.nextToken() != JsonToken.END_OBJECT) {
       String key = parser.currentName();
       parser.nextToken();
-      map.put(key, value(parser, origin, depth));
+      map.put(key, value(depth));
     }
     return map;
   }
 
-  private static List<Object> list(JsonParser parser, String origin, int depth) throws IOException {
+  private List<Object> list(int depth) throws IOException {
     List<Object> list = new ArrayList<>();
     while (parser.nextToken() != JsonToken.END_ARRAY) {
-      list.add(value(parser, origin, depth));
+      list.add(value(depth));
     }
     return list;
   }
 
-  private static Object value(JsonParser parser, String origin, int depth) throws IOException {
+  private Object value(int depth) throws IOException {
     if (depth > DEEPEST) {
       throw new BadInputException(origin + ": nested more than " + DEEPEST + " deep");
     }
+    if (--left < 0) {
+      throw new BadInputException(origin + ": has too many values");
+    }
     return switch (parser.currentToken()) {
-      case START_OBJECT -> map(parser, origin, depth + 1);
-      case START_ARRAY -> list(parser, origin, depth + 1);
+      case START_OBJECT -> map(depth + 1);
+      case START_ARRAY -> list(depth + 1);
       case VALUE_STRING -> parser.getText();
       case VALUE_NUMBER_INT -> parser.getLongValue();
       case VALUE_NUMBER_FLOAT -> parser.getDoubleValue();

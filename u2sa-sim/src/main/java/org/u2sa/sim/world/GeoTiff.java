@@ -103,6 +103,7 @@ final class GeoTiff {
         throw new IOException(
             width + " by " + height + " pixels; expected 2 to " + MAX_SIDE + " each way");
       }
+      requireRoom(width, height, Runtime.getRuntime().maxMemory());
       stream.seek(0);
       reader.setInput(stream, true, false); // reads all tags again, unknown ones too
       TIFFImageReadParam parameters = new TIFFImageReadParam();
@@ -117,6 +118,17 @@ final class GeoTiff {
       throw new IOException("is damaged: " + e.getMessage(), e);
     } finally {
       reader.dispose();
+    }
+  }
+
+  /** Compressed, a map of nothing but one height is a thousand times as small. */
+  static void requireRoom(int width, int height, long heapBytes) throws IOException {
+    long bytes = (long) width * height * Float.BYTES;
+    if (bytes > heapBytes / 2) {
+      throw new IOException(
+          String.format(
+              "%d by %d pixels take %d MB, more than half of this program's memory, %d MB",
+              width, height, bytes >> 20, heapBytes >> 20));
     }
   }
 

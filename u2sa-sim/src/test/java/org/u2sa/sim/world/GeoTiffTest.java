@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -148,6 +149,14 @@ class GeoTiffTest {
   }
 
   @Test
+  void requireRoom_moreThanHalfOfTheHeap_isRefusedBeforeMemoryIsTaken() throws IOException {
+    GeoTiff.requireRoom(8_192, 8_192, 512L << 20);
+    assertThatThrownBy(() -> GeoTiff.requireRoom(8_192, 8_192, 256L << 20))
+        .hasMessage(
+            "8192 by 8192 pixels take 256 MB, more than half of this program's memory, 256 MB");
+  }
+
+  @Test
   void read_outsideOtherCrsAndNoData_areRefusedWithTheReason() throws IOException {
     Path far = write(slope(), 10.0, Point.of(0.0, 0.0, 0.0), 1, 32_632);
     assertThatThrownBy(() -> GeoTiff.read(far, new LocalPlane(ORIGIN), 100.0, 80.0))
@@ -159,7 +168,7 @@ class GeoTiffTest {
         .hasMessageContaining("EPSG 3857: expected 4326");
 
     float[] holes = new float[SIZE * SIZE];
-    java.util.Arrays.fill(holes, -9_999.0f);
+    Arrays.fill(holes, -9_999.0f);
     Point here = new UtmGrid(ReferenceFrame.parse("UTM 32N")).grid(ORIGIN);
     Path empty = write(holes, 10.0, Point.of(here.x() - 200.0, here.y() + 200.0, 0.0), 1, 32_632);
     assertThatThrownBy(() -> GeoTiff.read(empty, new LocalPlane(ORIGIN), 100.0, 80.0))
