@@ -35,7 +35,7 @@ public final class SceneFrame {
    */
   public Optional<Placed> place(ReferenceFrame frame, Point point) {
     if (frame.isEarth()) {
-      Geodetic place = frame.isUtm() ? new UtmGrid(frame).place(point) : Geodetic.of(point);
+      Geodetic place = Geodetic.of(UtmGrid.global(frame, point));
       return Optional.ofNullable(origin).map(at -> new Placed(MAP, at.enuOf(place)));
     }
     if (frame.equals(ReferenceFrame.LOCAL_ENU)) {

@@ -231,4 +231,12 @@ class FoxgloveMessagesTest {
     box.uid("hut").referenceFrame(grid).x(at.x()).y(at.y()).z(at.z());
     assertVector(object(box).message(8).message(1).message(1), 74.63, 0.0, 0.0);
   }
+
+  @Test
+  void write_stateOnAGrid_isItsPlaceOnTheEarth() throws IOException {
+    StateInformation onGrid = state().in(UtmGrid.frameAt(new Geodetic(11.0, 48.0, 0.0)));
+    ProtobufFields fix = named(of(Channels.STATE, onGrid), "/rover/location");
+    assertThat(fix.number(1)).isCloseTo(48.0, within(1e-9));
+    assertThat(fix.number(2)).isCloseTo(11.0, within(1e-9));
+  }
 }
