@@ -40,9 +40,7 @@ final class StateConversion {
             .y(seen.landmarkY().getAsDouble());
     StateInformation place = own(landmark, target, origin);
     LandmarkSighting converted = (LandmarkSighting) seen.copy().referenceFrame(target);
-    return converted
-        .landmarkX(place.x().getAsDouble())
-        .landmarkY(place.y().getAsDouble());
+    return converted.landmarkX(place.x().getAsDouble()).landmarkY(place.y().getAsDouble());
   }
 
   /** Converts the fields of {@link StateInformation}, which a sighting has not. */

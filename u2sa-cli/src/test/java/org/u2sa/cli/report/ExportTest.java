@@ -349,8 +349,7 @@ class ExportTest extends CommandFixture {
       write(writer, 1, Channels.GOALS, new GoalList().goals(List.of(goal.horizontalThreshold(2))));
     }
     XmlElement gpx = XmlReader.read(exported("--format", "gpx"), "gpx");
-    XmlElement fix =
-        gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt").get(0);
+    XmlElement fix = gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt").get(0);
     for (XmlElement point : List.of(fix, gpx.children("wpt").get(0))) {
       assertThat(point.optionalAttribute("lon")).contains("8.000000000");
       assertThat(point.optionalAttribute("lat")).contains("50.000000000");

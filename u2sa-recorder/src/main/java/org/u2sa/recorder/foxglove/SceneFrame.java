@@ -31,7 +31,8 @@ public final class SceneFrame {
   }
 
   /**
-   * Converts a point of a message's frame; empty for positions on the earth before the map has an origin.
+   * Converts a point of a message's frame; empty for positions on the earth before the map has an
+   * origin.
    */
   public Optional<Placed> place(ReferenceFrame frame, Point point) {
     if (frame.isEarth()) {
