@@ -153,8 +153,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     StateInformation frd = sensed.in(ReferenceFrame.BODY_FRD);
     frd.psiDot().ifPresent(rate -> heading.rate(rate, measuredAt));
     if (frd instanceof InertialMeasurement inertial) {
-      double down = sensed.referenceFrame().equals(ReferenceFrame.BODY_FRD) ? 1.0 : -1.0;
-      inertial.yawRate().ifPresent(rate -> heading.rate(down * rate, measuredAt));
+      inertial.yawRate().ifPresent(rate -> heading.rate(rate, measuredAt));
     }
     if (frd.xDot().isPresent() && heading.hasValue) {
       double forward = frd.xDot().getAsDouble();

@@ -7,8 +7,9 @@ import org.u2sa.messages.schema.Schema;
 
 /**
  * Range and bearing of a landmark at a known position, from the World Modeler to the State
- * Estimator. The position is in {@link #referenceFrame}, GLOBAL or local; the fields of {@link
- * StateInformation} stay absent, so that a reader unaware of this class receives an empty state.
+ * Estimator. The position is in {@link #referenceFrame}, on the earth or local; the fields of
+ * {@link StateInformation} stay absent, so that a reader unaware of this class receives an empty
+ * state.
  */
 public class LandmarkSighting extends StateInformation {
   private static final Schema<LandmarkSighting> SCHEMA =

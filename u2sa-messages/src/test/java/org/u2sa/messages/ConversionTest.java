@@ -217,4 +217,50 @@ class ConversionTest {
         .y(place.latitudeDeg())
         .z(place.altitudeM());
   }
+
+  @Test
+  void in_bodyFrames_ratesAndForcesOfAnInertialMeasurementTurnToo() {
+    InertialMeasurement frd =
+        new InertialMeasurement()
+            .rollRate(0.1)
+            .pitchRate(0.2)
+            .yawRate(0.3)
+            .specificForceX(1.0)
+            .specificForceY(2.0)
+            .specificForceZ(-9.8);
+
+    InertialMeasurement flu = (InertialMeasurement) frd.in(ReferenceFrame.BODY_FLU);
+    InertialMeasurement body = (InertialMeasurement) flu.in(ReferenceFrame.BODY);
+
+    assertThat(flu.rollRate()).hasValue(0.1);
+    assertThat(flu.pitchRate()).hasValue(-0.2);
+    assertThat(flu.yawRate()).hasValue(-0.3);
+    assertThat(flu.specificForceX()).hasValue(1.0);
+    assertThat(flu.specificForceY()).hasValue(-2.0);
+    assertThat(flu.specificForceZ()).hasValue(9.8);
+    assertThat(body.rollRate()).hasValue(-0.1);
+    assertThat(body.pitchRate()).hasValue(0.2);
+    assertThat(body.specificForceZ()).hasValue(-9.8);
+    assertThat(body.in(ReferenceFrame.BODY_FRD)).isEqualTo(frd);
+  }
+
+  @Test
+  void in_otherFrame_sightedLandmarkKeepsItsPlace() {
+    LandmarkSighting ned = new LandmarkSighting().landmarkX(30.0).landmarkY(40.0).bearing(0.5);
+    ned.referenceFrame(ReferenceFrame.LOCAL_NED);
+
+    LandmarkSighting enu = (LandmarkSighting) ned.in(ReferenceFrame.LOCAL_ENU);
+    LandmarkSighting global = (LandmarkSighting) enu.in(ReferenceFrame.GLOBAL, HONOLULU);
+
+    assertThat(enu.landmarkX()).hasValue(40.0);
+    assertThat(enu.landmarkY()).hasValue(30.0);
+    assertThat(global.bearing()).hasValue(0.5);
+    Geodetic place =
+        new Geodetic(
+            global.landmarkX().orElseThrow(),
+            global.landmarkY().orElseThrow(),
+            HONOLULU.altitudeM());
+    assertThat(HONOLULU.nedOf(place).x()).isCloseTo(30.0, within(1e-3));
+    assertThat(HONOLULU.nedOf(place).y()).isCloseTo(40.0, within(1e-3));
+  }
 }

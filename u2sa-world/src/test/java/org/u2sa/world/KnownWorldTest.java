@@ -155,6 +155,22 @@ class KnownWorldTest {
   }
 
   @Test
+  void doubtFile_moverLeftTheFieldOfView_isKept() throws IOException {
+    Path file = folder.resolve("world.xml");
+    Files.writeString(
+        file,
+        "<world><reference>Local NED</reference><Circle><uid>cart</uid><type>cart</type><x>7.5</x>"
+            + "<y>0</y><radius>0.3</radius><xDot>20</xDot><yDot>0</yDot></Circle></world>");
+    world.kit.with("MODELLERS", "OBJECTS").with("WORLD", file.toString());
+    world.kit.with("FIELDS OF VIEW", "Camera: 120 deg, 8 m").with("DOUBT FILE", true);
+    world.kit.start(WorldModeler::new);
+    world.stand(5);
+    lookElsewhere();
+
+    assertThat(world.objects()).extracting(ObjectDescription::uid).contains("cart");
+  }
+
+  @Test
   void world_objectAroundTheVehicle_staysWhereItIsAtTheFirstState() throws IOException {
     world.kit.with("MODELLERS", "OBJECTS").with("WORLD", postAhead().toString());
     world.kit.start(WorldModeler::new);

@@ -28,7 +28,10 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.schema.U2SAData;
@@ -333,5 +336,23 @@ class ExportTest extends CommandFixture {
     assertThat(latitudes.get(0)).isNaN();
     assertThat(latitudes.get(10)).isEqualTo(50.001);
     assertThat(times.get(10)).isEqualTo(10_000_000L);
+  }
+
+  @Test
+  void gpx_stateAndGoalOnAGrid_haveLongitudeAndLatitude() throws IOException {
+    Geodetic place = new Geodetic(8.0, 50.0, 0.0);
+    ReferenceFrame grid = UtmGrid.frameAt(place);
+    Point at = new UtmGrid(grid).grid(place);
+    try (McapWriter writer = writer("grid")) {
+      write(writer, 0, Channels.STATE, state().referenceFrame(grid).x(at.x()).y(at.y()));
+      Waypoint goal = new Waypoint().uid("a").referenceFrame(grid).x(at.x()).y(at.y());
+      write(writer, 1, Channels.GOALS, new GoalList().goals(List.of(goal.horizontalThreshold(2))));
+    }
+    XmlElement gpx = XmlReader.read(exported("--format", "gpx"), "gpx");
+    XmlElement fix = gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt").get(0);
+    for (XmlElement point : List.of(fix, gpx.children("wpt").get(0))) {
+      assertThat(point.optionalAttribute("lon")).contains("8.000000000");
+      assertThat(point.optionalAttribute("lat")).contains("50.000000000");
+    }
   }
 }

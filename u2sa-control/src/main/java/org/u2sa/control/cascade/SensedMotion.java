@@ -23,18 +23,19 @@ final class SensedMotion {
 
   /** Adds what a sensor measured, which has arrived now [µs]. */
   void sensed(StateInformation measured, long nowMicros) {
-    boolean isBody = measured.referenceFrame().equals(ReferenceFrame.BODY);
-    if (!isBody && measured.psiDot().isPresent()) {
-      turnRadPerS = measured.psiDot().getAsDouble();
-      tilt = new Attitude(measured.phi().orElse(0.0), measured.theta().orElse(0.0), 0.0);
+    ReferenceFrame frame = measured.referenceFrame();
+    if (!frame.equals(ReferenceFrame.BODY) && measured.psiDot().isPresent()) {
+      boolean isLeftward =
+          frame.equals(ReferenceFrame.LOCAL_ENU) || frame.equals(ReferenceFrame.BODY_FLU);
+      double sign = isLeftward ? -1.0 : 1.0; // there, nose down is positive, too
+      turnRadPerS = sign * measured.psiDot().getAsDouble();
+      tilt = new Attitude(measured.phi().orElse(0.0), sign * measured.theta().orElse(0.0), 0.0);
       turnS = Clock.seconds(nowMicros);
     }
-    if (isBody && measured.xDot().isPresent()) {
+    if (frame.isBody() && measured.xDot().isPresent()) {
+      StateInformation body = measured.in(ReferenceFrame.BODY);
       velocity =
-          Point.of(
-              measured.xDot().getAsDouble(),
-              measured.yDot().orElse(0.0),
-              measured.zDot().orElse(0.0));
+          Point.of(body.xDot().orElseThrow(), body.yDot().orElse(0.0), body.zDot().orElse(0.0));
       velocityS = Clock.seconds(nowMicros);
     }
   }

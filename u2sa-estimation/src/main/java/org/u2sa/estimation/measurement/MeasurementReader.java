@@ -79,9 +79,6 @@ public final class MeasurementReader {
     } else {
       readGlobal(message.in(ReferenceFrame.GLOBAL), to);
     }
-    if (message instanceof InertialMeasurement inertial) {
-      readInertial(inertial, to);
-    }
     return to;
   }
 
@@ -134,6 +131,9 @@ public final class MeasurementReader {
     vector(s, to, SensedQuantity.BODY_VELOCITY, VELOCITY, VELOCITY_SIGMA, usual.velocity());
     vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
     readFluid(s, to, 1.0);
+    if (s instanceof InertialMeasurement inertial) {
+      readInertial(inertial, to);
+    }
   }
 
   private void readAttitude(StateInformation s, Measurement to) {
@@ -181,41 +181,35 @@ public final class MeasurementReader {
             && seen.range().isPresent()
             && seen.bearing().isPresent();
     ReferenceFrame frame = seen.referenceFrame();
-    if (!isWhole || frame.isBody() || frame.isEarth() && !frame.equals(ReferenceFrame.GLOBAL)) {
+    if (!isWhole || frame.isBody()) {
       throw new IllegalArgumentException(
-          "names no landmark with place in GLOBAL or a local frame, range and bearing");
+          "names no landmark with place on the earth or in a local frame, range and bearing");
     }
     to.sighting(
         seen.range().getAsDouble(),
         seen.bearing().getAsDouble(),
         honest(seen.rangeSigma(), usual.position(), MIN_SIGMA),
         honest(seen.bearingSigma(), usual.attitude(), MIN_ANGLE));
-    double x = seen.landmarkX().getAsDouble();
-    double y = seen.landmarkY().getAsDouble();
-    if (frame.equals(ReferenceFrame.GLOBAL)) {
+    LandmarkSighting placed =
+        (LandmarkSighting)
+            seen.in(frame.isEarth() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_NED);
+    double x = placed.landmarkX().getAsDouble();
+    double y = placed.landmarkY().getAsDouble();
+    if (frame.isEarth()) {
       to.ofPlace(y, x);
     } else {
-      boolean isNorthFirst = frame.equals(ReferenceFrame.LOCAL_NED);
-      to.ofLocal(isNorthFirst ? x : y, isNorthFirst ? y : x);
+      to.ofLocal(x, y);
     }
   }
 
   private void readInertial(InertialMeasurement m, Measurement to) {
-    ReferenceFrame frame = m.referenceFrame();
-    boolean isBody = frame.equals(ReferenceFrame.BODY); // left-handed: roll and yaw change sign
-    boolean isFlu = frame.equals(ReferenceFrame.BODY_FLU);
-    double roll = isBody ? -1.0 : 1.0;
-    double pitch = isFlu ? -1.0 : 1.0;
-    double yaw = isBody || isFlu ? -1.0 : 1.0;
-    double y = isBody || isFlu ? -1.0 : 1.0;
-    double z = isFlu ? -1.0 : 1.0;
     double rate = honest(m.angularRateSigma(), usual.rate(), MIN_ANGLE);
     double force = honest(m.specificForceSigma(), usual.force(), MIN_SIGMA);
-    m.rollRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 0, roll * v, rate));
-    m.pitchRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 1, pitch * v, rate));
-    m.yawRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 2, yaw * v, rate));
+    m.rollRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 0, v, rate));
+    m.pitchRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 1, v, rate));
+    m.yawRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 2, v, rate));
     m.specificForceX().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 0, v, force));
-    m.specificForceY().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 1, y * v, force));
-    m.specificForceZ().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 2, z * v, force));
+    m.specificForceY().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 1, v, force));
+    m.specificForceZ().ifPresent(v -> to.set(SensedQuantity.SPECIFIC_FORCE, 2, v, force));
   }
 }

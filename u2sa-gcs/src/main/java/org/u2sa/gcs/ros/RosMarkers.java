@@ -94,11 +94,11 @@ final class RosMarkers {
     }
     if (object instanceof Box box) {
       Point size = Point.of(box.length(), box.width(), Math.max(box.height(), FLAT_M));
-      return new Look(CUBE, ADD, size, turn(object, box.psi()));
+      return new Look(CUBE, ADD, size, SceneFrame.turn(object.referenceFrame(), box.psi()));
     }
     if (object instanceof Rectangle rectangle) {
       Point size = Point.of(rectangle.length(), rectangle.width(), FLAT_M);
-      return new Look(CUBE, ADD, size, turn(object, rectangle.psi()));
+      return new Look(CUBE, ADD, size, SceneFrame.turn(object.referenceFrame(), rectangle.psi()));
     }
     boolean isDrawn = !outline(object).isEmpty();
     return new Look(isDrawn ? LINE_STRIP : SPHERE, ADD, cube(isDrawn ? LINE_M : POINT_M), 0.0);
@@ -120,11 +120,6 @@ final class RosMarkers {
       return closed;
     }
     return List.of();
-  }
-
-  /** Global headings are clockwise from north, BODY angles positive to the left. */
-  private static double turn(ObjectDescription object, double psi) {
-    return object.referenceFrame().isBody() ? psi : Math.PI / 2 - psi;
   }
 
   private static Point cube(double side) {

@@ -30,6 +30,7 @@ class StationCommandTest {
   private static final int ARM = 400;
   private static final int TERMINATE = 185;
   private static final int REPOSITION = 192;
+  private static final int CHANGE_SPEED = 178;
   private static final int PX4_LAND = 4 << 16 | 6 << 24;
 
   private final BridgeKit kit = BridgeKit.rover().ready();
@@ -246,5 +247,14 @@ class StationCommandTest {
     kit.received(Heartbeat.class);
     kit.advance(1.1);
     assertThat(kit.received(Heartbeat.class).get(0).baseMode().value() & 128).isEqualTo(128);
+  }
+
+  @Test
+  void changeSpeed_goalNamedWithMarkup_isOfItToo() {
+    kit.mission("file.xml", List.of(BridgeKit.waypoint("pier & gate", 0.001, 0.0)), false);
+    kit.command(CHANGE_SPEED, 1, 2.5);
+
+    assertThat(kit.order().goals().orElseThrow())
+        .contains("<waypoint><name>pier &amp; gate</name><speed>2.500</speed></waypoint>");
   }
 }

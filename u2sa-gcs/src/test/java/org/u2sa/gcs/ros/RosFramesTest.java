@@ -12,11 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.JsonText;
 import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.InertialMeasurement;
+import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
+import org.u2sa.messages.shape.Box;
 
 /** The axes and signs of REP 103 and REP 105, against values computed by hand. */
 class RosFramesTest {
@@ -145,5 +147,38 @@ class RosFramesTest {
     assertThat(battery.get("current").asDouble()).isEqualTo(-3.0);
     assertThat(battery.get("percentage").asDouble()).isEqualTo(0.4);
     assertThat(battery.get("temperature").isNull()).isTrue();
+  }
+
+  @Test
+  void imu_forwardLeftUp_keepsItsAxes() throws Exception {
+    InertialMeasurement measured = new InertialMeasurement();
+    measured.referenceFrame(ReferenceFrame.BODY_FLU);
+
+    JsonNode imu =
+        json(
+            RosStates.imu(measured.specificForceY(1.0).specificForceZ(9.81).yawRate(0.3))
+                .orElseThrow());
+
+    assertThat(imu.get("linear_acceleration").get("y").asDouble()).isEqualTo(1.0, EXACT);
+    assertThat(imu.get("linear_acceleration").get("z").asDouble()).isEqualTo(9.81, EXACT);
+    assertThat(imu.get("angular_velocity").get("z").asDouble()).isEqualTo(0.3, EXACT);
+  }
+
+  @Test
+  void markers_boxInAnyAxes_turnsCounterclockwiseFromX() throws Exception {
+    assertThat(yaw(ReferenceFrame.LOCAL_ENU, 0.3)).isEqualTo(0.3, EXACT);
+    assertThat(yaw(ReferenceFrame.LOCAL_NED, RIGHT - 0.3)).isEqualTo(0.3, EXACT);
+    assertThat(yaw(ReferenceFrame.BODY, 0.3)).isEqualTo(0.3, EXACT);
+    assertThat(yaw(ReferenceFrame.BODY_FLU, 0.3)).isEqualTo(0.3, EXACT);
+    assertThat(yaw(ReferenceFrame.BODY_FRD, -0.3)).isEqualTo(0.3, EXACT);
+  }
+
+  private double yaw(ReferenceFrame frame, double psi) throws Exception {
+    Box box = new Box().length(4.0).width(2.0).height(1.0).psi(psi);
+    box.uid("hut").referenceFrame(frame).x(1.0).y(2.0);
+    JsonNode markers =
+        json(new RosMarkers(frames).of(new ObjectList().objects(List.of(box))).orElseThrow());
+    JsonNode q = markers.get("markers").get(1).get("pose").get("orientation");
+    return 2.0 * Math.atan2(q.get("z").asDouble(), q.get("w").asDouble());
   }
 }

@@ -46,6 +46,11 @@ public final class UtmGrid {
     return ReferenceFrame.utm(zone, latitude >= 0.0);
   }
 
+  /** Converts a point in GLOBAL or UTM to GLOBAL: longitude, latitude [deg], altitude [m]. */
+  public static Point global(ReferenceFrame frame, Point point) {
+    return frame.isUtm() ? new UtmGrid(frame).place(point).point() : point;
+  }
+
   /** Easting, northing [m, false origins included] and altitude. */
   public Point grid(Geodetic place) {
     ProjCoordinate grid = projected(place.longitudeDeg(), place.latitudeDeg());

@@ -65,10 +65,16 @@ final class VerticalEvasion {
       top = Math.max(top, corridor.topDownM());
       bottom = Math.min(bottom, corridor.bottomDownM());
     }
-    DoubleBinaryOperator ground = (north, east) -> groundDownM(plane, north, east);
-    double below = ground.applyAsDouble(at.x(), at.y());
+    double below = groundDownM(plane, at.x(), at.y());
     double clearance = now.verticalClearance();
     double groundM = Double.isNaN(below) ? clearance : Math.min(clearance, below - at.z());
+    // Beyond the map there may be a hill: it keeps its altitude at least.
+    double beyond = Double.isNaN(below) ? Double.NaN : at.z() + groundM;
+    DoubleBinaryOperator ground =
+        (north, east) -> {
+          double mapped = groundDownM(plane, north, east);
+          return Double.isNaN(mapped) ? beyond : mapped;
+        };
     bottom = Double.isNaN(below) ? bottom : Math.min(bottom, below - groundM);
     OptionalDouble ceiling = fence.map(FenceState::highest).orElse(OptionalDouble.empty());
     if (ceiling.isPresent()) {

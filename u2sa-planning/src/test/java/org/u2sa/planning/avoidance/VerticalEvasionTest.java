@@ -1,17 +1,25 @@
 package org.u2sa.planning.avoidance;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.u2sa.interfaces.terrain.HeightGrid;
+import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.shape.Polygon;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.local.VerticalRoom;
+import org.u2sa.planning.seen.PlanningPlane;
 
 /** Between which altitudes an aircraft 75 m high that keeps 20 m above and below may evade. */
 class VerticalEvasionTest {
@@ -85,5 +93,30 @@ class VerticalEvasionTest {
 
     assertThat(room().topDownM()).isEqualTo(-100.0);
     assertThat(room().bottomDownM()).isEqualTo(Double.POSITIVE_INFINITY);
+  }
+
+  @Test
+  void room_mapThatEndsAhead_allowsNoDescentBeyondIt(@TempDir Path folder) throws IOException {
+    Path map = folder.resolve("map.asc");
+    Files.writeString(
+        map, "ncols 2\nnrows 2\nxllcenter 10\nyllcenter 50\ncellsize 0.001\n0 0\n0 0\n");
+    StateInformation state = new StateInformation().x(10.0005).y(50.0005).z(75.0).psi(0.0);
+    Point at = Point.of(0.0, 0.0, 0.0);
+
+    VerticalRoom room =
+        new VerticalEvasion(Optional.of(HeightGrid.read(map)), bench::say)
+            .room(
+                state,
+                at,
+                Point.of(1000.0, 0.0, 0.0),
+                Place.of(ReferenceFrame.GLOBAL, Point.of(10.0005, 50.01, 75.0)),
+                bench.settings,
+                bench.world,
+                PlanningPlane.at(state))
+            .orElseThrow();
+
+    assertThat(room.bottomDownM()).isCloseTo(55.0, within(0.01));
+    assertThat(room.ground().applyAsDouble(0.0, 0.0)).isCloseTo(75.0, within(0.01));
+    assertThat(room.ground().applyAsDouble(1000.0, 0.0)).isEqualTo(at.z() + room.groundM());
   }
 }

@@ -18,7 +18,7 @@ import org.u2sa.messages.contract.Condition;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
@@ -135,13 +135,11 @@ public final class FoxgloveMessages {
   }
 
   private void state(StateInformation state, long nanos, Sink sink) throws IOException {
-    if (!state.referenceFrame().equals(ReferenceFrame.GLOBAL)
-        || state.x().isEmpty()
-        || state.y().isEmpty()) {
+    if (!state.referenceFrame().isEarth() || state.x().isEmpty() || state.y().isEmpty()) {
       return;
     }
-    Geodetic place =
-        new Geodetic(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
+    Point own = Point.of(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
+    Geodetic place = Geodetic.of(UtmGrid.global(state.referenceFrame(), own));
     sink.write(view("location", FoxgloveSchema.LOCATION_FIX, locationFix(state, place, nanos)));
     Point at = frames.onMap(place);
     ProtobufMessage attitude =

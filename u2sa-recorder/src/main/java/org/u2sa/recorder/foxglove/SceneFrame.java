@@ -5,6 +5,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.frame.Rotation;
+import org.u2sa.messages.frame.UtmGrid;
 
 /**
  * Frames of the views, all right-handed and metric: {@code map} is east-north-up at the vehicle's
@@ -30,13 +31,13 @@ public final class SceneFrame {
   }
 
   /**
-   * Converts a point of a message's frame; empty for global positions before the map has an origin.
+   * Converts a point of a message's frame; empty for positions on the earth before the map has an
+   * origin.
    */
   public Optional<Placed> place(ReferenceFrame frame, Point point) {
-    if (frame.equals(ReferenceFrame.GLOBAL)) {
-      return origin == null
-          ? Optional.empty()
-          : Optional.of(new Placed(MAP, origin.enuOf(Geodetic.of(point))));
+    if (frame.isEarth()) {
+      Geodetic place = Geodetic.of(UtmGrid.global(frame, point));
+      return Optional.ofNullable(origin).map(at -> new Placed(MAP, at.enuOf(place)));
     }
     if (frame.equals(ReferenceFrame.LOCAL_ENU)) {
       return Optional.of(new Placed(LOCAL, point));
@@ -50,10 +51,20 @@ public final class SceneFrame {
     if (frame.equals(ReferenceFrame.BODY_FRD)) {
       return Optional.of(new Placed(BODY, Point.of(point.x(), -point.y(), -point.z())));
     }
-    if (frame.equals(ReferenceFrame.BODY_FLU)) {
-      return Optional.of(new Placed(BODY, point));
+    return Optional.of(new Placed(BODY, point)); // BODY_FLU
+  }
+
+  /**
+   * Turn of a message's object about the up axis from the x axis of the frame it is placed in
+   * [rad], counterclockwise seen from above. The convergence of a grid is neglected.
+   *
+   * @param psi heading in the message's frame [rad]
+   */
+  public static double turn(ReferenceFrame frame, double psi) {
+    if (frame.isEarth() || frame.equals(ReferenceFrame.LOCAL_NED)) {
+      return Math.PI / 2 - psi;
     }
-    return Optional.empty();
+    return frame.equals(ReferenceFrame.BODY_FRD) ? -psi : psi;
   }
 
   /**

@@ -75,10 +75,13 @@ final class SceneShapes {
       entity.message(CYLINDERS, cylinder(at, Point.of(across, across, FLAT_M), colour));
     } else if (object instanceof Box box) {
       Point size = Point.of(box.length(), box.width(), high(box.height()));
-      entity.message(CUBES, primitive(at, turn(object, box.psi()), size, colour));
+      entity.message(
+          CUBES, primitive(at, SceneFrame.turn(object.referenceFrame(), box.psi()), size, colour));
     } else if (object instanceof Rectangle rectangle) {
       Point size = Point.of(rectangle.length(), rectangle.width(), FLAT_M);
-      entity.message(CUBES, primitive(at, turn(object, rectangle.psi()), size, colour));
+      entity.message(
+          CUBES,
+          primitive(at, SceneFrame.turn(object.referenceFrame(), rectangle.psi()), size, colour));
     } else if (object instanceof Hoop hoop) {
       entity.message(LINES, outline(object, hoop.outline(HOOP_SIDES), 0, colour));
     } else if (object instanceof Dock dock) {
@@ -90,11 +93,6 @@ final class SceneShapes {
     } else {
       entity.message(SPHERES, primitive(at, 0.0, cube(POINT_M), colour));
     }
-  }
-
-  /** Global headings are clockwise from north, BODY angles positive to the left. */
-  private static double turn(ObjectDescription object, double psi) {
-    return object.referenceFrame().isBody() ? psi : Math.PI / 2 - psi;
   }
 
   private ProtobufMessage outline(

@@ -12,16 +12,20 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channel;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.CameraImage;
+import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.ObjectList;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.cbor.ByteString;
+import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Cylinder;
 
 class FoxgloveMessagesTest {
@@ -195,5 +199,44 @@ class FoxgloveMessagesTest {
       assertThat(new String(schema.descriptors(), java.nio.charset.StandardCharsets.ISO_8859_1))
           .contains("foxglove/" + type + ".proto");
     }
+  }
+
+  @Test
+  void write_boxInLocalOrBodyAxes_turnsCounterclockwiseFromX() throws IOException {
+    assertQuaternion(turned(ReferenceFrame.LOCAL_ENU, Math.PI / 2), 0, 0, HALF, HALF);
+    assertQuaternion(turned(ReferenceFrame.LOCAL_NED, 0.0), 0, 0, HALF, HALF);
+    assertQuaternion(turned(ReferenceFrame.BODY, Math.PI / 2), 0, 0, HALF, HALF);
+    assertQuaternion(turned(ReferenceFrame.BODY_FRD, -Math.PI / 2), 0, 0, HALF, HALF);
+  }
+
+  private ProtobufFields turned(ReferenceFrame frame, double psi) throws IOException {
+    Box box = new Box().length(4.0).width(2.0).height(1.0).psi(psi);
+    box.uid("hut").referenceFrame(frame).x(1.0).y(2.0);
+    return object(box).message(8).message(1).message(2);
+  }
+
+  private ProtobufFields object(ObjectDescription object) throws IOException {
+    return named(of(Channels.OBJECTS, new ObjectList().objects(List.of(object))), "/rover/objects")
+        .messages(2)
+        .get(0);
+  }
+
+  @Test
+  void write_objectOnAGrid_isPlacedOnTheMap() throws IOException {
+    of(Channels.STATE, state());
+    Geodetic place = new Geodetic(11.001, 48.0, 400.0);
+    ReferenceFrame grid = UtmGrid.frameAt(place);
+    Point at = new UtmGrid(grid).grid(place);
+    Box box = new Box().length(4.0).width(2.0).height(1.0);
+    box.uid("hut").referenceFrame(grid).x(at.x()).y(at.y()).z(at.z());
+    assertVector(object(box).message(8).message(1).message(1), 74.63, 0.0, 0.0);
+  }
+
+  @Test
+  void write_stateOnAGrid_isItsPlaceOnTheEarth() throws IOException {
+    StateInformation onGrid = state().in(UtmGrid.frameAt(new Geodetic(11.0, 48.0, 0.0)));
+    ProtobufFields fix = named(of(Channels.STATE, onGrid), "/rover/location");
+    assertThat(fix.number(1)).isCloseTo(48.0, within(1e-9));
+    assertThat(fix.number(2)).isCloseTo(11.0, within(1e-9));
   }
 }

@@ -12,7 +12,9 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.communication.Topic;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.frame.UtmGrid;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
@@ -88,7 +90,7 @@ public final class GeoRun {
     if (run.tracks.isEmpty()) {
       throw new BadInputException(
           String.format(
-              "no message on %s has a position on the earth (frame GLOBAL, x and y); choose "
+              "no message on %s has a position on the earth (frame GLOBAL or UTM, x and y); choose "
                   + "other channels with --channel",
               String.join(", ", ofStates)));
     }
@@ -97,21 +99,23 @@ public final class GeoRun {
 
   private void take(Topic topic, StateInformation state, long logNanos, Spacing spacing) {
     boolean isPlace =
-        state.referenceFrame().equals(ReferenceFrame.GLOBAL)
-            && state.x().isPresent()
-            && state.y().isPresent();
+        state.referenceFrame().isEarth() && state.x().isPresent() && state.y().isPresent();
     String source = topic.source().isEmpty() ? state.sensorName() : topic.source();
     String name = topic.channel() + (source.isEmpty() ? "" : " " + source);
     if (isPlace && spacing.takes(name, logNanos / (double) NANOS)) {
       tracks
           .computeIfAbsent(name, key -> new ArrayList<>())
-          .add(
-              new Fix(
-                  measuredNanos(state, logNanos),
-                  longitude(state.x().getAsDouble()),
-                  state.y().getAsDouble(),
-                  state.z()));
+          .add(fix(state, measuredNanos(state, logNanos)));
     }
+  }
+
+  private static Fix fix(StateInformation state, long nanos) {
+    Point at = global(state.referenceFrame(), state.x(), state.y());
+    return new Fix(nanos, longitude(at.x()), at.y(), state.z());
+  }
+
+  private static Point global(ReferenceFrame frame, OptionalDouble x, OptionalDouble y) {
+    return UtmGrid.global(frame, Point.of(x.getAsDouble(), y.getAsDouble(), 0.0));
   }
 
   /** Wraps into -180…180: a message may contain 180.5 instead of -179.5. */
@@ -127,15 +131,16 @@ public final class GeoRun {
 
   private void take(GoalInformation goal) {
     if (goal instanceof Waypoint waypoint
-        && waypoint.referenceFrame().equals(ReferenceFrame.GLOBAL)
+        && waypoint.referenceFrame().isEarth()
         && waypoint.x().isPresent()
         && waypoint.y().isPresent()) {
+      Point at = global(waypoint.referenceFrame(), waypoint.x(), waypoint.y());
       goals.put(
           waypoint.uid(),
           new Goal(
               waypoint.uid(),
-              longitude(waypoint.x().getAsDouble()),
-              waypoint.y().getAsDouble(),
+              longitude(at.x()),
+              at.y(),
               waypoint.z(),
               waypoint.horizontalThreshold(),
               waypoint.completed() && !waypoint.abandoned()));

@@ -54,13 +54,11 @@ final class RunMap {
 
   /** Adds an estimate; returns its map position, if any. */
   Optional<Point> take(double timeS, StateInformation state) {
-    if (!state.referenceFrame().equals(ReferenceFrame.GLOBAL)
-        || state.x().isEmpty()
-        || state.y().isEmpty()) {
+    if (!state.referenceFrame().isEarth() || state.x().isEmpty() || state.y().isEmpty()) {
       return Optional.empty();
     }
-    Geodetic at =
-        new Geodetic(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
+    Point own = Point.of(state.x().getAsDouble(), state.y().getAsDouble(), state.z().orElse(0.0));
+    Geodetic at = Geodetic.of(UtmGrid.global(state.referenceFrame(), own));
     origin = origin == null ? at : origin;
     Point point = origin.enuOf(at);
     this.at = point;

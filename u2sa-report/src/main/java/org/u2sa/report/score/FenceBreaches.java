@@ -17,7 +17,7 @@ final class FenceBreaches {
       double longitude = sample.longitudeDeg();
       double latitude = sample.latitudeDeg();
       boolean isInside =
-          contains(plan.fence(), longitude, latitude)
+          (plan.fence().isEmpty() || contains(plan.fence(), longitude, latitude))
               && plan.keepOuts().stream().noneMatch(area -> contains(area, longitude, latitude));
       breaches += wasInside && !isInside ? 1 : 0;
       wasInside = isInside;

@@ -17,7 +17,7 @@ public final class RunScorer {
   /** Scores the run {@code track} of {@code plan}. */
   public static RunScore score(RunPlan plan, List<TrackSample> track, RunOutcome judged) {
     RunOutcome outcome =
-        plan.fence().isEmpty()
+        plan.fence().isEmpty() && plan.keepOuts().isEmpty()
             ? judged
             : judged.counting(FENCE_BREACHES, FenceBreaches.count(plan, track));
     List<WaypointResult> results = new ArrayList<>();

@@ -95,9 +95,7 @@ public record Surroundings(List<ObjectDescription> objects, double reachM, List<
   /** Global position of a point in an object's frame: the inverse of {@link #in}. */
   public static Geodetic onEarth(ObjectDescription object, Point point, Geodetic home) {
     if (object.referenceFrame().isEarth()) {
-      return object.referenceFrame().isUtm()
-          ? new UtmGrid(object.referenceFrame()).place(point)
-          : Geodetic.of(point);
+      return Geodetic.of(UtmGrid.global(object.referenceFrame(), point));
     }
     boolean ned = object.referenceFrame().equals(ReferenceFrame.LOCAL_NED);
     return home.fromEnu(Point.of(ned ? point.y() : point.x(), ned ? point.x() : point.y(), 0.0));

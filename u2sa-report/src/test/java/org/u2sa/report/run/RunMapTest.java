@@ -138,4 +138,19 @@ class RunMapTest {
         .hasSizeLessThan(40_000)
         .contains("www… (1000 characters)", "ggg… (1000 characters)");
   }
+
+  @Test
+  void take_stateOnAGrid_isOnTheMap() {
+    Geodetic place = new Geodetic(8.001, 50.0, 0.0);
+    ReferenceFrame grid = UtmGrid.frameAt(place);
+    Point at = new UtmGrid(grid).grid(place);
+    RunMap map = new RunMap();
+    map.take(0.0, new StateInformation().sensorName("e").x(8.0).y(50.0));
+
+    StateInformation state = new StateInformation().sensorName("e").referenceFrame(grid);
+    Point point = map.take(1.0, state.x(at.x()).y(at.y())).orElseThrow();
+
+    assertThat(point.x()).isCloseTo(71.7, within(0.1));
+    assertThat(point.y()).isCloseTo(0.0, within(0.01));
+  }
 }

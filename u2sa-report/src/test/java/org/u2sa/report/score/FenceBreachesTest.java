@@ -15,6 +15,13 @@ class FenceBreachesTest {
           new RunPlan.Corner(-179.9, 0.2),
           new RunPlan.Corner(179.9, 0.2));
 
+  private static final List<RunPlan.Corner> KEEP_OUT =
+      List.of(
+          new RunPlan.Corner(179.99, 0.05),
+          new RunPlan.Corner(-179.99, 0.05),
+          new RunPlan.Corner(-179.99, 0.15),
+          new RunPlan.Corner(179.99, 0.15));
+
   private static final RunPlan PLAN =
       new RunPlan(Domain.GROUND, Optional.empty(), List.of()).within(SQUARE, List.of());
 
@@ -39,15 +46,19 @@ class FenceBreachesTest {
 
   @Test
   void count_trackThroughAKeepOutArea_isOneForEachTime() {
-    List<RunPlan.Corner> keepOut =
-        List.of(
-            new RunPlan.Corner(179.99, 0.05),
-            new RunPlan.Corner(-179.99, 0.05),
-            new RunPlan.Corner(-179.99, 0.15),
-            new RunPlan.Corner(179.99, 0.15));
-    RunPlan plan = PLAN.within(SQUARE, List.of(keepOut));
+    RunPlan plan = PLAN.within(SQUARE, List.of(KEEP_OUT));
     assertThat(FenceBreaches.count(plan, track(179.95, 180.0, -179.95, -179.995, 179.95)))
         .isEqualTo(2);
     assertThat(FenceBreaches.count(plan, track(179.95, 179.96, 179.97))).isZero();
+  }
+
+  @Test
+  void score_keepOutAreaWithoutKeepInArea_countsWhatEntersIt() {
+    RunPlan plan = PLAN.within(List.of(), List.of(KEEP_OUT));
+    assertThat(
+            RunScorer.score(plan, track(179.5, 180.0, 179.5), RunOutcome.clean())
+                .outcome()
+                .counts())
+        .containsEntry("fenceBreaches", 1);
   }
 }

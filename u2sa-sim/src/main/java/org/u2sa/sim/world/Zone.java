@@ -77,7 +77,7 @@ public record Zone(
 
   static Point inWorld(ReferenceFrame frame, LocalPlane plane, Point place) {
     if (frame.isEarth()) {
-      return plane.point(frame.isUtm() ? new UtmGrid(frame).place(place) : Geodetic.of(place));
+      return plane.point(Geodetic.of(UtmGrid.global(frame, place)));
     }
     return frame.equals(ReferenceFrame.LOCAL_NED)
         ? Point.of(place.y(), place.x(), -place.z())

@@ -70,7 +70,8 @@ record CloserLook(double resolution) {
   }
 
   private static void element(StringBuilder goal, String name, String text) {
-    goal.append('<').append(name).append('>').append(text);
+    String escaped = text.replace("&", "&amp;").replace("<", "&lt;");
+    goal.append('<').append(name).append('>').append(escaped);
     goal.append("</").append(name).append('>');
   }
 }

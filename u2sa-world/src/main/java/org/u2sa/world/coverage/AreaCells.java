@@ -98,13 +98,15 @@ final class AreaCells {
   /** Records an image: a cell counts as seen if all of it lies in the reduced footprint. */
   void see(ImageFootprint seen, double marginM) {
     int corners = seen.points().size();
-    if (!seen.referenceFrame().equals(goal.referenceFrame())
-        || corners < 3
-        || corners > MAX_OUTLINE) {
+    boolean isPlaced =
+        seen.referenceFrame().isEarth() == goal.referenceFrame().isEarth()
+            && seen.referenceFrame().isLocal() == goal.referenceFrame().isLocal();
+    if (!isPlaced || corners < 3 || corners > MAX_OUTLINE) {
       return;
     }
+    ImageFootprint placed = (ImageFootprint) seen.in(goal.referenceFrame(), null);
     List<Point> outline = new ArrayList<>();
-    seen.points().forEach(point -> outline.add(metric.metres(point)));
+    placed.points().forEach(point -> outline.add(metric.metres(point)));
     double west = outline.stream().mapToDouble(Point::x).min().orElseThrow();
     double east = outline.stream().mapToDouble(Point::x).max().orElseThrow();
     double south = outline.stream().mapToDouble(Point::y).min().orElseThrow();

@@ -22,16 +22,14 @@ final class OwnMotion {
 
   /** Adds what a sensor measured. */
   void sensed(StateInformation measured, long micros) {
-    boolean isBody = measured.referenceFrame().equals(ReferenceFrame.BODY);
-    if (isBody && measured.xDot().isPresent()) {
+    ReferenceFrame frame = measured.referenceFrame();
+    if (frame.isBody() && measured.xDot().isPresent()) {
+      StateInformation body = measured.in(ReferenceFrame.BODY);
       velocity =
-          Point.of(
-              measured.xDot().getAsDouble(),
-              measured.yDot().orElse(0.0),
-              measured.zDot().orElse(0.0));
+          Point.of(body.xDot().orElseThrow(), body.yDot().orElse(0.0), body.zDot().orElse(0.0));
       velocityMicros = micros;
     }
-    if (!isBody && measured.psiDot().isPresent()) {
+    if (!frame.equals(ReferenceFrame.BODY) && measured.psiDot().isPresent()) {
       turned(measured, micros);
     }
   }
@@ -42,13 +40,18 @@ final class OwnMotion {
     if (step < 0L) {
       return;
     }
+    boolean isLeftward =
+        imu.referenceFrame().equals(ReferenceFrame.LOCAL_ENU)
+            || imu.referenceFrame().equals(ReferenceFrame.BODY_FLU);
+    double sign = isLeftward ? -1.0 : 1.0; // there, nose down is positive, too
     double seconds = Clock.seconds(Math.min(step, STALE_MICROS));
-    psi += imu.psiDot().orElseThrow() * seconds;
-    Attitude attitude = new Attitude(imu.phi().orElse(0.0), imu.theta().orElse(0.0), psi);
+    double rate = sign * imu.psiDot().orElseThrow();
+    psi += rate * seconds;
+    Attitude attitude = new Attitude(imu.phi().orElse(0.0), sign * imu.theta().orElse(0.0), psi);
     Point ned = knowsSpeed(micros) ? attitude.nedOf(velocity) : Point.ORIGIN;
     place = place.plus(ned.times(seconds));
     StateInformation pose = level().phi(attitude.phi()).theta(attitude.theta());
-    pose.xDot(ned.x()).yDot(ned.y()).zDot(ned.z()).psiDot(imu.psiDot().orElseThrow());
+    pose.xDot(ned.x()).yDot(ned.y()).zDot(ned.z()).psiDot(rate);
     pose.timestamp(micros);
     poses.add(pose);
   }

@@ -156,10 +156,10 @@ public final class ObjectMapModeller implements Modeller {
       String sensor, Set<MappedObject> hit, Sighting sighting, ObjectMapVariables tuning) {
     FieldOfView field = FieldOfView.parse(tuning.fieldsOfView()).get(sensor);
     for (MappedObject track : tracks) {
-      if (hit.contains(track) || isHidden(track.template(), track.place(), tuning)) {
+      if (hit.contains(track) || isHidden(track.template(), place(track), tuning)) {
         continue;
       }
-      if (field != null && field.sees(fromVehicle(track.place(), sighting))) {
+      if (field != null && field.sees(fromVehicle(place(track), sighting))) {
         track.miss(tuning);
       } else if (field == null
           && !track.isConfirmed()
@@ -167,6 +167,11 @@ public final class ObjectMapModeller implements Modeller {
         track.occasion(0);
       }
     }
+  }
+
+  /** Place in map coordinates [m]; moving objects of the file follow their own course. */
+  private Point place(MappedObject track) {
+    return track.isFromFile() ? frame.metres(track.template().center()) : track.place();
   }
 
   private static Point fromVehicle(Point place, Sighting sighting) {
@@ -193,7 +198,7 @@ public final class ObjectMapModeller implements Modeller {
         through = through == null ? new ScanThrough(scan, poses.at(scan, 0.5)) : through;
         Point sigma = track.filter().sigma();
         double radius = track.radius() + Math.max(sigma.x(), sigma.y());
-        if (through.passed(track.place(), radius)) {
+        if (through.passed(place(track), radius)) {
           track.miss(tuning);
         }
       }

@@ -16,6 +16,7 @@ import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
+import org.u2sa.report.EscapedXml;
 
 /** Changes what the vehicle does, by orders to its Mission Manager. */
 final class ModeOrders {
@@ -155,14 +156,13 @@ final class ModeOrders {
                 boolean isOpen =
                     goal.type() == Waypoint.TYPE
                         && goal.result().isEmpty()
-                        && !goal.uid().equals(VehicleStatus.HOME)
-                        && goal.uid().matches("[\\w .-]+");
+                        && !goal.uid().equals(VehicleStatus.HOME);
                 if (isOpen) {
                   goals.append(
                       String.format(
                           Locale.ROOT,
                           "<waypoint><name>%s</name><speed>%.3f</speed></waypoint>",
-                          goal.uid(),
+                          EscapedXml.of(goal.uid()),
                           metresPerSecond));
                 }
               }
