@@ -4,9 +4,10 @@ import subprocess
 
 
 def rows(java, folder, work):
-    sets = [str(each) for each in sorted(folder.glob("MRCLAM_Dataset*"))]
+    found = sorted(folder.glob("MRCLAM_Dataset*"))
+    sets = [str(each) for each in found if (each / "Robot1_Groundtruth.dat").exists()]
+    table = [dict(name=each.name, metric="", value="not judged: it has no ground truth", goal="") for each in found if str(each) not in sets]
     words = subprocess.run([*shlex.split(java), "org.u2sa.world.object.LandmarkMap", *sets], check=True, stdout=subprocess.PIPE, text=True).stdout
-    table = []
     for line in words.splitlines()[2:]:
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         name = "%s, %s, UIDs: %s" % tuple(cells[:3])
