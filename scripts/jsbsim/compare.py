@@ -397,12 +397,12 @@ def main():
     parser.add_argument("--substeps", type=int, default=1, help="JSBSim's steps in 1/120 s")
     arguments = parser.parse_args()
     Theirs.substeps = arguments.substeps
-    theirs = measured(fly_theirs)
     if arguments.model == "jsbsim":
         Ours.connect(arguments.classes, "c172p")
         mine = measured(fly_ours)
     else:
         mine = ours(arguments.classes)
+    theirs = measured(fly_theirs)
     print(f"| kind | condition | quantity | <{arguments.model}> | JSBSim {jsbsim.__version__} c172p | difference | handbook |")
     print("|---|---|---|---:|---:|---:|---:|")
     for key, value in mine.items():
