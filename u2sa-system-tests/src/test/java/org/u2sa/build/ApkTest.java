@@ -106,7 +106,10 @@ class ApkTest {
     assertThat(ended.output()).contains(password + ": others may read it; expected chmod 600");
   }
 
-  /** The application with a jar of the user's own: D8 takes most of this test's time, so one application shows all. */
+  /**
+   * The application with a jar of the user's own: D8 takes most of this test's time, so one
+   * application shows all.
+   */
   @Test
   void apk_ownJarTwice_sameBytesAndAllInsideAndMissionsFlyOnItsDex() throws Exception {
     String jar = OwnServiceJar.in(folder).toString();
