@@ -82,13 +82,7 @@ final class AxisExchange {
         }) {
       flip(triple, from, to, phi, theta, psi);
     }
-    if (from instanceof InertialMeasurement measured && to instanceof InertialMeasurement turned) {
-      measured.rollRate().ifPresent(rate -> turned.rollRate(phi * rate));
-      measured.pitchRate().ifPresent(rate -> turned.pitchRate(theta * rate));
-      measured.yawRate().ifPresent(rate -> turned.yawRate(psi * rate));
-      measured.specificForceY().ifPresent(force -> turned.specificForceY(y * force));
-      measured.specificForceZ().ifPresent(force -> turned.specificForceZ(z * force));
-    }
+    from.flipOwn(to, source, target);
   }
 
   private static void flip(

@@ -126,4 +126,14 @@ public class InertialMeasurement extends StateInformation {
   public InertialMeasurement specificForceSigma(double mps2) {
     return put(SPECIFIC_FORCE_SIGMA, mps2);
   }
+
+  @Override
+  void flipOwn(TranslationState<?> copy, BodyAxes from, BodyAxes to) {
+    InertialMeasurement turned = (InertialMeasurement) copy;
+    rollRate().ifPresent(rate -> turned.rollRate(from.phi() * to.phi() * rate));
+    pitchRate().ifPresent(rate -> turned.pitchRate(from.theta() * to.theta() * rate));
+    yawRate().ifPresent(rate -> turned.yawRate(from.psi() * to.psi() * rate));
+    specificForceY().ifPresent(force -> turned.specificForceY(from.y() * to.y() * force));
+    specificForceZ().ifPresent(force -> turned.specificForceZ(from.z() * to.z() * force));
+  }
 }

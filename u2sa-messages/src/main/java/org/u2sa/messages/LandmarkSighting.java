@@ -1,6 +1,8 @@
 package org.u2sa.messages;
 
 import java.util.OptionalDouble;
+import org.u2sa.messages.frame.Geodetic;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
@@ -99,5 +101,26 @@ public class LandmarkSighting extends StateInformation {
   public LandmarkSighting bearingSigma(double rad) {
     put(BEARING_SIGMA, rad);
     return this;
+  }
+
+  @Override
+  public LandmarkSighting in(ReferenceFrame frame) {
+    return in(frame, null);
+  }
+
+  /** Converts the landmark's position; a sighting has no state of its own. */
+  @Override
+  public LandmarkSighting in(ReferenceFrame frame, Geodetic origin) {
+    LandmarkSighting converted = (LandmarkSighting) copy().referenceFrame(frame);
+    if (landmarkX().isEmpty() || landmarkY().isEmpty()) {
+      return converted;
+    }
+    StateInformation place =
+        new StateInformation()
+            .referenceFrame(referenceFrame())
+            .x(landmarkX().getAsDouble())
+            .y(landmarkY().getAsDouble())
+            .in(frame, origin);
+    return converted.landmarkX(place.x().getAsDouble()).landmarkY(place.y().getAsDouble());
   }
 }

@@ -28,24 +28,6 @@ final class StateConversion {
    * @param origin of the local frames; may be null
    */
   static StateInformation convert(StateInformation state, ReferenceFrame target, Geodetic origin) {
-    if (!(state instanceof LandmarkSighting seen)
-        || seen.landmarkX().isEmpty()
-        || seen.landmarkY().isEmpty()) {
-      return own(state, target, origin);
-    }
-    StateInformation landmark =
-        new StateInformation()
-            .referenceFrame(seen.referenceFrame())
-            .x(seen.landmarkX().getAsDouble())
-            .y(seen.landmarkY().getAsDouble());
-    StateInformation place = own(landmark, target, origin);
-    LandmarkSighting converted = (LandmarkSighting) seen.copy().referenceFrame(target);
-    return converted.landmarkX(place.x().getAsDouble()).landmarkY(place.y().getAsDouble());
-  }
-
-  /** Converts the fields of {@link StateInformation}, which a sighting has not. */
-  private static StateInformation own(
-      StateInformation state, ReferenceFrame target, Geodetic origin) {
     ReferenceFrame source = state.referenceFrame();
     if (source.equals(target)) {
       return state.copy();
@@ -75,9 +57,9 @@ final class StateConversion {
               toGlobal(state),
               ReferenceFrame.LOCAL_NED,
               (from, to) -> globalToNed(from, to, origin));
-      return own(ned, target, origin);
+      return convert(ned, target, origin);
     }
-    StateInformation ned = own(state, ReferenceFrame.LOCAL_NED, origin);
+    StateInformation ned = convert(state, ReferenceFrame.LOCAL_NED, origin);
     StateInformation global =
         step(ned, ReferenceFrame.GLOBAL, (from, to) -> nedToGlobal(from, to, origin));
     return fromGlobal(global, target);

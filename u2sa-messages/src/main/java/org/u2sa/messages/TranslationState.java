@@ -153,4 +153,10 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
   public S zDotSigma(double value) {
     return number(StateField.Z_DOT_SIGMA, value);
   }
+
+  /**
+   * Sets in a copy the fields of a subclass that have axes of their own, when two BODY frames are
+   * exchanged.
+   */
+  void flipOwn(TranslationState<?> copy, BodyAxes from, BodyAxes to) {}
 }

@@ -16,7 +16,7 @@ import org.u2sa.messages.safety.ManualState;
  * service has died no longer says who flies.
  */
 final class SafetyPilot {
-  private static final double LEAST_S = 1.0;
+  private static final double MIN_FRESH_S = 1.0;
   private static final double INTERVALS = 4.0; // of health reports
 
   private final Supplier<SafetyVariables> settings;
@@ -40,7 +40,7 @@ final class SafetyPilot {
       isConfirmed =
           isItsOwn
               && report.remarks().stream().anyMatch(each -> each.startsWith(ManualState.REMARK));
-      double withinS = Math.max(LEAST_S, INTERVALS * report.interval().orElse(0.0));
+      double withinS = Math.max(MIN_FRESH_S, INTERVALS * report.interval().orElse(0.0));
       untilMicros = nowMicros + Clock.micros(withinS);
     }
   }
