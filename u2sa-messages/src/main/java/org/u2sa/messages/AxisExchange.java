@@ -59,10 +59,7 @@ final class AxisExchange {
    * Converts between two BODY frames: negates y or z or both, and the senses of rotation with them.
    */
   static void flipBody(TranslationState<?> from, TranslationState<?> to) {
-    BodyAxes source = BodyAxes.of(from.referenceFrame());
-    BodyAxes target = BodyAxes.of(to.referenceFrame());
-    double y = source.y() * target.y();
-    double z = source.z() * target.z();
+    BodySigns signs = BodySigns.between(from.referenceFrame(), to.referenceFrame());
     for (StateTriple triple :
         new StateTriple[] {
           StateTriple.POSITION,
@@ -71,18 +68,15 @@ final class AxisExchange {
           StateTriple.FLUID_VELOCITY,
           StateTriple.FLUID_ACCELERATION
         }) {
-      flip(triple, from, to, 1.0, y, z);
+      flip(triple, from, to, 1.0, signs.y(), signs.z());
     }
-    double phi = source.phi() * target.phi();
-    double theta = source.theta() * target.theta();
-    double psi = source.psi() * target.psi();
     for (StateTriple triple :
         new StateTriple[] {
           StateTriple.ANGLES, StateTriple.RATES, StateTriple.ANGULAR_ACCELERATIONS
         }) {
-      flip(triple, from, to, phi, theta, psi);
+      flip(triple, from, to, signs.phi(), signs.theta(), signs.psi());
     }
-    from.flipOwn(to, source, target);
+    from.flipOwn(to, signs);
   }
 
   private static void flip(
@@ -94,21 +88,5 @@ final class AxisExchange {
       double third) {
     Point v = triple.values(from);
     triple.put(to, from, Point.of(first * v.x(), second * v.y(), third * v.z()));
-  }
-
-  /** Signs of a BODY frame's axes and rotations relative to BODY_FRD. */
-  record BodyAxes(double y, double z, double phi, double theta, double psi) {
-    private static final BodyAxes FRD = new BodyAxes(1.0, 1.0, 1.0, 1.0, 1.0);
-    // Thesis 3.2.3.2: phi from the left axis' view rolls towards +y (left), theta away from +z is
-    // nose up, psi from +x to +y.
-    private static final BodyAxes THESIS = new BodyAxes(-1.0, 1.0, -1.0, 1.0, -1.0);
-    private static final BodyAxes FLU = new BodyAxes(-1.0, -1.0, 1.0, -1.0, -1.0);
-
-    static BodyAxes of(ReferenceFrame frame) {
-      if (frame.equals(ReferenceFrame.BODY_FRD)) {
-        return FRD;
-      }
-      return frame.equals(ReferenceFrame.BODY) ? THESIS : FLU;
-    }
   }
 }

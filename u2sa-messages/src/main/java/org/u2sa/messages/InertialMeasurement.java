@@ -128,12 +128,12 @@ public class InertialMeasurement extends StateInformation {
   }
 
   @Override
-  void flipOwn(TranslationState<?> copy, BodyAxes from, BodyAxes to) {
+  void flipOwn(TranslationState<?> copy, BodySigns signs) {
     InertialMeasurement turned = (InertialMeasurement) copy;
-    rollRate().ifPresent(rate -> turned.rollRate(from.phi() * to.phi() * rate));
-    pitchRate().ifPresent(rate -> turned.pitchRate(from.theta() * to.theta() * rate));
-    yawRate().ifPresent(rate -> turned.yawRate(from.psi() * to.psi() * rate));
-    specificForceY().ifPresent(force -> turned.specificForceY(from.y() * to.y() * force));
-    specificForceZ().ifPresent(force -> turned.specificForceZ(from.z() * to.z() * force));
+    rollRate().ifPresent(rate -> turned.rollRate(signs.phi() * rate));
+    pitchRate().ifPresent(rate -> turned.pitchRate(signs.theta() * rate));
+    yawRate().ifPresent(rate -> turned.yawRate(signs.psi() * rate));
+    specificForceY().ifPresent(force -> turned.specificForceY(signs.y() * force));
+    specificForceZ().ifPresent(force -> turned.specificForceZ(signs.z() * force));
   }
 }

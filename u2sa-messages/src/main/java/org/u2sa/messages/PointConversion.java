@@ -199,7 +199,7 @@ public final class PointConversion {
 
   /** Converts between BODY_FRD and a BODY frame, either way. */
   private static Point flipped(Point point, ReferenceFrame body) {
-    AxisExchange.BodyAxes axes = AxisExchange.BodyAxes.of(body);
+    BodySigns axes = BodySigns.of(body);
     return Point.of(point.x(), axes.y() * point.y(), axes.z() * point.z());
   }
 }

@@ -158,5 +158,5 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
    * Sets in a copy the fields of a subclass that have axes of their own, when two BODY frames are
    * exchanged.
    */
-  void flipOwn(TranslationState<?> copy, BodyAxes from, BodyAxes to) {}
+  void flipOwn(TranslationState<?> copy, BodySigns signs) {}
 }

@@ -69,15 +69,15 @@ final class ObjectGoalState implements PlannerState {
     }
     unseenSinceMicros = Long.MIN_VALUE;
     SeenTarget target = seen.get();
-    Point ned = target.ned();
     List<NavigationPoint> points = new ArrayList<>();
     for (String subsystem : goal.pointed()) {
-      points.add(NavigationPoint.at(vehicle.body(ned)).subsystem(subsystem));
+      points.add(NavigationPoint.at(vehicle.body(target.ned())).subsystem(subsystem));
     }
     if (target.distanceM() <= goal.within()) {
       String remark = String.format(Locale.ROOT, "reached, %.2f m from it", target.distanceM());
       return new Plan(points, Plan.Progress.COMPLETED, remark);
     }
+    Point ned = target.approach(goal.within());
     if (!avoidance.isOn()) {
       NavigationPoint point = NavigationPoint.at(vehicle.body(ned));
       goal.speed().ifPresent(point::speed);

@@ -100,25 +100,27 @@ class ConfigurationPageTest {
 
   @Test
   void page_listsWhatServicesDeclare() throws Exception {
-    Map<String, List<VariableDeclaration<?>>> services = new LinkedHashMap<>();
+    Map<Class<?>, List<VariableDeclaration<?>>> services = new LinkedHashMap<>();
     SystemFile system = SystemFile.read(Page.ROOT.resolve("config/cessna/system.xml"));
     for (SystemFile.Entry entry : system.services()) {
-      services.put(entry.simpleName(), declaredBy(Class.forName(entry.className())));
+      Class<?> service = Class.forName(entry.className());
+      services.put(service, declaredBy(service));
     }
     for (Class<?> service : others()) {
-      if (!services.containsKey(service.getSimpleName())) {
-        services.put(service.getSimpleName(), declaredBy(service));
+      if (!services.containsKey(service)) {
+        services.put(service, declaredBy(service));
       }
     }
     List<VariableDeclaration<?>> common = inAll(services.values());
     StringBuilder page = new StringBuilder(INTRODUCTION.formatted(Page.command()));
-    section(page, "Every service", common, List.of());
-    section(page, "CommunicationManager", declaredByManager(), List.of());
+    section(page, "Every service", "", common, List.of());
+    section(page, "CommunicationManager", "", declaredByManager(), List.of());
     services.forEach(
-        (name, variables) -> {
-          section(page, name, variables, common);
+        (service, variables) -> {
+          String name = "`" + service.getName() + "`\n\n";
+          section(page, service.getSimpleName(), name, variables, common);
         });
-    section(page, "Actuator", declaredBy(AnyActuator.class), common);
+    section(page, "Actuator", "", declaredBy(AnyActuator.class), common);
     new Page("docs/configuration.md").mustBe(page.toString());
   }
 
@@ -138,11 +140,12 @@ class ConfigurationPageTest {
   private static void section(
       StringBuilder page,
       String heading,
+      String introduction,
       List<VariableDeclaration<?>> variables,
       List<VariableDeclaration<?>> common) {
     List<VariableDeclaration<?>> own = new ArrayList<>(variables);
     own.removeIf(variable -> names(common).contains(variable.name()));
-    page.append("\n## ").append(heading).append("\n\n");
+    page.append("\n## ").append(heading).append("\n\n").append(introduction);
     if (own.isEmpty()) {
       page.append("No variables of its own.\n");
       return;

@@ -52,7 +52,7 @@ class TutorialTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"docs/hot-swap.md", "docs/drivers/own.md"})
+  @ValueSource(strings = {"docs/hot-swap.md", "docs/drivers/own.md", "docs/tutorial/vehicle.md"})
   void listings_areTheirFiles(String path) throws IOException {
     Page page = new Page(path);
     page.mustBe(with(page.text(), LISTING, file -> Files.readString(Page.ROOT.resolve(file))));

@@ -104,6 +104,11 @@ public final class PlanarShape {
     return bottomDownM;
   }
 
+  /** Its height [m]; 0 if it is unbounded. */
+  double heightM() {
+    return Double.isFinite(bottomDownM) ? bottomDownM - topDownM : 0.0;
+  }
+
   /** Whether it overlaps the height band between two down coordinates [m], with a margin. */
   public boolean reaches(double oneDownM, double otherDownM, double marginM) {
     return topDownM - marginM <= Math.max(oneDownM, otherDownM)

@@ -221,7 +221,13 @@ public final class SeenWorld {
         double away = shape.distanceM(at.x(), at.y());
         if (nearest == null || away < nearest.distanceM()) {
           double radius = Math.max(0.0, Math.hypot(ned.x(), ned.y()) - away);
-          nearest = new SeenTarget(ned, away, radius);
+          nearest =
+              new SeenTarget(
+                  ned,
+                  ned.z() - 0.5 * shape.heightM(),
+                  ned.z() + 0.5 * shape.heightM(),
+                  away,
+                  radius);
         }
       }
     }

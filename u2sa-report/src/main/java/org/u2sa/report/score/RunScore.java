@@ -13,7 +13,7 @@ import java.util.OptionalDouble;
  * @param waypoints one result for each planned waypoint, in order
  * @param crossTrackRmsM RMS cross-track error over time relative to the straight line between
  *     consecutive waypoints [m], without the first {@link Domain#settlingDistanceM} of each leg;
- *     the path to the first waypoint is not a leg
+ *     the path to the first waypoint is not a leg, nor is one that comes from another goal
  * @param crossTrackRmsWholeLegsM same for whole legs [m]
  * @param flight metrics of aircraft; empty for others
  * @param obstacles one result per surrounding object, in order

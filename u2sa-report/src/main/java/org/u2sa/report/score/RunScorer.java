@@ -80,8 +80,13 @@ public final class RunScorer {
     }
     double sin = end.eastM() / end.distanceM();
     double cos = end.northM() / end.distanceM();
+    int last = -1;
+    boolean onLine = false; // not after a goal without a place, which leads away from the line
     for (int i = 0; i + 1 < track.size(); i++) {
-      if (track.get(i).leg() != leg) {
+      int now = track.get(i).leg();
+      onLine = now == last ? onLine : last == leg - 1;
+      last = now;
+      if (now != leg || !onLine) {
         continue;
       }
       PlotPlane.Place a = plane.place(track.get(i));

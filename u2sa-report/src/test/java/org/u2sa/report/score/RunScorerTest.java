@@ -77,6 +77,20 @@ class RunScorerTest {
   }
 
   @Test
+  void score_legAfterAGoalWithoutAPlace_hasNoCrossTrack() {
+    List<TrackSample> track = new ArrayList<>();
+    for (TrackSample s : SyntheticFlight.northward(20.0, 0.0)) {
+      boolean detour = s.leg() == 1 && s.timeS() < 60.0;
+      track.add(
+          SyntheticFlight.sample(s.timeS(), 20.0, s.timeS() * 50.0, 500.0, detour ? -1 : s.leg()));
+    }
+    RunScore score = score(track);
+    assertThat(score.captured()).isEqualTo(2);
+    assertThat(score.crossTrackRmsM()).isEmpty();
+    assertThat(score.crossTrackRmsWholeLegsM()).isEmpty();
+  }
+
+  @Test
   void score_beyondTheCaptureRadius_isNotCaptured() {
     assertThat(score(SyntheticFlight.northward(99.0, 0.0)).captured()).isEqualTo(2);
     assertThat(score(SyntheticFlight.northward(101.0, 0.0)).captured()).isZero();

@@ -23,6 +23,8 @@ public final class RunRecord {
   private final Track track = new Track();
   private final Consumer<TrackSample> screen;
   private int leg = -1;
+  private boolean begun;
+  private boolean onLine; // whether it came from the waypoint where the leg begins
   private boolean seen = true; // whether a sample has the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
@@ -52,12 +54,13 @@ public final class RunRecord {
 
   private void follow(GoalList goals) {
     seen = false;
-    if (goals.goals().isEmpty()) {
-      leg = names.size();
-      missionOver = true;
-    } else {
-      leg = names.indexOf(goals.goals().get(0).uid());
+    missionOver |= goals.goals().isEmpty();
+    int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
+    if (next != leg) {
+      onLine = next == leg + 1 && (leg >= 0 || !begun);
     }
+    leg = next;
+    begun = true;
   }
 
   /**
@@ -95,7 +98,7 @@ public final class RunRecord {
             altitudeM,
             headingRad,
             speedMps,
-            plan.crossTrackM(leg, longitudeDeg, latitudeDeg),
+            onLine ? plan.crossTrackM(leg, longitudeDeg, latitudeDeg) : 0.0,
             leg,
             phase,
             flight);

@@ -61,7 +61,9 @@ public final class WaypointTable {
   private static String contacts(RunScore score) {
     return score.flight().isPresent()
         ? "the aircraft crashed"
-        : format("%d contacts", score.outcome().contacts());
+        : format(
+            score.outcome().contacts() == 1 ? "%d contact" : "%d contacts",
+            score.outcome().contacts());
   }
 
   private static void row(

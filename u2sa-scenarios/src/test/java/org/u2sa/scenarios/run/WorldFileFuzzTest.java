@@ -6,8 +6,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -20,8 +21,8 @@ import org.u2sa.testkit.XmlMutations;
 import org.u2sa.world.xml.WorldFile;
 
 /**
- * Mutated world files: each ends in an error that names the file, or in a world in which a vessel
- * moves. {@code -Du2sa.fuzz=10000} makes more of them.
+ * Mutated world files, of U2SA and Gazebo: each ends in an error that names the file, or in a world
+ * in which a vessel moves. {@code -Du2sa.fuzz=10000} makes more of them.
  */
 class WorldFileFuzzTest {
   private static final int MUTATIONS = Integer.getInteger("u2sa.fuzz", 400);
@@ -63,13 +64,39 @@ class WorldFileFuzzTest {
       </world>
       """;
 
+  private static final List<String> SDF_TAGS =
+      List.of("pose", "model", "link", "collision", "box", "sphere", "size", "state", "include");
+
+  private static final String SDF =
+      """
+      <sdf version="1.7">
+        <world name="yard">
+          <model name="ground"><link name="l"><collision name="c">
+            <geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model>
+          <model name="shed">
+            <pose>10 5 0 0 0 1.57</pose>
+            <link name="walls"><pose>0 0 1 0 0 0</pose>
+              <collision name="c"><pose>2 0 0 0 0 0</pose>
+                <geometry><box><size>4 2 2</size></box></geometry></collision></link>
+            <model name="ball"><pose>1 0 0 0 0 0</pose><link name="l"><visual name="v">
+              <geometry><sphere><radius>0.2</radius></sphere></geometry></visual></link></model>
+          </model>
+          <model name="log"><pose degrees="true">0 -8 0.25 90 0 0</pose><link name="l">
+            <collision name="c"><geometry><cylinder><radius>0.25</radius><length>6</length></cylinder></geometry></collision>
+            <collision name="d"><geometry><capsule><radius>0.3</radius><length>2</length></capsule></geometry></collision>
+            <collision name="e"><geometry><polyline><point>0 0</point><point>3 0</point><point>0 2</point><height>1</height></polyline></geometry></collision>
+          </link></model>
+          <include><uri>model://nobody</uri><pose>1 2 3 0 0 0</pose></include>
+          <state world_name="yard"><model name="log"><pose>7 8 0 0 0 0</pose></model></state>
+        </world>
+      </sdf>
+      """;
+
   @TempDir private Path folder;
 
-  private final XmlMutations mutations = new XmlMutations(21L, TAGS, List.of("regular"));
-
   /** Whether the file is a world in which a vessel moves; false if it is refused. */
-  private boolean runs(String text) throws IOException {
-    Path file = folder.resolve("world.xml");
+  private boolean runs(String name, String text) throws IOException {
+    Path file = folder.resolve(name);
     Files.writeString(file, text);
     try {
       World empty = World.at(new Geodetic(9.0, 54.0, 0.0)).with(new Water(0.0, 0.0, 0.0));
@@ -89,14 +116,18 @@ class WorldFileFuzzTest {
     }
   }
 
-  @Test
-  void read_mutatedFiles_runOrAreRefusedWithTheirName() throws IOException {
-    assertThat(runs(WORLD)).isTrue();
+  @ParameterizedTest
+  @ValueSource(strings = {"world.xml", "world.sdf"})
+  void read_mutatedFiles_runOrAreRefusedWithTheirName(String name) throws IOException {
+    boolean sdf = name.endsWith("sdf");
+    String original = sdf ? SDF : WORLD;
+    XmlMutations mutations = new XmlMutations(21L, sdf ? SDF_TAGS : TAGS, List.of("regular"));
+    assertThat(runs(name, original)).isTrue();
     int running = 0;
     for (int i = 0; i < MUTATIONS; i++) {
-      String mutant = mutations.of(WORLD);
+      String mutant = mutations.of(original);
       try {
-        running += runs(mutant) ? 1 : 0;
+        running += runs(name, mutant) ? 1 : 0;
       } catch (RuntimeException | AssertionError e) {
         throw new AssertionError("mutant " + i + ":\n" + mutant, e);
       }

@@ -19,6 +19,8 @@ import net.sf.geographiclib.Geodesic;
 import net.sf.geographiclib.GeodesicData;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.cli.terminal.Terminal;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunDetails;
@@ -50,6 +52,10 @@ class GroundRunTest {
 
   /** From corner to corner at 1 m/s, beside the lines by the same distance. */
   private static RunReport report() {
+    return report(0);
+  }
+
+  private static RunReport report(int contacts) {
     List<RunPlan.Waypoint> waypoints = new ArrayList<>();
     for (double[] corner : CORNERS) {
       GeodesicData place = at(corner[0], corner[1]);
@@ -78,7 +84,7 @@ class GroundRunTest {
         new RunDetails("ugv", 3, "Mini-Molle", 1.0, OptionalInt.of(4)),
         plan,
         track,
-        new RunOutcome(0, false, List.of("moved unarmed at 3.0 s, at 0.10 m/s")));
+        new RunOutcome(contacts, false, List.of("moved unarmed at 3.0 s, at 0.10 m/s")));
   }
 
   @Test
@@ -135,6 +141,16 @@ class GroundRunTest {
     assertThat(json.get("worstCrossTrackRmsM").asDouble()).isCloseTo(OFF_LINE_M, within(0.01));
     assertThat(json.get("perRun").get(0).get("contacts").asInt()).isZero();
     assertThat(json.has("worstBankDeg")).isFalse();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 1 contact", "2, 2 contacts"})
+  void terminal_contacts_areNoSuccess(int contacts, String words) {
+    StringWriter text = new StringWriter();
+    WaypointTable.print(
+        new Terminal(new PrintWriter(text), false, false, 100), report(contacts).score());
+
+    assertThat(text.toString().lines()).contains("no success: " + words);
   }
 
   @Test
