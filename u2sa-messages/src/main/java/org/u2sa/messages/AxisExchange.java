@@ -1,7 +1,6 @@
 package org.u2sa.messages;
 
 import org.u2sa.messages.frame.Point;
-import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
  * Conversions that only swap axes and flip signs: LOCAL_ENU ↔ LOCAL_NED, and among the BODY frames.

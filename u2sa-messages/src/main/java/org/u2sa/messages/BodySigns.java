@@ -17,8 +17,7 @@ record BodySigns(double y, double z, double phi, double theta, double psi) {
   static BodySigns between(ReferenceFrame from, ReferenceFrame to) {
     BodySigns a = of(from);
     BodySigns b = of(to);
-    return new BodySigns(
-        a.y * b.y, a.z * b.z, a.phi * b.phi, a.theta * b.theta, a.psi * b.psi);
+    return new BodySigns(a.y * b.y, a.z * b.z, a.phi * b.phi, a.theta * b.theta, a.psi * b.psi);
   }
 
   /** Those of a BODY frame against BODY_FRD. */
