@@ -249,8 +249,8 @@ class ConversionTest {
     LandmarkSighting ned = new LandmarkSighting().landmarkX(30.0).landmarkY(40.0).bearing(0.5);
     ned.referenceFrame(ReferenceFrame.LOCAL_NED);
 
-    LandmarkSighting enu = (LandmarkSighting) ned.in(ReferenceFrame.LOCAL_ENU);
-    LandmarkSighting global = (LandmarkSighting) enu.in(ReferenceFrame.GLOBAL, HONOLULU);
+    LandmarkSighting enu = ned.in(ReferenceFrame.LOCAL_ENU);
+    LandmarkSighting global = enu.in(ReferenceFrame.GLOBAL, HONOLULU);
 
     assertThat(enu.landmarkX()).hasValue(40.0);
     assertThat(enu.landmarkY()).hasValue(30.0);

@@ -191,8 +191,7 @@ public final class MeasurementReader {
         honest(seen.rangeSigma(), usual.position(), MIN_SIGMA),
         honest(seen.bearingSigma(), usual.attitude(), MIN_ANGLE));
     LandmarkSighting placed =
-        (LandmarkSighting)
-            seen.in(frame.isEarth() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_NED);
+        seen.in(frame.isEarth() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_NED);
     double x = placed.landmarkX().getAsDouble();
     double y = placed.landmarkY().getAsDouble();
     if (frame.isEarth()) {
