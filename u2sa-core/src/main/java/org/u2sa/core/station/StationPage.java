@@ -47,6 +47,7 @@ public final class StationPage implements WebSite {
           "place.js",
           "playback.js",
           "series.js",
+          "sound.js",
           "services.js",
           "texts.js",
           "tiles.js",

@@ -52,6 +52,7 @@ final class StationSession implements GroundStation {
   private int queuedBytes;
   private int roomBytes = USUAL_ROOM_BYTES;
   private long steps;
+  private boolean isHeard;
 
   StationSession(BridgedVehicle vehicle, Optional<MavlinkSigning> signing) {
     this.vehicle = vehicle;
@@ -92,6 +93,11 @@ final class StationSession implements GroundStation {
     return allowance.left(micros);
   }
 
+  /** Whether a packet came that counts: signed, if packets must be. */
+  boolean isHeard() {
+    return isHeard;
+  }
+
   /** Handles received bytes. */
   void receive(byte[] bytes, int length, long micros) {
     mission.step(micros);
@@ -106,6 +112,7 @@ final class StationSession implements GroundStation {
     if (isForged || !targets.include(received.payload())) {
       return;
     }
+    isHeard = true;
     allowance.useMessages(1);
     Object message = received.payload();
     Sender from = new Sender(received.systemId(), received.componentId());

@@ -15,7 +15,9 @@ import java.util.function.Supplier;
 
 /**
  * Stations that connect by TCP. A station that floods is throttled; one that does not read is
- * disconnected.
+ * disconnected. If all places are taken, a new station takes that of the oldest connection that has
+ * sent no packet that counts: whoever holds the places in silence, or without the key, keeps no
+ * operator out.
  */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;
@@ -56,12 +58,6 @@ final class TcpLink implements StationLink {
 
   @Override
   public void exchange(long nowMicros) throws IOException {
-    try {
-      accept(nowMicros);
-    } catch (IOException e) {
-      // No free file descriptor, or the station has already left; connected stations are
-      // unaffected.
-    }
     Iterator<Peer> all = peers.iterator();
     while (all.hasNext()) {
       Peer peer = all.next();
@@ -70,6 +66,12 @@ final class TcpLink implements StationLink {
         all.remove();
       }
     }
+    try {
+      accept(nowMicros); // last: what has come from those who are there counts first
+    } catch (IOException e) {
+      // No free file descriptor, or the station has already left; connected stations are
+      // unaffected.
+    }
   }
 
   private void accept(long nowMicros) throws IOException {
@@ -77,7 +79,7 @@ final class TcpLink implements StationLink {
     if (channel == null) {
       return;
     }
-    if (peers.size() >= MAX_STATIONS) {
+    if (!hasPlace()) {
       channel.close();
       return;
     }
@@ -85,6 +87,15 @@ final class TcpLink implements StationLink {
     channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
     channel.register(selector, SelectionKey.OP_READ);
     peers.add(new Peer(channel, sessions.get(), nowMicros));
+  }
+
+  private boolean hasPlace() throws IOException {
+    for (int i = 0; i < peers.size() && peers.size() >= MAX_STATIONS; i++) {
+      if (!peers.get(i).session.isHeard()) { // the oldest come first
+        peers.remove(i).channel.close();
+      }
+    }
+    return peers.size() < MAX_STATIONS;
   }
 
   private boolean isAlive(Peer peer, long nowMicros) {

@@ -35,12 +35,21 @@ public final class ViewFeed {
   }
 
   /**
-   * Processes a message.
+   * Processes a message. One that cannot be shown, such as a place beyond every projection, costs
+   * viewers that message only.
    *
    * @param nanos time of receipt [ns]
    */
   public void take(Channel<?> channel, U2SAData message, long nanos) {
     Topic topic = Topic.of(systemId, channel, message);
+    try {
+      show(topic, channel, message, nanos);
+    } catch (RuntimeException e) {
+      server.notShown(topic.toString(), e);
+    }
+  }
+
+  private void show(Topic topic, Channel<?> channel, U2SAData message, long nanos) {
     if (!server.hasRoomFor(topic.toString())) {
       return;
     }

@@ -32,6 +32,7 @@ public final class ViewServer implements AutoCloseable {
   private final ViewChannels channels = new ViewChannels();
   private final Set<ViewerSession> viewers = ConcurrentHashMap.newKeySet();
   private volatile boolean saidFull;
+  private long notShown; // messages; of the feed's thread
   private final WebSocketServer server;
 
   /**
@@ -89,6 +90,13 @@ public final class ViewServer implements AutoCloseable {
       remarks.accept("more than " + MAX_CHANNELS + " topics: further ones are not shown");
     }
     return false;
+  }
+
+  /** Reports a message that cannot be shown; its sender chooses how many there are. */
+  void notShown(String topic, RuntimeException why) {
+    if (Long.bitCount(++notShown) == 1) { // 1, 2, 4, 8…
+      remarks.accept("a message on " + topic + " cannot be shown, " + notShown + " so far: " + why);
+    }
   }
 
   /** The channel of a topic; created and announced to all if new. */

@@ -7,12 +7,15 @@ import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.channels.Selector;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.u2sa.mavlink.MavlinkSigning;
+import org.u2sa.mavlink.MavlinkStream;
 
 /** Stations by TCP: what they get, and that a flood of one is read slowly. */
 class TcpStationsTest {
@@ -31,6 +34,11 @@ class TcpStationsTest {
       List<Socket> sockets = new ArrayList<>();
       for (int i = 0; i < 17; i++) {
         sockets.add(new Socket(InetAddress.getLoopbackAddress(), link.port()));
+        if (i < 16) {
+          byte[] ask = kit.station.encode(StationPackets.requestVersion());
+          sockets.get(i).getOutputStream().write(ask);
+        }
+        turn(link, 0.1);
         turn(link, 0.1);
       }
       assertThat(link.sessions()).hasSize(16);
@@ -43,6 +51,45 @@ class TcpStationsTest {
         socket.close();
       }
     }
+  }
+
+  @Test
+  void exchange_allPlacesTakenWithoutTheKey_aStationComesInsteadOfTheOldest() throws IOException {
+    MavlinkStream keyed = new MavlinkStream(255, 190, Optional.of(signing()));
+    try (Selector selector = Selector.open();
+        TcpLink link = open(selector, Optional.of(signing()))) {
+      List<Socket> sockets = new ArrayList<>();
+      for (int i = 0; i < 17; i++) {
+        sockets.add(new Socket(InetAddress.getLoopbackAddress(), link.port()));
+        MavlinkStream sender = i == 0 || i == 16 ? keyed : kit.station;
+        sockets.get(i).getOutputStream().write(sender.encode(StationPackets.requestVersion()));
+        turn(link, 0.1);
+        turn(link, 0.1);
+      }
+      assertThat(link.sessions()).hasSize(16);
+      assertThat(isOpen(sockets.get(0))).isTrue(); // has the key
+      assertThat(isOpen(sockets.get(1))).isFalse();
+      assertThat(isOpen(sockets.get(2))).isTrue();
+      assertThat(isOpen(sockets.get(16))).isTrue();
+      for (Socket socket : sockets) {
+        socket.close();
+      }
+    }
+  }
+
+  private static boolean isOpen(Socket socket) throws IOException {
+    InputStream in = socket.getInputStream();
+    in.skipNBytes(in.available());
+    socket.setSoTimeout(1);
+    try {
+      return in.read() >= 0;
+    } catch (SocketTimeoutException e) {
+      return true; // nothing more has come
+    }
+  }
+
+  private MavlinkSigning signing() {
+    return new MavlinkSigning("open sesame", kit.clock::get);
   }
 
   @Test
@@ -82,9 +129,13 @@ class TcpStationsTest {
   }
 
   private TcpLink open(Selector selector) throws IOException {
+    return open(selector, Optional.empty());
+  }
+
+  private TcpLink open(Selector selector, Optional<MavlinkSigning> signing) throws IOException {
     return new TcpLink(
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
-        () -> new StationSession(kit.vehicle, Optional.empty()),
+        () -> new StationSession(kit.vehicle, signing),
         selector);
   }
 

@@ -32,8 +32,10 @@ import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.PathStatus;
 import org.u2sa.messages.PlannedPath;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 
 @Timeout(120)
@@ -348,6 +350,24 @@ class ViewServerTest {
       viewer.send("{'op': 'subscribe', 'subscriptions': [{'id': 1, 'channelId': 1}]}");
       assertThat(new String(viewer.nextData().bytes(), StandardCharsets.UTF_8))
           .contains("\"points\":[{\"x\":1.5,\"y\":2.0,\"z\":0.0}]");
+    }
+  }
+
+  @Test
+  void feed_messageThatCannotBeShown_isReportedAndTheNextOneIsShown() throws Exception {
+    ViewFeed feed = new ViewFeed(server, "rover", true);
+    StateInformation state = new StateInformation().sensorName("e").x(8.0).y(50.0).psi(1.0);
+    feed.take(Channels.STATE, state, 5_000);
+    RangeScan scan = new RangeScan().sensorName("s").referenceFrame(ReferenceFrame.GLOBAL);
+    feed.take(Channels.SCANS, scan.y(1e9).maxRange(9.0), 6_000);
+    assertThat(remarks.poll(60, TimeUnit.SECONDS))
+        .startsWith("a message on u2sa/rover/scans/RangeScan cannot be shown, 1 so far: ")
+        .contains("latitude");
+
+    feed.take(Channels.GOALS, new GoalList().goals(List.of()), 7_000);
+    try (Viewer viewer = viewer()) {
+      assertThat(viewer.next("advertise").get("channels").findValuesAsText("topic"))
+          .contains("u2sa/rover/goals/GoalList");
     }
   }
 }

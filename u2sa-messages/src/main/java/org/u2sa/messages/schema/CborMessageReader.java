@@ -91,6 +91,11 @@ final class CborMessageReader extends CborReader {
     if (type.latitudeField != null) {
       requireLatitude(type.latitudeField.in(message.storage));
     }
+    for (int slot : type.points) {
+      if (message.storage.value(slot) instanceof Point point) {
+        requireLatitude(point.y());
+      }
+    }
     for (int slot : type.pointLists) {
       for (Object point : message.storage.list(slot)) {
         requireLatitude(((Point) point).y());

@@ -31,7 +31,8 @@ public final class MessageType<T extends U2SAData> {
   final Map<String, String> aliases;
   final Map<MessageField<?>, MessageType<?>> elements; // of the lists of messages
   final ValueField<?, ReferenceFrame> frameField; // null: none
-  final NumberField<?> latitudeField; // null: none
+  final NumberField<?> latitudeField; // in GLOBAL; null: none
+  final int[] points; // slots of values
   final int[] pointLists; // slots of values
   final FieldSlots.Sizes sizes;
   private final List<String> chain;
@@ -56,11 +57,9 @@ public final class MessageType<T extends U2SAData> {
     for (MessageField<T> field : fields) {
       byName.put(field.name(), field);
     }
-    latitudeField =
-        byName.get("y") instanceof NumberField<T> y && y.isAngleIn(ReferenceFrame.GLOBAL)
-            ? y
-            : null;
+    latitudeField = byName.get("y") instanceof NumberField<T> y ? y : null;
     messageLists = slotsOf(Kind.MESSAGE_LIST);
+    points = slotsOf(Kind.POINT);
     pointLists = slotsOf(Kind.POINT_LIST);
     List<String> names = new ArrayList<>();
     if (identity.parent() != null) {

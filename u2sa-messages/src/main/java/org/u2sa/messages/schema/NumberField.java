@@ -48,11 +48,6 @@ public final class NumberField<T extends StoredMessage> extends MessageField<T> 
     return max;
   }
 
-  /** Whether it is an angle in this frame but a length in others. */
-  boolean isAngleIn(ReferenceFrame frame) {
-    return !unitIn(frame).equals(unit());
-  }
-
   @Override
   public String unitIn(ReferenceFrame frame) {
     return frame.equals(ReferenceFrame.GLOBAL) ? globalUnit : unit();

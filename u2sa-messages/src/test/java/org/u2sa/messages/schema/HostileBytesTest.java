@@ -10,9 +10,15 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.cbor.MalformedMessageException;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.registry.StandardTypes;
 
 class HostileBytesTest {
@@ -116,6 +122,26 @@ class HostileBytesTest {
         "ObjectDescription/ShapeDescription/Circle",
         "a16375696461 63".replace(" ", ""),
         "ObjectDescription.x is required and missing");
+  }
+
+  static List<U2SAData> beyondThePoles() {
+    ReferenceFrame earth = ReferenceFrame.GLOBAL;
+    Point beyond = Point.of(8.0, 91.0, 0.0);
+    return List.of(
+        new StateInformation().referenceFrame(earth).x(8.0).y(91.0),
+        new RangeScan().sensorName("laser").referenceFrame(earth).y(91.0).maxRange(9.0),
+        new NavigationPoint().referenceFrame(earth).point(beyond),
+        new Waypoint().uid("1").referenceFrame(earth).horizontalThreshold(1.0).lookAt(beyond));
+  }
+
+  @ParameterizedTest
+  @MethodSource("beyondThePoles")
+  void decode_latitudeBeyondThePoles_isRefusedWhateverTheField(U2SAData message) {
+    byte[] bytes = codec.encode(message);
+
+    assertThatThrownBy(() -> codec.decode(message.type().chain(), bytes))
+        .isInstanceOf(MalformedMessageException.class)
+        .hasMessageContaining("the latitude 91.0 deg is outside -90…90 deg");
   }
 
   @Test

@@ -77,6 +77,8 @@ final class MessageArbitraries {
       for (MessageField<U2SAData> field : message.ownType().fields()) {
         if (field == message.type().latitudeField) {
           field.set(message, 48.5);
+        } else if (field.kind() == Kind.POINT) {
+          field.set(message, Point.of(11.5, 48.5, 400.0));
         } else if (field.kind() == Kind.POINT_LIST) {
           field.set(message, List.of(Point.of(11.5, 48.5, 400.0)));
         }

@@ -1,5 +1,6 @@
 package org.u2sa.scenarios.station;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
@@ -9,6 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.eclipse.paho.client.mqttv3.MqttClient;
+import org.eclipse.paho.client.mqttv3.MqttConnectOptions;
+import org.eclipse.paho.client.mqttv3.MqttException;
+import org.eclipse.paho.client.mqttv3.persist.MemoryPersistence;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -216,6 +222,38 @@ class StationPageTest {
     browser.awaitText("doing", "held at " + name);
     assertThat(browser.requests).allMatch(url -> url.contains("//127.0.0.1:" + webPort + "/"));
     assertThat(browser.errors).isEmpty();
+  }
+
+  @Test
+  void messages_withoutTheirListsOrOfOtherKinds_silenceNeitherPanelNorOperator()
+      throws MqttException {
+    browser.open(page + "#" + token());
+    browser.awaitText("doing", "to ");
+    browser.press("supervise");
+    MqttConnectOptions options = new MqttConnectOptions();
+    options.setUserName("local");
+    options.setPassword(token().toCharArray());
+    AtomicInteger heartbeats = new AtomicInteger();
+    try (MqttClient service =
+        new MqttClient("tcp://127.0.0.1:" + brokerPort, "service", new MemoryPersistence())) {
+      service.connect(options);
+      service.subscribe("u2sa/ugv/operator/#", (topic, message) -> heartbeats.incrementAndGet());
+      await().atMost(LONG).until(() -> heartbeats.get() > 0);
+
+      // CBOR by hand: {serviceName: "X", mission: "m"} and {sensorName: "B", voltage: "x"}
+      publish(service, "mission/MissionReport", "\u00a2kserviceNameaXgmissionam");
+      publish(service, "power/BatteryState", "\u00a2jsensorNameaBgvoltageax");
+      browser.awaitText("doing", "0/0, over"); // the report has come
+      int before = heartbeats.get();
+      await().atMost(LONG).until(() -> heartbeats.get() >= before + 3);
+      service.disconnect();
+    }
+    browser.awaitText("doing", "to "); // asked again: the Mission Manager's own
+    assertThat(browser.errors).isEmpty();
+  }
+
+  private static void publish(MqttClient client, String topic, String bytes) throws MqttException {
+    client.publish("u2sa/ugv/" + topic, bytes.getBytes(ISO_8859_1), 1, false);
   }
 
   @Test

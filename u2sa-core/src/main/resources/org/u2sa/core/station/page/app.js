@@ -192,6 +192,10 @@ setInterval(() => {
   if (vehicle && fence.isOpen) fence.show(vehicle);
   link.isReadOnly = Boolean(vehicle && vehicle.playback);
   map.touch(); // what is stale turns grey without a message
+}, PANEL_EVERY_MS);
+
+setInterval(() => { // on its own: what cannot be shown must not silence the operator
+  const vehicle = selected();
   if (vehicle && link.isUp && !vehicle.playback && performance.now() - (vehicle.askedAt || 0) > REPORT_EVERY_MS) askMission(vehicle);
   if (vehicle && link.isUp && !vehicle.playback && byId('supervise').checked && performance.now() - (vehicle.beatAt || -Infinity) >= 1000) {
     vehicle.beatAt = performance.now();

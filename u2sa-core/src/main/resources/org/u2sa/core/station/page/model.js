@@ -3,11 +3,13 @@
 import {readFence} from './fence.js';
 import {Place} from './place.js';
 import {playbackOf} from './playback.js';
+import {sound} from './sound.js';
 
 export const STALE_MS = 1000;
 const MAX_VEHICLES = 64; // names come from messages
 const MAX_NAMES = 256; // services, batteries and path planners of one vehicle
 const MAX_ELEMENTS = 1000; // of a list in an answer
+const MAX_CELLS = 8192; // of a grid along each side, as pictures are limited
 const TRAIL_POINTS = 3000;
 const EVENTS = 500;
 
@@ -90,7 +92,7 @@ export class Model {
     const vehicle = this.vehicle(system);
     const handler = HANDLERS[channel];
     if (!vehicle || !handler) return;
-    handler(vehicle, fields, type, this.answers);
+    handler(vehicle, sound(fields), type, this.answers);
     this.version++;
   }
 }
@@ -119,6 +121,12 @@ function reportOf(before, current, upcoming, elapsed) {
     put(goals, goal.uid, {...goal, next: list(goal.next, isText)});
   }
   return {current: current.map(goal => goal.uid), goals: [...goals.values()], sequence: sequence.slice(0, MAX_NAMES), elapsed: Number(elapsed) || 0};
+}
+
+/** What a report leaves out is empty, as the wire protocol says. */
+function missionReport(fields) {
+  const goals = list(fields.goals, isGoal).map(each => ({...each, next: list(each.next, isText)}));
+  return {...fields, goals, current: list(fields.current, isText), sequence: list(fields.sequence, isText), elapsed: fields.elapsed || 0};
 }
 
 const isGoal = value => value && isText(value.uid);
@@ -154,7 +162,7 @@ const HANDLERS = {
   },
 
   mission(vehicle, fields, type, answers) {
-    if (type === 'MissionReport') vehicle.report = {...fields, goals: list(fields.goals, isGoal).map(each => ({...each, next: list(each.next, isText)}))};
+    if (type === 'MissionReport') vehicle.report = missionReport(fields);
     if (type === 'GoalClass' && isText(fields.className) && NAME.test(fields.className)) putClass(vehicle, fields);
     if (type === 'MissionReport' || type === 'MissionOrderResult') answers.answered(fields);
   },
@@ -174,6 +182,7 @@ const HANDLERS = {
   plans: (vehicle, fields) => put(vehicle.plans, fields.subsystem, fields),
 
   navigation(vehicle, fields) {
+    if (!fields.point) return;
     vehicle.navigation = fields;
     vehicle.navigationAt = performance.now();
   },
@@ -191,6 +200,7 @@ const HANDLERS = {
   },
 
   conditions(vehicle, fields) {
+    if (!fields.condition) return;
     const before = vehicle.conditions.get(fields.serviceName);
     put(vehicle.conditions, fields.serviceName, fields);
     if (before ? before.condition !== fields.condition : fields.condition !== 'ALIVE') {
@@ -272,7 +282,7 @@ const HANDLERS = {
 /** Cells of an occupancy grid: base64 of zlib (RFC 1950); null if they do not fit the grid. */
 async function unpack(grid) {
   const count = grid.columns * grid.rows;
-  if (!(count > 0 && count <= 4e6)) return null;
+  if (!(count > 0 && count <= 4e6) || [grid.columns, grid.rows].some(each => !Number.isInteger(each) || each > MAX_CELLS)) return null;
   const packed = (grid.cells || []).map(piece => Uint8Array.from(atob(piece), letter => letter.charCodeAt(0)));
   const reader = new Blob(packed).stream().pipeThrough(new DecompressionStream('deflate')).getReader();
   const cells = new Int8Array(count);

@@ -123,7 +123,7 @@ export class Panel {
     byId('skip').disabled = !canOrder || !report || report.current.length === 0;
     const reasons = arming && !arming.armed ? (arming.reasons || []).map(reason => 'Not ready: ' + reason) : [];
     const causes = failsafe && failsafe.action !== 'CONTINUE' ? (failsafe.causes || []).map(cause => `${failsafe.action}: ${cause}`) : [];
-    const plans = [...vehicle.plans.values()].filter(plan => plan.reason).map(plan => `Planner ${plan.status.toLowerCase()}: ${plan.reason}`);
+    const plans = [...vehicle.plans.values()].filter(plan => plan.reason).map(plan => `Planner ${(plan.status || '').toLowerCase()}: ${plan.reason}`);
     fill(byId('reasons'), [...reasons, ...causes, ...plans], text => element('li', text));
     fill(byId('instruments').tBodies[0], instruments(vehicle, this.editor.route(vehicle)), row);
   }
@@ -140,7 +140,7 @@ function instruments(vehicle, route) {
   const s = vehicle.state || {};
   const rows = [];
   const add = (name, value, digits, unit, at) => {
-    if (value !== undefined) rows.push({cells: [name, `${value.toFixed(digits).replace(/^-(0(\.0+)?)$/, '$1')} ${unit}`, age(at)], state: performance.now() - at > STALE_MS ? 'stale' : ''});
+    if (Number.isFinite(value)) rows.push({cells: [name, `${value.toFixed(digits).replace(/^-(0(\.0+)?)$/, '$1')} ${unit}`, age(at)], state: performance.now() - at > STALE_MS ? 'stale' : ''});
   };
   const {pose} = vehicle.place;
   const heading = pose && pose.heading;
