@@ -202,8 +202,7 @@ public final class VehicleCommands {
     if (altitudeM <= here.get().z().orElse(Double.NEGATIVE_INFINITY)) {
       answer.done(
           false,
-          String.format(
-              Locale.ROOT, "%.0f m above sea level is not above the vehicle", altitudeM));
+          String.format(Locale.ROOT, "%.0f m above sea level is not above the vehicle", altitudeM));
       return;
     }
     Geodetic place = place(here.get());
