@@ -60,7 +60,8 @@ class AircraftFaultTest {
         fly(
             "plane",
             "<takeOff><z>103</z></takeOff>"
-                + "<waypoint><x>-76.5400</x><y>38.3163</y><z>123</z></waypoint>",
+                + "<waypoint><x>-76.5400</x><y>38.3163</y><z>123</z></waypoint>"
+                + "<station><x>-76.5450</x><y>38.3163</y><z>123</z></station>",
             200,
             "gps/failsAt=50");
 
