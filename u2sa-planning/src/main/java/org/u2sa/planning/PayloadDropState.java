@@ -106,8 +106,9 @@ final class PayloadDropState implements PlannerState {
     Point to = vehicle.nedOf(place);
     boolean hovers = lines.get().turns().accelerationMps2() == 0.0;
     Point velocity = Point.of(vehicle.northMps(), vehicle.eastMps(), vehicle.downMps());
-    Point wind = AirMass.wind(pursuit.state(), vehicle).orElse(Point.ORIGIN);
-    Fall fall = Fall.from(Math.max(0.0, to.z()), velocity, wind, goal.terminalSpeed());
+    Optional<Point> wind = AirMass.wind(pursuit.state(), vehicle);
+    Fall fall =
+        Fall.from(Math.max(0.0, to.z()), velocity, wind.orElse(Point.ORIGIN), goal.terminalSpeed());
     Point impact = fall.way().plus(velocity.times(settings.get().releaseDelay()));
     Point miss = Point.of(to.x() - impact.x(), to.y() - impact.y(), 0.0);
     double course = vehicle.courseRad();
@@ -149,9 +150,10 @@ final class PayloadDropState implements PlannerState {
       remark =
           String.format(
               Locale.ROOT,
-              "released %.0f m before it, wind %.1f m/s, falls for %.1f s",
+              "released %.0f m before it, wind %s, falls for %.1f s",
               Math.hypot(to.x(), to.y()),
-              wind.distance(),
+              wind.map(each -> String.format(Locale.ROOT, "%.1f m/s", each.distance()))
+                  .orElse("unknown"),
               fall.timeS());
     }
     if (releasedMicros != Long.MIN_VALUE) {

@@ -81,6 +81,8 @@ public final class DifferentialDriveControl extends GroundControl {
       if (measured.yawRateRadPerS().isPresent() && Math.abs(bearing) < ALIGNED_RAD) {
         error = OptionalDouble.of(bearing); // integral of yaw rate: a PI controller
       }
+    } else if (target.isPresent()) {
+      turn = gains.get().headingGain() * target.get().turnRad().orElse(0.0);
     }
     WheelShares shares =
         balance

@@ -86,12 +86,7 @@ abstract class GroundControl extends ControlSystem {
     Optional<GroundTarget> target =
         then.isEmpty() || ned.isEmpty() || isPowerless()
             ? Optional.empty()
-            : GroundTarget.seenFrom(
-                then.get(),
-                ned.get(),
-                now,
-                point.orElseThrow().speed(),
-                point.orElseThrow().backwards());
+            : GroundTarget.seenFrom(then.get(), ned.get(), now, point.orElseThrow());
     if (target.isPresent() != navigating) {
       navigating = target.isPresent();
       log(navigating ? "driving" : "no navigation: stopped");

@@ -2,6 +2,7 @@ package org.u2sa.control.ground;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Geodetic;
@@ -14,6 +15,7 @@ import org.u2sa.messages.frame.Point;
  * @param leftM distance to the left [m]; negative to the right
  * @param speedMps speed toward the target [m/s]; empty if control chooses it
  * @param backwards whether to go there with the rear first
+ * @param turnRad turn wanted there [rad], left positive; empty if any heading will do
  * @param byHand motion wanted instead of a place; empty unless the vehicle is driven by hand
  */
 record GroundTarget(
@@ -21,16 +23,22 @@ record GroundTarget(
     double leftM,
     OptionalDouble speedMps,
     boolean backwards,
+    OptionalDouble turnRad,
     Optional<Drive> byHand) {
 
   GroundTarget(double forwardM, double leftM, OptionalDouble speedMps, boolean backwards) {
-    this(forwardM, leftM, speedMps, backwards, Optional.empty());
+    this(forwardM, leftM, speedMps, backwards, OptionalDouble.empty(), Optional.empty());
   }
 
   /** A motion, far from any place. */
   static GroundTarget byHand(Drive drive) {
     return new GroundTarget(
-        Double.POSITIVE_INFINITY, 0.0, OptionalDouble.empty(), false, Optional.of(drive));
+        Double.POSITIVE_INFINITY,
+        0.0,
+        OptionalDouble.empty(),
+        false,
+        OptionalDouble.empty(),
+        Optional.of(drive));
   }
 
   /** Distance [m]. */
@@ -48,21 +56,35 @@ record GroundTarget(
    * position or heading, or if they are in different frames.
    *
    * @param ned point relative to the older state: north, east, down [m]
-   * @param backwards whether to go there with the rear first
+   * @param point with the speed, the direction and the turn there
    */
   static Optional<GroundTarget> seenFrom(
-      StateInformation then,
-      Point ned,
-      StateInformation now,
-      OptionalDouble speedMps,
-      boolean backwards) {
+      StateInformation then, Point ned, StateInformation now, NavigationPoint point) {
     boolean isAlike = then.referenceFrame().equals(now.referenceFrame());
     if (!isAlike || now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
       return Optional.empty();
     }
     Point left = ned.minus(displacement(then, now)); // of the way
     Point level = new Attitude(0.0, 0.0, now.psi().getAsDouble()).levelOf(left);
-    return Optional.of(new GroundTarget(level.x(), level.y(), speedMps, backwards));
+    return Optional.of(
+        new GroundTarget(
+            level.x(),
+            level.y(),
+            point.speed(),
+            point.backwards(),
+            leftRad(point.turn(), then, now),
+            Optional.empty()));
+  }
+
+  /** What is left of a turn to the right that an older state asked for. */
+  private static OptionalDouble leftRad(
+      OptionalDouble turnRad, StateInformation then, StateInformation now) {
+    if (turnRad.isEmpty() || then.psi().isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    double wantedRad = then.psi().getAsDouble() + turnRad.getAsDouble();
+    return OptionalDouble.of(
+        Math.IEEEremainder(now.psi().getAsDouble() - wantedRad, 2.0 * Math.PI));
   }
 
   static boolean hasPlace(StateInformation state) {

@@ -1,6 +1,7 @@
 package org.u2sa.control.ground;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.u2sa.control.Transfer;
 
 /**
@@ -18,10 +19,13 @@ final class PursuitLaw {
    */
   private static final double LEAVES_AFTER = 2.0;
 
+  private static final double TURNED_RAD = Math.toRadians(1.0); // a turn at the target ends here
+
   private PursuitSettings settings;
   private Drive drive = Drive.STANDING;
   private boolean turning;
   private boolean arrived;
+  private boolean turned; // to the heading wanted at the target
 
   PursuitLaw(PursuitSettings settings) {
     this.settings = settings;
@@ -42,6 +46,7 @@ final class PursuitLaw {
     drive = new Drive(speed, state.number("YAW RATE", drive.yawRateRadPerS()));
     turning = state.flag("TURNING", turning);
     arrived = state.flag("ARRIVED", arrived);
+    turned = state.flag("TURNED", turned);
   }
 
   /**
@@ -85,22 +90,38 @@ final class PursuitLaw {
       return target.byHand().get();
     }
     arrived = target.distanceM() <= settings.tuning().tolerance() * (arrived ? LEAVES_AFTER : 1.0);
-    if (arrived) {
-      return stand();
-    }
     PursuitSettings.SpotTurn spot = settings.spotTurn();
+    if (arrived) {
+      return spot.possible() ? turnedBy(target.turnRad()) : stand();
+    }
     double bearing = target.bearingRad();
     turning =
         spot.possible()
             && !target.backwards()
             && Math.abs(bearing) > (turning ? spot.belowRad() : spot.aboveRad());
     if (turning) {
-      return new Drive(0.0, bounded(spot.gain() * bearing, settings.tuning().turnRateRadPerS()));
+      return spotTurn(bearing);
     }
     double curvature = curvature(target);
     double speed = speed(target, curvature);
     double along = target.backwards() ? -speed : speed; // same arc, in reverse
     return new Drive(along, along * curvature);
+  }
+
+  /** Turns on the spot, and stands with that heading. */
+  private Drive turnedBy(OptionalDouble turnRad) {
+    double leftRad = turnRad.orElse(0.0);
+    turned = Math.abs(leftRad) <= TURNED_RAD * (turned ? LEAVES_AFTER : 1.0);
+    if (turned) {
+      return stand();
+    }
+    turning = true;
+    return spotTurn(leftRad);
+  }
+
+  private Drive spotTurn(double leftRad) {
+    return new Drive(
+        0.0, bounded(settings.spotTurn().gain() * leftRad, settings.tuning().turnRateRadPerS()));
   }
 
   /** Curvature of the arc through the point, tangent to the heading: 2 y / L² (eq. 2). */

@@ -3,6 +3,8 @@ package org.u2sa.control.ground;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -76,6 +78,38 @@ class GroundControlDriveTest {
       drive.until(() -> false, 10.0); // to the last waypoint itself
       requireStanding(drive, 20.0);
       assertThat(drive.missM(CORNERS[4])).isLessThan(0.2);
+    }
+  }
+
+  @Test
+  void pursuit_stationWithAHeading_turnsThereAndKeepsIt() throws IOException {
+    Path mission =
+        Files.writeString(
+            directory.resolve("station.xml"),
+            """
+            <mission>
+              <station>
+                <x>%.9f</x>
+                <y>%.9f</y>
+                <horizontalThreshold>0.5</horizontalThreshold>
+                <psi unit="deg">200</psi>
+                <duration>5</duration>
+              </station>
+            </mission>
+            """
+                .formatted(
+                    KinematicRover.ORIGIN.longitudeDeg(),
+                    KinematicRover.ORIGIN.latitudeDeg() + 5e-5));
+    try (RoverDrive drive =
+        new RoverDrive(
+            new KinematicRover(KinematicRover.differential(0.0), 0.0),
+            mission,
+            PLANNER,
+            DifferentialPursuitControl::new,
+            Map.of())) {
+      assertThat(drive.until(drive::isMissionOver, 60.0)).isTrue();
+      double offRad = Math.IEEEremainder(drive.rover.heading - Math.toRadians(200.0), 2 * Math.PI);
+      assertThat(Math.toDegrees(offRad)).isBetween(-3.0, 3.0);
     }
   }
 

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -24,7 +24,7 @@ class GroundTargetTest {
 
   private static Optional<GroundTarget> seen(StateInformation then, StateInformation now) {
     return GroundTarget.seenFrom(
-        then, Point.of(10.0, 2.0, 0.0), now, OptionalDouble.empty(), false);
+        then, Point.of(10.0, 2.0, 0.0), now, NavigationPoint.at(Point.ORIGIN).turn(0.5));
   }
 
   @Test
@@ -34,6 +34,13 @@ class GroundTargetTest {
     assertThat(target.forwardM()).isCloseTo(0.0, within(1.0e-5)); // heading east
     assertThat(target.leftM()).isCloseTo(6.0, within(1.0e-5)); // so north is to the left
     assertThat(target.bearingRad()).isCloseTo(Math.PI / 2.0, within(1.0e-5));
+  }
+
+  @Test
+  void seenFrom_vehicleHasTurnedMeanwhile_restOfTheTurnIsToTheOtherSide() {
+    GroundTarget target = seen(onEarth(0.0, 0.0, 0.0), onEarth(4.0, 2.0, 90.0)).orElseThrow();
+
+    assertThat(target.turnRad().orElseThrow()).isCloseTo(Math.PI / 2.0 - 0.5, within(1.0e-9));
   }
 
   @Test

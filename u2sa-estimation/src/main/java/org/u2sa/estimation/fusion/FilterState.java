@@ -97,6 +97,7 @@ final class FilterState {
   long positionMicros; // time of the newest measurement used, also below
   long velocityMicros;
   long headingMicros;
+  long tiltMicros;
   long fluidMicros;
   long constraintMicros;
   long movingMicros; // when the direction of motion became usable as heading
@@ -149,6 +150,7 @@ final class FilterState {
     positionMicros = o.positionMicros;
     velocityMicros = o.velocityMicros;
     headingMicros = o.headingMicros;
+    tiltMicros = o.tiltMicros;
     fluidMicros = o.fluidMicros;
     constraintMicros = o.constraintMicros;
     movingMicros = o.movingMicros;

@@ -263,6 +263,9 @@ final class Fuser {
       case HEADING:
         s.headingMicros = s.micros;
         break;
+      case TILT:
+        s.tiltMicros = s.micros;
+        break;
       case FLUID_VELOCITY:
         s.fluidMicros = s.micros;
         break;

@@ -29,7 +29,7 @@ final class InertialInput {
   }
 
   /** Drops an input that was not renewed and falls back to the next prediction mode. */
-  static void expire(FilterState s) {
+  static void expire(FilterState s, MotionDomain domain) {
     double limitS =
         Math.min(LONGEST_S, Math.max(SHORTEST_S, INTERVALS * s.x[FilterState.INPUT_INTERVAL]));
     if (s.isInertial && (s.micros - s.gyroMicros) * 1e-6 > limitS) {
@@ -39,9 +39,22 @@ final class InertialInput {
     if (s.isStrapdown && (s.micros - s.forceMicros) * 1e-6 > limitS) {
       s.isStrapdown = false;
     }
-    if (s.isStrapdown && !isAided(s, UNAIDED_S)) {
+    if (s.isStrapdown && !isIntegrable(s, domain)) {
       s.isStrapdown = false;
     }
+  }
+
+  /**
+   * Whether the velocity may follow the specific force. In the air without a receiver it does as
+   * long as the tilt is measured: a multirotor that leans on a velocity that stands still leans
+   * ever further, and its specific force does not show the tilt.
+   */
+  private static boolean isIntegrable(FilterState s, MotionDomain domain) {
+    boolean isTiltMeasured = s.tiltMicros > 0 && (s.micros - s.tiltMicros) * 1e-6 <= UNAIDED_S;
+    return isAided(s, UNAIDED_S)
+        || domain == MotionDomain.AIR
+            && isTiltMeasured
+            && Math.max(s.positionMicros, s.velocityMicros) > 0;
   }
 
   /** Whether any source measured position or velocity within the given time [s]. */
@@ -104,7 +117,7 @@ final class InertialInput {
       System.arraycopy(held, 3, x, FilterState.FORCE, 3);
       s.forceMicros = m.micros();
       level(s);
-      s.isStrapdown = s.hasTilt && s.hasHeading && isAided(s, UNAIDED_S);
+      s.isStrapdown = s.hasTilt && s.hasHeading && isIntegrable(s, tuning.domain());
     }
   }
 

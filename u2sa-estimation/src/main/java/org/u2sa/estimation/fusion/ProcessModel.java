@@ -31,7 +31,7 @@ final class ProcessModel {
       double leftS = (micros - s.micros) * 1e-6;
       int steps = (int) Math.ceil(leftS / LONGEST_STEP_S - 1e-9);
       long step = steps <= 1 ? micros - s.micros : (micros - s.micros) / steps;
-      InertialInput.expire(s);
+      InertialInput.expire(s, tuning.domain());
       MotionInput.expire(s);
       advance(s, step * 1e-6);
       s.micros += step;

@@ -85,7 +85,8 @@ final class StationSession implements GroundStation {
                 vehicle.identity,
                 vehicle.placement,
                 vehicle.book,
-                drivers));
+                drivers),
+            vehicle.identity);
   }
 
   /** Number of bytes that may be received at present. */

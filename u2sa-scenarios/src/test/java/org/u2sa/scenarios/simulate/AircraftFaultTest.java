@@ -60,15 +60,34 @@ class AircraftFaultTest {
         fly(
             "plane",
             "<takeOff><z>103</z></takeOff>"
-                + "<waypoint><x>-76.5400</x><y>38.3163</y><z>123</z></waypoint>",
-            130,
+                + "<waypoint><x>-76.5400</x><y>38.3163</y><z>123</z></waypoint>"
+                + "<station><x>-76.5450</x><y>38.3163</y><z>123</z></station>",
+            200,
             "gps/failsAt=50");
 
     assertThat(log("SafetyManager")).contains("failsafe HOLD because of [position");
-    List<Row> after = rows.stream().filter(row -> row.timeS() > 75.0).toList();
+    List<Row> after = rows.stream().filter(row -> row.timeS() > 140.0).toList();
     assertThat(after).hasSizeGreaterThan(100);
     assertThat(after).allMatch(row -> Math.abs(row.altitudeM() - 115.0) < 25.0);
     assertThat(after).allMatch(row -> row.speedMps() > 10.0);
+  }
+
+  /** Its velocity then follows from the specific force and the measured tilt. */
+  @Test
+  void quadcopter_receiverLost_staysUpAndGoesOn() throws IOException {
+    List<Row> rows =
+        fly(
+            "quadcopter",
+            "<takeOff><z>63</z></takeOff>"
+                + "<waypoint><x>-76.5555</x><y>38.3166</y><z>63</z></waypoint>"
+                + "<station><x>-76.5555</x><y>38.3166</y><z>63</z><horizontalThreshold>3</horizontalThreshold></station>",
+            70,
+            "gps/failsAt=20");
+
+    List<Row> after = rows.stream().filter(row -> row.timeS() > 30.0).toList();
+    assertThat(after).hasSizeGreaterThan(500);
+    assertThat(after).allMatch(row -> Math.abs(row.altitudeM() - 63.0) < 5.0);
+    assertThat(after).allMatch(row -> row.speedMps() < 1.5);
   }
 
   @Test

@@ -3,13 +3,14 @@ package org.u2sa.gcs.mavlink.command;
 import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
 import java.util.Optional;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.messages.frame.Geodetic;
 
 /**
  * A command in either of its two forms.
  *
  * @param id MAV_CMD
- * @param frame MAV_FRAME; GLOBAL for COMMAND_LONG, as stations use it
+ * @param frame MAV_FRAME; of COMMAND_LONG, which has none, as the autopilot takes it
  * @param latitude fifth parameter, of COMMAND_INT in degrees; NaN: none
  * @param longitude sixth parameter
  * @param altitude seventh parameter
@@ -25,15 +26,16 @@ record Command(
     double longitude,
     double altitude) {
   private static final double PER_DEGREE = 1.0e7;
+  private static final int GLOBAL = 0; // MAV_FRAME_GLOBAL…
   private static final int RELATIVE = 3;
   private static final int RELATIVE_INT = 6;
   private static final double MAX_LATITUDE = 90.0;
   private static final double MAX_LONGITUDE = 180.0;
 
-  static Command of(CommandLong message) {
+  static Command of(CommandLong message, Identity identity) {
     return new Command(
         message.command().value(),
-        0,
+        identity.commandsAboveHome() ? RELATIVE : GLOBAL,
         message.param1(),
         message.param2(),
         message.param3(),

@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
+import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
 
 /**
@@ -23,19 +24,22 @@ public final class CommandService {
   private final GroundStation station;
   private final MessageCommands messages;
   private final VehicleCommands vehicle;
+  private final Identity identity;
   private final Set<Integer> pending = new HashSet<>();
 
-  public CommandService(GroundStation station, MessageCommands messages, VehicleCommands vehicle) {
+  public CommandService(
+      GroundStation station, MessageCommands messages, VehicleCommands vehicle, Identity identity) {
     this.station = station;
     this.messages = messages;
     this.vehicle = vehicle;
+    this.identity = identity;
   }
 
   /** Handles a message; false if it is not of this protocol. */
   @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof CommandLong command) {
-      obey(Command.of(command), from);
+      obey(Command.of(command, identity), from);
     } else if (message instanceof CommandInt command) {
       obey(Command.of(command), from);
     } else if (message instanceof SetMode request) {

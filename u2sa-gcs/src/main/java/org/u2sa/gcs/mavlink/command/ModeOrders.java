@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.u2sa.gcs.mavlink.plan.PlanBook;
+import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.mavlink.vehicle.VehicleMode;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
@@ -21,6 +22,7 @@ import org.u2sa.report.EscapedXml;
 /** Changes what the vehicle does, by orders to its Mission Manager. */
 final class ModeOrders {
   private static final double USUAL_THRESHOLD_M = 2.0;
+  private static final double VERTICAL_THRESHOLD_M = 1.0;
 
   private final VehicleStatus vehicle;
   private final VehicleOrders orders;
@@ -119,17 +121,21 @@ final class ModeOrders {
 
   /** Goes to a place and stays there; the mission can be resumed afterwards. */
   void goTo(Geodetic place, OptionalDouble altitudeM, OptionalDouble speed, Answer answer) {
+    String uid = speed.isPresent() ? VehicleStatus.GO_TO_AT_SPEED : VehicleStatus.GO_TO;
     Waypoint goal =
         new Waypoint()
-            .uid(VehicleStatus.GO_TO)
+            .uid(uid)
             .x(place.longitudeDeg())
             .y(place.latitudeDeg())
             .horizontalThreshold(thresholdM());
     goal.nextIf(GoalResult.DONE, List.of());
     altitudeM.ifPresent(goal::z);
+    if (altitudeM.isPresent() && vehicle.kind() != VehicleKind.PLANE) {
+      goal.verticalThreshold(VERTICAL_THRESHOLD_M); // else a copter is there before it has climbed
+    }
     speed.ifPresent(goal::speed);
     orders.tell(Channels.GOAL_UPDATES, goal);
-    give(MissionAction.GOTO, Optional.of(VehicleStatus.GO_TO), answer);
+    give(MissionAction.GOTO, Optional.of(uid), answer);
   }
 
   /**

@@ -1,5 +1,6 @@
 package org.u2sa.gcs.mavlink.command;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -198,6 +199,12 @@ public final class VehicleCommands {
     }
     double altitudeM =
         command.altitudeM(placement.home()).orElse(here.get().z().orElse(0.0) + TAKE_OFF_M);
+    if (altitudeM <= here.get().z().orElse(Double.NEGATIVE_INFINITY)) {
+      answer.done(
+          false,
+          String.format(Locale.ROOT, "%.0f m above sea level is not above the vehicle", altitudeM));
+      return;
+    }
     Geodetic place = place(here.get());
     if (vehicle.kind() == VehicleKind.PLANE) {
       place = place.destination(here.get().psi().orElse(0.0), AHEAD_M);

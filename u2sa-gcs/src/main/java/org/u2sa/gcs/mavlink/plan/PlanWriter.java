@@ -29,7 +29,7 @@ final class PlanWriter {
     for (String uid : isLinked ? byName.keySet() : report.sequence()) {
       boolean isMission =
           !uid.equals(VehicleStatus.HOME)
-              && !uid.equals(VehicleStatus.GO_TO)
+              && !VehicleStatus.isGoTo(uid)
               && !uid.startsWith(VehicleStatus.LAND_PREFIX)
               && !uid.startsWith(VehicleStatus.RETURN_PREFIX);
       if (isMission && byName.containsKey(uid)) {

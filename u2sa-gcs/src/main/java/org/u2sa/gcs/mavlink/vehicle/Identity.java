@@ -38,6 +38,11 @@ public enum Identity {
     return this == ARDUPILOT;
   }
 
+  /** Whether altitudes of COMMAND_LONG, which names no frame, are above home. */
+  public boolean commandsAboveHome() {
+    return this == ARDUPILOT;
+  }
+
   /** Whether item 0 of a mission is the home position. */
   public boolean startsWithHome() {
     return this == ARDUPILOT;

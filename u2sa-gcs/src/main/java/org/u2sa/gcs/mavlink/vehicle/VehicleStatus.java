@@ -31,8 +31,11 @@ import org.u2sa.messages.schema.U2SAData;
  * readers need no lock.
  */
 public final class VehicleStatus {
-  /** Goal that a go-to order adds to the mission. */
+  /** Goal that a go-to order without a speed adds to the mission. */
   public static final String GO_TO = "go-to";
+
+  /** Goal of orders with a speed; another one, as an update cannot take a speed away. */
+  public static final String GO_TO_AT_SPEED = "go-to at speed";
 
   /** Goal that names the home position. */
   public static final String HOME = "home";
@@ -277,8 +280,13 @@ public final class VehicleStatus {
         && current().map(this::mode).filter(mode -> mode != VehicleMode.MISSION).isPresent();
   }
 
+  /** Whether a goal was added by a go-to order. */
+  public static boolean isGoTo(String uid) {
+    return uid.equals(GO_TO) || uid.equals(GO_TO_AT_SPEED);
+  }
+
   private VehicleMode mode(String uid) {
-    if (uid.equals(GO_TO)) {
+    if (isGoTo(uid)) {
       return VehicleMode.GO_TO;
     }
     if (uid.equals(HOME) || uid.startsWith(RETURN_PREFIX)) {
