@@ -350,19 +350,18 @@ class RosbridgeServerTest {
   /** Whoever waits for an answer of the vehicle's has one such text in memory, not thirty. */
   @Test
   void take_longOperationsWhileOneWaits_areDroppedBeyondTheClientsShare() throws Exception {
+    String call =
+        "{'op':'call_service','service':'/rosapi/has_param','args':{'name':'/none/none'}%s}";
+    // The longest there may be: on any heap, fewer of them fit than calls may wait.
+    String longest = call.formatted(" ".repeat(131_000 - call.length()));
     RosBacklog backlog = RosBacklog.incoming();
-    int length = 120_000;
     int fitting = 0;
-    while (backlog.hold(length)) {
+    while (backlog.hold(longest.length())) {
       fitting++;
     }
-    String padding = " ".repeat(length);
     try (RosClient client = new RosClient(port)) {
       for (int i = 0; i <= fitting + 1; i++) {
-        client.flood(
-            "{'op':'call_service','service':'/rosapi/has_param','args':{'name':'/none/none'}"
-                + padding
-                + "}");
+        client.flood(longest);
       }
       assertThat(client.nextStatus()).contains("too many operations at once");
     }
