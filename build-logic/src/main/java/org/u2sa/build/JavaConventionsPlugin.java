@@ -34,7 +34,7 @@ public class JavaConventionsPlugin implements Plugin<Project> {
           "-parameters");
   private static final String EXCLUDED_TAGS = "long,flightgear,network,chaos,android,spark,browser";
   private static final List<String> TEST_CLASSES = List.of("**/*Test", "**/*Properties");
-  private static final int TEST_FORKS = 3;
+  private static final int TEST_FORKS = 2;
   private static final String TEST_JVM = "-XX:+UseSerialGC -XX:TieredStopAtLevel=1";
 
   @Override

@@ -70,7 +70,6 @@ class BuildsAgreeTest {
           gradle.properties                | version=0                                 | version=1                                 | setting only in Gradle: version = 1
           pom.xml                          | <maven.compiler.release>17                | <maven.compiler.release>21                | setting only in Maven: Java release = 21
           pom.xml                          | <include>**/*Properties.java</include>    | <!-- -->                                  | setting only in Gradle: test classes = [**/*Properties
-          pom.xml                          | <u2sa.test.forks>3                        | <u2sa.test.forks>1                        | setting only in Maven: test forks = 1
           u2sa-android/build.gradle.kts    | it.systemProperty("slf4j.provider"        | println("slf4j.provider"                  | setting only in Maven: test property of u2sa-android, slf4j.provider
           pom.xml                          | <arg>-Werror</arg>                        | <!-- -->                                  | setting only in Gradle: compiler arguments = [-Werror
           """)

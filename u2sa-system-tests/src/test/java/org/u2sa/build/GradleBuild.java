@@ -98,7 +98,6 @@ final class GradleBuild {
     }
     SortedMap<String, String> settings = new TreeMap<>();
     settings.put("test classes", testClasses.toString());
-    settings.put("test forks", constant(source, "TEST_FORKS"));
     settings.put("test JVM", constant(source, "TEST_JVM").replace("\"", ""));
     settings.put("group", group);
     settings.put("version", version);

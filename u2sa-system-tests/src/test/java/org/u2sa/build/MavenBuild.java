@@ -76,7 +76,6 @@ final class MavenBuild {
     settings.put("version", text(root, "version"));
     settings.put("Java release", properties.get("maven.compiler.release"));
     settings.put("excluded tags", properties.get("u2sa.excluded.tags"));
-    settings.put("test forks", properties.get("u2sa.test.forks"));
     settings.put("test JVM", properties.get("u2sa.test.jvm"));
     SortedSet<String> arguments = new TreeSet<>();
     SortedSet<String> testClasses = new TreeSet<>();
