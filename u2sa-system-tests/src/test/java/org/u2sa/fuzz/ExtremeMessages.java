@@ -138,7 +138,7 @@ final class ExtremeMessages {
             ? ReferenceFrame.GLOBAL
             : isLarge ? ReferenceFrame.LOCAL_NED : ReferenceFrame.BODY;
       case POINT:
-        return point(isLarge ? FARTHEST : 0.0);
+        return point(extreme, isLarge ? FARTHEST : 0.0);
       case POINT_LIST:
         return points(extreme);
       case MESSAGE_LIST:
@@ -173,8 +173,10 @@ final class ExtremeMessages {
     return field.shortens() ? LONGEST_TEXT : field.maxLength().orElse(LONGEST_TEXT);
   }
 
-  private static Point point(double coordinate) {
-    return Point.of(coordinate, -coordinate, coordinate);
+  /** A point as far as its frame allows: those far away are in GLOBAL, where y is a latitude. */
+  private static Point point(Extreme extreme, double coordinate) {
+    double pole = extreme == Extreme.FAR ? POLE_DEG : FARTHEST;
+    return Point.of(coordinate, Math.max(-pole, Math.min(pole, -coordinate)), coordinate);
   }
 
   private static List<Point> points(Extreme extreme) {
@@ -189,9 +191,7 @@ final class ExtremeMessages {
         };
     for (int i = 0; i < count; i++) {
       double coordinate = isLarge ? (i % 2 == 0 ? FARTHEST : -FARTHEST) : 0.001 * (i % 100);
-      double latitude = Math.max(-POLE_DEG, Math.min(POLE_DEG, coordinate));
-      points.add(
-          extreme == Extreme.FAR ? Point.of(coordinate, latitude, coordinate) : point(coordinate));
+      points.add(point(extreme, coordinate));
     }
     return points;
   }

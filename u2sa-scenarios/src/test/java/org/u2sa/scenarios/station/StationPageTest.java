@@ -124,6 +124,8 @@ class StationPageTest {
     await().atMost(LONG).until(() -> browser.attribute("follow", "aria-pressed").equals("false"));
     browser.press("follow"); // its centre is the vehicle
     List.of(1, 2, 3).forEach(each -> browser.press("zoom-in")); // no goal is close by
+    browser.press("hold"); // so that the goal that the new one follows is not over meanwhile
+    browser.awaitText("doing", "held at");
     browser.press("tab-mission");
     browser.press("add");
     browser.clickAt(MAP_CENTRE_X + 150.0, MAP_CENTRE_Y);
