@@ -11,4 +11,5 @@ dependencies {
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.jackson.databind)
     testImplementation(libs.logback)
+    testImplementation(libs.awaitility)
 }

@@ -1,6 +1,7 @@
 package org.u2sa.gcs.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.awaitility.Awaitility.await;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,10 +10,14 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.channels.Selector;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
 import org.junit.jupiter.api.Test;
 import org.u2sa.mavlink.MavlinkSigning;
 import org.u2sa.mavlink.MavlinkStream;
@@ -27,29 +32,65 @@ class TcpStationsTest {
     link.exchange(kit.clock.get());
   }
 
+  /** Takes turns at a standing clock until the kernel has delivered what the condition needs. */
+  private void turnUntil(TcpLink link, Callable<Boolean> condition) {
+    await()
+        .pollInSameThread()
+        .pollDelay(Duration.ZERO)
+        .pollInterval(Duration.ofMillis(1))
+        .until(
+            () -> {
+              turn(link, 0.0);
+              return condition.call();
+            });
+  }
+
+  /** Connects a station, and returns its session. */
+  private StationSession connect(TcpLink link, List<Socket> sockets) throws IOException {
+    Set<StationSession> before = known(link);
+    sockets.add(new Socket(InetAddress.getLoopbackAddress(), link.port()));
+    turnUntil(link, () -> !before.containsAll(known(link)));
+    Set<StationSession> after = known(link);
+    after.removeAll(before);
+    return after.iterator().next();
+  }
+
+  private static Set<StationSession> known(TcpLink link) {
+    Set<StationSession> all = new HashSet<>();
+    link.sessions().forEach(all::add);
+    return all;
+  }
+
   @Test
   void exchange_severalStations_eachHasItsTelemetryAndTooManyAreClosed() throws IOException {
+    byte[] ask = kit.station.encode(StationPackets.requestVersion());
     try (Selector selector = Selector.open();
         TcpLink link = open(selector)) {
       List<Socket> sockets = new ArrayList<>();
-      for (int i = 0; i < 17; i++) {
-        sockets.add(new Socket(InetAddress.getLoopbackAddress(), link.port()));
-        if (i < 16) {
-          byte[] ask = kit.station.encode(StationPackets.requestVersion());
-          sockets.get(i).getOutputStream().write(ask);
-        }
-        turn(link, 0.1);
-        turn(link, 0.1);
+      for (int i = 0; i < 16; i++) {
+        StationSession session = connect(link, sockets);
+        sockets.get(i).getOutputStream().write(ask);
+        turnUntil(link, session::isHeard);
       }
+      Socket tooMany = new Socket(InetAddress.getLoopbackAddress(), link.port());
+      tooMany.setSoTimeout(1);
+      turnUntil(link, () -> isAtEnd(tooMany));
       assertThat(link.sessions()).hasSize(16);
       turn(link, 1.0);
-      for (Socket socket : sockets.subList(0, 16)) {
-        assertThat(socket.getInputStream().read()).isEqualTo(0xFD);
-      }
-      assertThat(sockets.get(16).getInputStream().read()).isEqualTo(-1);
+      turn(link, 0.0);
       for (Socket socket : sockets) {
+        assertThat(socket.getInputStream().read()).isEqualTo(0xFD);
         socket.close();
       }
+      tooMany.close();
+    }
+  }
+
+  private static boolean isAtEnd(Socket socket) throws IOException {
+    try {
+      return socket.getInputStream().read() < 0;
+    } catch (SocketTimeoutException e) {
+      return false; // nothing more has come yet
     }
   }
 
@@ -59,32 +100,21 @@ class TcpStationsTest {
     try (Selector selector = Selector.open();
         TcpLink link = open(selector, Optional.of(signing()))) {
       List<Socket> sockets = new ArrayList<>();
-      for (int i = 0; i < 17; i++) {
-        sockets.add(new Socket(InetAddress.getLoopbackAddress(), link.port()));
-        MavlinkStream sender = i == 0 || i == 16 ? keyed : kit.station;
-        sockets.get(i).getOutputStream().write(sender.encode(StationPackets.requestVersion()));
-        turn(link, 0.1);
-        turn(link, 0.1);
+      StationSession first = connect(link, sockets);
+      sockets.get(0).getOutputStream().write(keyed.encode(StationPackets.requestVersion()));
+      turnUntil(link, first::isHeard);
+      List<StationSession> others = new ArrayList<>();
+      for (int i = 1; i < 16; i++) {
+        others.add(connect(link, sockets));
+        sockets.get(i).getOutputStream().write(kit.station.encode(StationPackets.requestVersion()));
       }
-      assertThat(link.sessions()).hasSize(16);
-      assertThat(isOpen(sockets.get(0))).isTrue(); // has the key
-      assertThat(isOpen(sockets.get(1))).isFalse();
-      assertThat(isOpen(sockets.get(2))).isTrue();
-      assertThat(isOpen(sockets.get(16))).isTrue();
+      StationSession last = connect(link, sockets);
+      assertThat(known(link)).hasSize(16).contains(first, last).doesNotContain(others.get(0));
+      assertThat(known(link)).containsAll(others.subList(1, 15));
+      assertThat(sockets.get(1).getInputStream().readAllBytes()).isNotNull(); // returns at its end
       for (Socket socket : sockets) {
         socket.close();
       }
-    }
-  }
-
-  private static boolean isOpen(Socket socket) throws IOException {
-    InputStream in = socket.getInputStream();
-    in.skipNBytes(in.available());
-    socket.setSoTimeout(1);
-    try {
-      return in.read() >= 0;
-    } catch (SocketTimeoutException e) {
-      return true; // nothing more has come
     }
   }
 
@@ -96,10 +126,10 @@ class TcpStationsTest {
   void exchange_flood_isHandledAtTheAllowedRateOnly() throws IOException {
     byte[] ask = kit.station.encode(StationPackets.requestVersion());
     try (Selector selector = Selector.open();
-        TcpLink link = open(selector);
-        Socket socket = new Socket(InetAddress.getLoopbackAddress(), link.port())) {
-      turn(link, 0.0);
-      StationSession session = link.sessions().iterator().next();
+        TcpLink link = open(selector)) {
+      List<Socket> sockets = new ArrayList<>();
+      StationSession session = connect(link, sockets);
+      Socket socket = sockets.get(0);
       int handled = 0;
       for (int second = 0; second < 10; second++) {
         for (int i = 0; i < 10; i++) {
@@ -110,6 +140,7 @@ class TcpStationsTest {
       }
       assertThat(handled).isBetween(500, 900 + 10 * 240 + 500); // of 20,000 sent
       assertThat(session.allowance(kit.clock.get())).isLessThan(4096);
+      socket.close();
     }
   }
 
@@ -118,13 +149,13 @@ class TcpStationsTest {
     byte[] starts = new byte[64 * 1024];
     Arrays.fill(starts, (byte) 0xFE); // each begins a DEBUG message whose checksum is wrong
     try (Selector selector = Selector.open();
-        TcpLink link = open(selector);
-        Socket socket = new Socket(InetAddress.getLoopbackAddress(), link.port())) {
-      turn(link, 0.0);
-      StationSession session = link.sessions().iterator().next();
-      socket.getOutputStream().write(starts);
-      turn(link, 0.1);
-      assertThat(session.allowance(kit.clock.get())).isNegative();
+        TcpLink link = open(selector)) {
+      List<Socket> sockets = new ArrayList<>();
+      StationSession session = connect(link, sockets);
+      try (Socket socket = sockets.get(0)) {
+        socket.getOutputStream().write(starts);
+        turnUntil(link, () -> session.allowance(kit.clock.get()) < 0);
+      }
     }
   }
 
