@@ -1,6 +1,7 @@
 package org.u2sa.sim.world;
 
 import java.awt.image.Raster;
+import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -80,6 +81,7 @@ final class GeoTiff {
    * @throws BadInputException naming the file, if it is not a GeoTIFF, or does not cover the extent
    */
   static HeightMap read(Path file, LocalPlane plane, double widthM, double depthM) {
+    HeightMap.requireRegular(file);
     try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
       Arguments.requireInside("width [m]", widthM, 1.0, 100_000.0);
       Arguments.requireInside("depth [m]", depthM, 1.0, 100_000.0);
@@ -114,8 +116,10 @@ final class GeoTiff {
         throw new IOException(raster.getNumBands() + " bands; expected one");
       }
       return new GeoTiff(raster, tags);
+    } catch (EOFException e) {
+      throw new IOException("ends too early", e);
     } catch (RuntimeException e) { // decoders throw these for damaged files
-      throw new IOException("is damaged: " + e.getMessage(), e);
+      throw new IOException("is damaged: " + e, e);
     } finally {
       reader.dispose();
     }

@@ -2,6 +2,7 @@ package org.u2sa.sim.world;
 
 import java.awt.image.BufferedImage;
 import java.awt.image.Raster;
+import java.io.EOFException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -84,9 +85,7 @@ public final class HeightMap implements Terrain {
    */
   public static HeightMap read(
       Path file, double widthM, double depthM, double lowestM, double highestM) {
-    if (!Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": height map: there is no such regular file");
-    }
+    requireRegular(file);
     try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
       Raster raster = image(file, stream).getRaster();
       int bits = raster.getSampleModel().getSampleSize(0);
@@ -100,6 +99,13 @@ public final class HeightMap implements Terrain {
       return of(heights, columns, widthM, depthM);
     } catch (IOException | IllegalArgumentException e) {
       throw new BadInputException(file + ": height map: " + e.getMessage(), e);
+    }
+  }
+
+  /** Refuses a folder, and a pipe, which would be waited for. */
+  static void requireRegular(Path file) {
+    if (!Files.isRegularFile(file)) {
+      throw new BadInputException(file + ": height map: there is no such regular file");
     }
   }
 
@@ -126,8 +132,10 @@ public final class HeightMap implements Terrain {
         throw new IOException("is not grey with 8 or 16 bits a pixel");
       }
       return image;
+    } catch (EOFException e) {
+      throw new IOException("ends too early", e);
     } catch (RuntimeException e) { // decoders throw these for damaged files
-      throw new IOException("is damaged: " + e.getMessage(), e);
+      throw new IOException("is damaged: " + e, e);
     } finally {
       reader.dispose();
     }

@@ -174,4 +174,25 @@ class GeoTiffTest {
     assertThatThrownBy(() -> GeoTiff.read(empty, new LocalPlane(ORIGIN), 100.0, 80.0))
         .hasMessageContaining("has no height in column");
   }
+
+  @Test
+  void read_cutAnywhere_isRefusedWithAReason() throws IOException {
+    Point here = new UtmGrid(ReferenceFrame.parse("UTM 32N")).grid(ORIGIN);
+    Path file = write(slope(), 10.0, here, 1, 32_632);
+    byte[] whole = Files.readAllBytes(file);
+    for (int length = 0; length < whole.length; length += 97) {
+      Files.write(file, Arrays.copyOf(whole, length));
+      assertThatThrownBy(() -> GeoTiff.read(file, new LocalPlane(ORIGIN), 100.0, 80.0))
+          .as("%d bytes", length)
+          .isInstanceOf(BadInputException.class)
+          .hasMessageContaining("dem.tif: height map: ")
+          .hasMessageNotContaining("null");
+    }
+  }
+
+  @Test
+  void read_folder_isRefused() {
+    assertThatThrownBy(() -> GeoTiff.read(folder, new LocalPlane(ORIGIN), 100.0, 80.0))
+        .hasMessageContaining("there is no such regular file");
+  }
 }
