@@ -9,11 +9,13 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.GeneralSecurityException;
 import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,7 +28,8 @@ import org.u2sa.core.security.SecurityDirectory;
 import org.u2sa.core.security.UserFile;
 
 class SecurityCommandTest extends CommandFixture {
-  @TempDir Path folder;
+  @TempDir private static Path once;
+  @TempDir private Path folder;
 
   private SecurityDirectory directory;
 
@@ -35,12 +38,22 @@ class SecurityCommandTest extends CommandFixture {
     return u2sa(("security " + command + " --dir " + directory.path()).split(" "));
   }
 
+  /** A folder as {@code security init} leaves it, created once, since it takes seconds. */
   @BeforeEach
-  void init() {
+  void init() throws IOException {
+    Path template = once.resolve("security");
+    if (!Files.exists(template)) {
+      assertThat(u2sa("security", "init", template.toString(), "--host", "vehicle.local"))
+          .as(err.toString())
+          .isEqualTo(ExitCode.DONE);
+    }
     directory = new SecurityDirectory(folder.resolve("security"));
-    assertThat(u2sa("security", "init", directory.path().toString(), "--host", "vehicle.local"))
-        .as(err.toString())
-        .isEqualTo(ExitCode.DONE);
+    try (Stream<Path> files = Files.walk(template)) {
+      for (Path each : (Iterable<Path>) files::iterator) {
+        Path to = directory.path().resolve(template.relativize(each));
+        Files.copy(each, to, StandardCopyOption.COPY_ATTRIBUTES);
+      }
+    }
   }
 
   private static X509Certificate certificate(Path file)
