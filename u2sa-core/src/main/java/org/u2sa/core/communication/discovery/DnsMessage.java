@@ -1,10 +1,12 @@
 package org.u2sa.core.communication.discovery;
 
 import java.io.IOException;
+import java.nio.Buffer;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
@@ -42,9 +44,7 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
       out.putShort((short) (isShared ? INTERNET : INTERNET | FLUSH)).putInt(record.ttlS());
       out.putShort((short) record.data().length).put(record.data());
     }
-    byte[] bytes = new byte[out.position()];
-    out.flip().get(bytes);
-    return bytes;
+    return Arrays.copyOf(out.array(), out.position());
   }
 
   /**
@@ -99,7 +99,7 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
       data = new byte[length];
       in.get(data);
     }
-    in.position(end);
+    place(in, end);
     return new DnsRecord(name, type, ttlS, data);
   }
 
@@ -120,7 +120,7 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
         }
         earliest = place;
         from = in.duplicate();
-        from.position(place);
+        place(from, place);
       } else if (length > POINTER_MASK || labels.size() == MAX_LABELS) {
         throw new IOException("a name that is too long");
       } else {
@@ -131,12 +131,16 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
     }
   }
 
+  /** Android 9 knows this method of {@link Buffer} only. */
+  private static void place(Buffer buffer, int position) {
+    buffer.position(position);
+  }
+
   /** Name that a pointer's or a service's data contains. */
   static List<String> target(DnsRecord record) throws IOException {
-    ByteBuffer data = ByteBuffer.wrap(record.data());
-    data.position(record.type() == DnsRecord.SERVICE ? DnsRecord.SERVICE_HEAD : 0);
+    int start = record.type() == DnsRecord.SERVICE ? DnsRecord.SERVICE_HEAD : 0;
     try {
-      return name(data);
+      return name(ByteBuffer.wrap(record.data(), start, record.data().length - start));
     } catch (BufferUnderflowException e) {
       throw new IOException("a name ends early", e);
     }

@@ -74,7 +74,7 @@ final class MulticastLink implements AutoCloseable {
       return Optional.empty();
     }
     long waitMs = Math.min(LONGEST_WAIT_MS, (deadlineMicros - now) / MILLISECOND_MICROS);
-    socket.setSoTimeout((int) Math.max(1, waitMs)); // 0 would be for ever
+    socket.setSoTimeout((int) Math.max(1, waitMs)); // 0 would not end
     DatagramPacket packet = new DatagramPacket(buffer, buffer.length);
     try {
       socket.receive(packet);
