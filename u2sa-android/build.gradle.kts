@@ -27,7 +27,6 @@ android {
             excludes += setOf(
                 "META-INF/*.md", "META-INF/LICENSE*", "META-INF/NOTICE*", "META-INF/INDEX.LIST", "META-INF/DEPENDENCIES", "META-INF/*.versions.properties",
                 "about.html")
-            pickFirsts += "version.properties" // JmDNS's and IOIOLibCore's; neither needs it
         }
     }
     testOptions {

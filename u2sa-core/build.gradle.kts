@@ -25,7 +25,6 @@ dependencies {
     api(libs.netty.resolver)
     api(libs.netty.transport)
     api(libs.netty.transport.native.unix.common)
-    api(libs.jmdns)
     api(libs.slf4j)
     testImplementation(project(":u2sa-estimation"))
     testImplementation(project(":u2sa-mission"))

@@ -173,7 +173,6 @@ final class HouseRules {
     rules.put("named by subject", namedBySubject());
     rules.put("Moquette", confined("core.communication", "io.moquette.."));
     rules.put("Netty", nettyAtTheEdges());
-    rules.put("JmDNS", confined("core.communication", "javax.jmdns.."));
     rules.put("Paho", confined("interfaces.mqtt", "org.eclipse.paho.."));
     rules.put(
         "one XML reader", // it takes neither DOCTYPE nor entities

@@ -10,7 +10,7 @@ import org.slf4j.spi.MDCAdapter
 import org.slf4j.spi.SLF4JServiceProvider
 
 /**
- * Routes library logs (Moquette, JmDNS) to logcat; services have their own log files. Found by SLF4J through META-INF/services.
+ * Routes library logs (Moquette) to logcat; services have their own log files. Found by SLF4J through META-INF/services.
  */
 class LogcatProvider : SLF4JServiceProvider {
     private val loggers = ConcurrentHashMap<String, Logger>()

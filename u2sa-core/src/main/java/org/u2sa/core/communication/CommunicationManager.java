@@ -130,7 +130,9 @@ public final class CommunicationManager implements AutoCloseable {
                   .waiting(OWN_BROKER_WITHIN_S);
       web.ifPresent(page -> log.accept(security.loginLine(page.link())));
       if (manager.announces()) {
-        announcement = BrokerAnnouncement.start(bindAddress, systemId, port, security.isOn(), log);
+        announcement =
+            BrokerAnnouncement.start(
+                bindAddress, systemId, port, security.isOn(), new SystemClock(), log);
       }
     }
     CommunicationManager started =

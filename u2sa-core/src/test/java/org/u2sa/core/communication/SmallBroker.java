@@ -71,7 +71,9 @@ final class SmallBroker implements AutoCloseable {
             "COMMUNICATION MANAGER PORT",
             Integer.parseInt(arguments[0]),
             "LOCAL COMMANDS",
-            "everybody");
+            "everybody",
+            "ANNOUNCE",
+            "yes");
     CommunicationManager manager =
         CommunicationManager.start(
             "cessna",

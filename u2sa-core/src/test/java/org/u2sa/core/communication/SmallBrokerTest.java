@@ -3,6 +3,12 @@ package org.u2sa.core.communication;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.InetAddress;
+import java.net.MulticastSocket;
+import java.net.NetworkInterface;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -137,6 +143,41 @@ class SmallBrokerTest {
     String output = broker.output();
     System.out.println(output);
     assertThat(output).doesNotContain("OutOfMemory").doesNotContain("the broker failed");
+  }
+
+  @Test
+  void recordsOfInventedHosts_byMulticastDns_with48Megabytes_takeNoMemory() throws IOException {
+    broker = new SmallBroker(MANY, "48m");
+    InetAddress group = InetAddress.getByName("224.0.0.251");
+    try (MulticastSocket socket = new MulticastSocket()) {
+      socket.setNetworkInterface(
+          NetworkInterface.getByInetAddress(InetAddress.getLoopbackAddress()));
+      for (int i = 0; i < 60_000; i++) {
+        byte[] records = addresses(i);
+        socket.send(new DatagramPacket(records, records.length, group, 5353));
+        if (i % 100 == 0) {
+          assertStopArrives(); // and the broker's thread for them has time to read them
+        }
+      }
+    }
+
+    String output = broker.output();
+    System.out.println(output);
+    assertThat(output).doesNotContain("OutOfMemory");
+  }
+
+  /** A message of multicast DNS with addresses of hosts that nobody has heard of. */
+  private static byte[] addresses(int number) {
+    int most = 40;
+    ByteBuffer out = ByteBuffer.allocate(1_400);
+    out.putShort((short) 0).putShort((short) 0x8400); // a response
+    out.putShort((short) 0).putShort((short) most).putInt(0);
+    for (int i = 0; i < most; i++) {
+      byte[] host = String.format("host%010d", number * most + i).getBytes(StandardCharsets.UTF_8);
+      out.put((byte) host.length).put(host).put((byte) 0);
+      out.putShort((short) 1).putShort((short) 1).putInt(4_500).putShort((short) 4).putInt(i);
+    }
+    return Arrays.copyOf(out.array(), out.position());
   }
 
   @Test

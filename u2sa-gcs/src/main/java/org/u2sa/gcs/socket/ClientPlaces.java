@@ -2,10 +2,10 @@ package org.u2sa.gcs.socket;
 
 import io.netty.channel.Channel;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
 import org.u2sa.gcs.socket.WebSocketServer.Conversation;
 
 /**
@@ -13,8 +13,10 @@ import org.u2sa.gcs.socket.WebSocketServer.Conversation;
  * them and says nothing keeps nobody else out. For the server's thread only.
  */
 final class ClientPlaces {
+  private static final int HANDSHAKE_WITHIN_S = 10;
+
   private final int most;
-  private final Set<Channel> handshakes = new LinkedHashSet<>(); // oldest first
+  private final Map<Channel, Future<?>> handshakes = new LinkedHashMap<>(); // oldest first; limits
   private final Map<ClientSocket, Conversation> clients = new LinkedHashMap<>(); // oldest first
 
   ClientPlaces(int most) {
@@ -23,10 +25,20 @@ final class ClientPlaces {
 
   /** Takes a new connection; if there are too many in their handshake, the oldest is closed. */
   void connected(Channel channel) {
-    handshakes.add(channel);
-    channel.closeFuture().addListener(closed -> handshakes.remove(channel));
+    handshakes.put(
+        channel,
+        channel.eventLoop().schedule(() -> channel.close(), HANDSHAKE_WITHIN_S, TimeUnit.SECONDS));
+    channel.closeFuture().addListener(closed -> endHandshake(channel));
     if (handshakes.size() > most) {
-      handshakes.iterator().next().close();
+      handshakes.keySet().iterator().next().close();
+    }
+  }
+
+  /** A time limit that stayed would keep a closed connection in memory, thousands a second. */
+  private void endHandshake(Channel channel) {
+    Future<?> limit = handshakes.remove(channel);
+    if (limit != null) {
+      limit.cancel(false);
     }
   }
 
@@ -50,7 +62,7 @@ final class ClientPlaces {
   }
 
   void enter(Channel channel, ClientSocket client, Conversation conversation) {
-    handshakes.remove(channel);
+    endHandshake(channel);
     clients.put(client, conversation);
   }
 

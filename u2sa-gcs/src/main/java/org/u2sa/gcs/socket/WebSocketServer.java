@@ -44,7 +44,6 @@ public final class WebSocketServer implements AutoCloseable {
   private static final long LARGEST_BUFFER = 4 << 20; // unread bytes of a client
   private static final long HEAP_PART = 8; // of all clients' unread bytes together
   private static final int RESUME_PART = 4; // of a full buffer, at which it takes more
-  private static final int HANDSHAKE_WITHIN_S = 10;
   private static final int END_MS = 500;
 
   /**
@@ -228,19 +227,6 @@ public final class WebSocketServer implements AutoCloseable {
         socket = client;
         conversation = welcome.apply(client);
         places.enter(channel, client, conversation);
-      }
-    }
-
-    @Override
-    public void handlerAdded(ChannelHandlerContext context) {
-      context
-          .executor()
-          .schedule(() -> requireConversation(context), HANDSHAKE_WITHIN_S, TimeUnit.SECONDS);
-    }
-
-    private void requireConversation(ChannelHandlerContext context) {
-      if (conversation == null) {
-        context.close();
       }
     }
 

@@ -4,45 +4,24 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Consumer;
-import javax.jmdns.JmDNS;
-import javax.jmdns.ServiceInfo;
+import org.u2sa.interfaces.time.Clock;
 
 /**
- * Announces the address of this system's broker by multicast DNS. Announcing and withdrawing take
- * seconds and run on a separate thread.
+ * Announces the address of this system's broker by multicast DNS, at the start and whenever
+ * somebody asks, at most once a second. One thread for each network.
  */
 public final class BrokerAnnouncement implements AutoCloseable {
-  /** DNS-SD service type registered for MQTT. */
-  static final String TYPE = "_mqtt._tcp.local.";
+  private static final int UNASKED = 2; // announcements at the start (RFC 6762, 8.3)
 
-  /** TXT key: comma-separated IDs of the systems on the broker; * for any. */
-  static final String SYSTEMS = "u2sa";
-
-  /** TXT key: whether the broker requires TLS. */
-  static final String ENCRYPTED = "tls";
-
-  /** TXT key: unique ID that identifies a broker seen through several networks. */
-  static final String ID = "id";
-
-  private static final long GOODBYE_WITHIN_MS = 700;
-
-  private final String bindAddress;
-  private final String systemId;
-  private final int port;
-  private final boolean encrypted;
+  private final Clock clock;
   private final Consumer<String> log;
-  private final List<JmDNS> open = new ArrayList<>(); // guarded by this, like those below
-  private boolean closed;
+  private final List<Network> networks = new ArrayList<>();
 
-  private BrokerAnnouncement(
-      String bindAddress, String systemId, int port, boolean encrypted, Consumer<String> log) {
-    this.bindAddress = bindAddress;
-    this.systemId = systemId;
-    this.port = port;
-    this.encrypted = encrypted;
+  private BrokerAnnouncement(Clock clock, Consumer<String> log) {
+    this.clock = clock;
     this.log = log;
   }
 
@@ -50,81 +29,110 @@ public final class BrokerAnnouncement implements AutoCloseable {
    * Starts announcing. Failures are only logged, since the broker works without announcements.
    *
    * @param bindAddress address the broker listens on
+   * @param clock real time
    */
   public static BrokerAnnouncement start(
-      String bindAddress, String systemId, int port, boolean encrypted, Consumer<String> log) {
-    BrokerAnnouncement announcement =
-        new BrokerAnnouncement(bindAddress, systemId, port, encrypted, log);
-    daemon(announcement::announce);
-    return announcement;
-  }
-
-  private static Thread daemon(Runnable task) {
-    Thread thread = new Thread(task, "u2sa-announcement");
-    thread.setDaemon(true);
-    thread.start();
-    return thread;
-  }
-
-  private void announce() {
+      String bindAddress,
+      String systemId,
+      int port,
+      boolean encrypted,
+      Clock clock,
+      Consumer<String> log) {
+    BrokerAnnouncement announcement = new BrokerAnnouncement(clock, log);
     String id = UUID.randomUUID().toString();
     try {
       for (InetAddress address : MulticastAddresses.of(bindAddress)) {
-        announce(address, id);
+        announcement.add(address, new AnnouncedBroker(systemId, address, port, encrypted, id));
       }
     } catch (IOException e) {
       log.accept("the broker is not announced by mDNS: " + e.getMessage());
     }
+    return announcement;
   }
 
-  private void announce(InetAddress address, String id) {
+  private void add(InetAddress address, AnnouncedBroker broker) {
     try {
-      JmDNS dns = JmDNS.create(address, "u2sa-" + systemId);
-      boolean late;
-      synchronized (this) {
-        late = closed;
-        open.add(dns);
-      }
-      if (late) {
-        dns.close();
-        return;
-      }
-      Map<String, String> properties =
-          Map.of(SYSTEMS, systemId, ENCRYPTED, String.valueOf(encrypted), ID, id);
-      dns.registerService(ServiceInfo.create(TYPE, "u2sa-" + systemId, port, 0, 0, properties));
-    } catch (IOException | RuntimeException e) { // the latter e.g. when closed concurrently
-      log.accept(
-          String.format(
-              "the broker is not announced by mDNS through %s: %s",
-              address.getHostAddress(), e.getMessage()));
+      Network network = new Network(address, new MulticastLink(address, clock), broker);
+      networks.add(network);
+      network.thread.setDaemon(true);
+      network.thread.start();
+    } catch (IOException e) {
+      notAnnounced(address, e);
     }
   }
 
-  /** Withdraws the announcement (mDNS goodbye); returns after a short time in any case. */
+  private void notAnnounced(InetAddress address, IOException why) {
+    log.accept(
+        String.format(
+            "the broker is not announced by mDNS through %s: %s",
+            address.getHostAddress(), why.getMessage()));
+  }
+
+  /** Withdraws the announcement (mDNS goodbye). */
   @Override
   public void close() {
-    List<JmDNS> toClose;
-    synchronized (this) {
-      closed = true;
-      toClose = new ArrayList<>(open);
-      open.clear();
-    }
-    List<Thread> goodbyes = new ArrayList<>();
-    toClose.forEach(dns -> goodbyes.add(daemon(() -> close(dns))));
-    try {
-      for (Thread goodbye : goodbyes) {
-        goodbye.join(GOODBYE_WITHIN_MS); // the first is sent immediately, repeats follow for 2 s
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    networks.forEach(Network::end);
   }
 
-  private void close(JmDNS dns) {
-    try {
-      dns.close();
-    } catch (IOException e) {
-      log.accept("mDNS could not be ended: " + e.getMessage());
+  private final class Network {
+    private final InetAddress address;
+    private final MulticastLink link;
+    private final AnnouncedBroker broker;
+    private final Thread thread = new Thread(this::run, "u2sa-announcement");
+    private boolean isFailing; // the thread's, like those of run
+
+    Network(InetAddress address, MulticastLink link, AnnouncedBroker broker) {
+      this.address = address;
+      this.link = link;
+      this.broker = broker;
+    }
+
+    private void run() {
+      long dueMicros = clock.micros();
+      long quietUntilMicros = dueMicros;
+      int announced = 0;
+      try {
+        while (true) {
+          long now = clock.micros();
+          if (now >= dueMicros) {
+            announce();
+            announced++;
+            quietUntilMicros = now + Clock.MICROS_PER_SECOND;
+            dueMicros = announced < UNASKED ? quietUntilMicros : Clock.NEVER;
+          }
+          Optional<DnsMessage> message = link.receive(dueMicros);
+          if (message.isPresent() && broker.isAskedForBy(message.get())) {
+            dueMicros = Math.min(dueMicros, quietUntilMicros);
+          }
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      } catch (IOException e) {
+        if (!link.isClosed()) {
+          notAnnounced(address, e);
+        }
+      }
+    }
+
+    /** A network that is away for a while is no reason to end. */
+    private void announce() {
+      try {
+        link.send(broker.announcement());
+        isFailing = false;
+      } catch (IOException e) {
+        if (!isFailing && !link.isClosed()) {
+          isFailing = true;
+          notAnnounced(address, e);
+        }
+      }
+    }
+
+    void end() {
+      try (link) {
+        link.send(broker.goodbye());
+      } catch (IOException e) {
+        log.accept("mDNS: no goodbye through " + address.getHostAddress() + ": " + e.getMessage());
+      }
     }
   }
 }

@@ -3,17 +3,10 @@ package org.u2sa.core.communication.discovery;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
-import javax.jmdns.JmDNS;
-import javax.jmdns.ServiceEvent;
-import javax.jmdns.ServiceInfo;
-import javax.jmdns.ServiceListener;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.CommunicationException;
 import org.u2sa.interfaces.time.Clock;
@@ -22,7 +15,7 @@ import org.u2sa.interfaces.time.Clock;
  * Finds brokers of U2SA systems on the local networks by multicast DNS. Announcements can be
  * forged; TLS authenticates the broker.
  */
-public final class BrokerSearch implements ServiceListener {
+public final class BrokerSearch {
   /** Placeholder for a broker's address that requests a search. */
   public static final String AUTO = "auto";
 
@@ -32,7 +25,7 @@ public final class BrokerSearch implements ServiceListener {
   private final Optional<String> systemId;
   private final Clock clock;
   private final Clock.Waiter waiter;
-  private final Map<String, FoundBroker> found = new ConcurrentHashMap<>(); // by ID
+  private final BrokerAnswers answers = new BrokerAnswers();
 
   private BrokerSearch(Optional<String> systemId, Clock clock, Clock.Waiter waiter) {
     this.systemId = systemId;
@@ -84,14 +77,12 @@ public final class BrokerSearch implements ServiceListener {
   }
 
   private Collection<FoundBroker> search(double timeoutS) throws IOException, InterruptedException {
-    List<JmDNS> open = new ArrayList<>();
+    List<MulticastLink> open = new ArrayList<>();
     try {
       IOException failure = null;
       for (InetAddress address : MulticastAddresses.all()) {
         try {
-          JmDNS dns = JmDNS.create(address, "u2sa-search");
-          open.add(dns);
-          dns.addServiceListener(BrokerAnnouncement.TYPE, this);
+          open.add(new MulticastLink(address, clock));
         } catch (IOException e) {
           failure = e; // try the other networks
         }
@@ -99,73 +90,63 @@ public final class BrokerSearch implements ServiceListener {
       if (open.isEmpty()) {
         throw failure == null ? new IOException("this host has no network") : failure;
       }
-      awaitFound(timeoutS);
-      return List.copyOf(found.values());
+      open.forEach(this::listen);
+      awaitFound(open, timeoutS);
+      return answers.found();
     } finally {
-      endLater(open);
+      open.forEach(MulticastLink::close);
     }
   }
 
-  private void awaitFound(double timeoutS) throws InterruptedException {
-    long first = clock.micros() + Clock.micros(timeoutS);
-    while (!isFound() && clock.micros() < first) {
-      waiter.await(first);
-    }
-    long others = clock.micros() + Clock.micros(OTHERS_S);
-    while (isFound() && clock.micros() < others) {
-      waiter.await(others);
-    }
-  }
-
-  private boolean isFound() {
-    return found.values().stream()
-        .anyMatch(broker -> systemId.isEmpty() || broker.carries(systemId.get()));
-  }
-
-  /** Closes in the background, because JmDNS takes two seconds. */
-  private static void endLater(List<JmDNS> open) {
+  private void listen(MulticastLink link) {
     Thread thread =
         new Thread(
             () -> {
-              for (JmDNS dns : open) {
-                try {
-                  dns.close();
-                } catch (IOException e) {
-                  continue; // nothing announced, so nothing to withdraw
+              try {
+                while (true) {
+                  if (link.receive(Clock.NEVER).filter(answers::take).isPresent()) {
+                    waiter.signal();
+                  }
                 }
+              } catch (IOException e) {
+                waiter.signal(); // closed: the search is over
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
               }
             },
-            "u2sa-broker-search-end");
+            "u2sa-broker-search");
     thread.setDaemon(true);
     thread.start();
   }
 
-  @Override
-  public void serviceAdded(ServiceEvent event) {
-    event.getDNS().requestServiceInfo(event.getType(), event.getName(), true);
-  }
-
-  @Override
-  public void serviceResolved(ServiceEvent event) {
-    ServiceInfo info = event.getInfo();
-    String systems = info.getPropertyString(BrokerAnnouncement.SYSTEMS);
-    if (systems == null || info.getInet4Addresses().length == 0) {
-      return; // not a U2SA broker, or its TXT record is incomplete
+  /** Asks every second until a broker is found, and then a second longer for others. */
+  private void awaitFound(List<MulticastLink> links, double timeoutS) throws InterruptedException {
+    long end = clock.micros() + Clock.micros(timeoutS);
+    long ask = clock.micros();
+    boolean wasFound = false;
+    while (clock.micros() < end) {
+      if (!wasFound && isFound()) {
+        wasFound = true;
+        end = clock.micros() + Clock.micros(OTHERS_S);
+      }
+      if (clock.micros() >= ask) {
+        ask += Clock.MICROS_PER_SECOND;
+        links.forEach(this::ask);
+      }
+      waiter.await(Math.min(ask, end));
     }
-    String host = info.getInet4Addresses()[0].getHostAddress();
-    String id = info.getPropertyString(BrokerAnnouncement.ID);
-    found.putIfAbsent(
-        id == null ? host + ":" + info.getPort() : id,
-        new FoundBroker(
-            host,
-            info.getPort(),
-            Arrays.stream(systems.split(",")).map(String::trim).collect(Collectors.toSet()),
-            Boolean.parseBoolean(info.getPropertyString(BrokerAnnouncement.ENCRYPTED))));
-    waiter.signal();
   }
 
-  @Override
-  public void serviceRemoved(ServiceEvent event) {
-    waiter.signal(); // a broker that has gone is noticed on connecting
+  private void ask(MulticastLink link) {
+    try {
+      link.send(answers.questions());
+    } catch (IOException e) {
+      return; // this network is away; the others are asked
+    }
+  }
+
+  private boolean isFound() {
+    return answers.found().stream()
+        .anyMatch(broker -> systemId.isEmpty() || broker.carries(systemId.get()));
   }
 }
