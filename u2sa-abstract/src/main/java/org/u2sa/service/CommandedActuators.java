@@ -70,7 +70,7 @@ public final class CommandedActuators {
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private BooleanSupplier deviceStopped = () -> true;
-  private boolean unconfirmed; // stopped, but the device has not shown it yet
+  private boolean unconfirmed; // stopped, but not yet confirmed by the device
   private boolean armed;
   private long armedMicros; // time at which that was last received
   private boolean ignoresArmed; // the last state, for its age
