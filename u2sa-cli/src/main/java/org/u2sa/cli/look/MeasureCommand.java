@@ -50,7 +50,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   @Command(
       name = "delay",
       description = {
-        "Measure the latency from a message's timestamp until it arrives here.",
+        "Measure the latency from a message's timestamp to its arrival here.",
         "",
         "  ./u2sa delay state",
         "  ./u2sa delay sensed-state state navigation actuation --for 10",
