@@ -19,13 +19,14 @@ final class PursuitLaw {
    */
   private static final double LEAVES_AFTER = 2.0;
 
-  private static final double TURNED_RAD = Math.toRadians(1.0); // a turn at the target ends here
+  private static final double TURNED_RAD =
+      Math.toRadians(1.0); // tolerance at which a turn at the target ends
 
   private PursuitSettings settings;
   private Drive drive = Drive.STANDING;
   private boolean turning;
   private boolean arrived;
-  private boolean turned; // to the heading wanted at the target
+  private boolean turned; // has turned to the required heading at the target
 
   PursuitLaw(PursuitSettings settings) {
     this.settings = settings;
@@ -108,7 +109,7 @@ final class PursuitLaw {
     return new Drive(along, along * curvature);
   }
 
-  /** Turns on the spot, and stands with that heading. */
+  /** Turns in place and stops at that heading. */
   private Drive turnedBy(OptionalDouble turnRad) {
     double leftRad = turnRad.orElse(0.0);
     turned = Math.abs(leftRad) <= TURNED_RAD * (turned ? LEAVES_AFTER : 1.0);
