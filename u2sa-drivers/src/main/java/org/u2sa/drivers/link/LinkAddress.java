@@ -136,7 +136,14 @@ final class LinkAddress {
 
   private BadInputException notANumber(String what, String value, String range, Throwable cause) {
     return new BadInputException(
-        "link address \"" + text + "\": " + what + ": \"" + value + "\" is no number in " + range,
+        "link address \""
+            + text
+            + "\": "
+            + what
+            + ": \""
+            + value
+            + "\" is not a number in "
+            + range,
         cause);
   }
 

@@ -104,7 +104,7 @@ class GroundPressureTest {
   void nobodyTells_altitudeUncertain_nothingIsConcluded() {
     fly(30.0, 15.0);
     assertThat(sensed().z().orElseThrow() - UP_M).isGreaterThan(80.0);
-    assertThat(remarks()).anyMatch(each -> each.contains("configured, no station told any"));
+    assertThat(remarks()).anyMatch(each -> each.contains("configured; no station sent one"));
   }
 
   @Test
