@@ -130,7 +130,7 @@ public final class ItemGoals {
 
   private void returning(PlanItem item) {
     if (goals.isEmpty() || !hasHome) {
-      lose(item, goals.isEmpty() ? "nothing comes before it" : "no home is known");
+      lose(item, goals.isEmpty() ? "nothing comes before it" : "home is unknown");
       return;
     }
     next.set(goals.size() - 1, List.of(HOME));

@@ -69,7 +69,12 @@ public final class WaypointList {
     }
     if (!(Math.abs(latitude) <= 90.0 && Math.abs(longitude) <= 180.0)) {
       throw new BadInputException(
-          origin + ": item 0: " + latitude + ", " + longitude + " is no latitude and longitude");
+          origin
+              + ": item 0: "
+              + latitude
+              + ", "
+              + longitude
+              + " are not a latitude and longitude");
     }
     boolean hasAltitude = Double.isFinite(altitude);
     return Optional.of(

@@ -123,8 +123,7 @@ public final class StopConfirmation {
     if (heard.isEmpty()) {
       missing.add("no service of system \"" + systemId + "\" is heard");
     } else if (holding.isEmpty()) {
-      missing.add(
-          "of its " + heard.size() + " services, none reports that it obeys emergency stops");
+      missing.add("of its " + heard.size() + " services, none reports obeying emergency stops");
     }
     holding.forEach(
         (service, held) -> {

@@ -183,7 +183,7 @@ class RosbridgeServerTest {
         "{'op':'fragment','id':'1'} | \"fragment\" is not served",
         "{'op':'advertise','topic':'/odom','type':'nav_msgs/Odometry'} | the vehicle's own",
         "{'op':'publish','topic':'/u2sa/arming','msg':{'arms':true}} | has no field \"arms\"",
-        "{'op':'publish','topic':'/u2sa/stop','msg':{'type':'Waypoint','uid':'1'}} | does not travel",
+        "{'op':'publish','topic':'/u2sa/stop','msg':{'type':'Waypoint','uid':'1'}} | does not carry a Waypoint",
         "{'op':'auth','mac':'1','client':'a'} | MACs of rosauth are not taken",
         "{'topic':'/odom'} | \"op\": expected a text",
         "not JSON | operation, line 1",

@@ -40,7 +40,7 @@ record Parameter(String name, String service, ConfigurationVariable variable) {
         default -> integer(Math.max(0, choices(variable).indexOf(text)));
       };
     } catch (NumberFormatException e) {
-      return integer(0); // the service itself refuses such a text
+      return integer(0); // the service refuses such text
     }
   }
 
@@ -50,7 +50,7 @@ record Parameter(String name, String service, ConfigurationVariable variable) {
         Math.max(-LARGEST_INT - 1, Math.min(LARGEST_INT, number)));
   }
 
-  /** Text of a number in the variable's declared form; empty if it has no such value. */
+  /** A number as text in the variable's declared form; empty if that is impossible. */
   Optional<String> text(double number) {
     if (Double.isNaN(number) || Double.isInfinite(number)) {
       return Optional.empty();
