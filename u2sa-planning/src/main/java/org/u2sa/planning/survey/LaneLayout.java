@@ -13,7 +13,10 @@ import java.util.List;
  */
 final class LaneLayout {
   private static final int DIRECTIONS = 18;
-  private static final double CRAWLS = 0.2; // of the airspeed; lanes into more wind are hopeless
+  private static final double CRAWLS =
+      0.2; // minimum ground speed, as a fraction of the airspeed; lanes into stronger wind are
+
+  // hopeless
 
   /**
    * Cells to be seen, on the planning plane.
