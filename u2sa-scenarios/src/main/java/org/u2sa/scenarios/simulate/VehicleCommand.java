@@ -47,7 +47,8 @@ final class VehicleCommand implements Callable<Integer> {
       VehicleFile vehicle = VehicleFile.load(file);
       try {
         VehicleCheck.lines(vehicle).forEach(out::println);
-      } catch (IllegalArgumentException e) { // each value is in its range, but not all together
+      } catch (
+          IllegalArgumentException e) { // each value is valid by itself, but not the combination
         throw new BadInputException(file + ": cannot be simulated: " + e.getMessage(), e);
       }
       return ExitCode.DONE;
