@@ -18,7 +18,8 @@ public record WaterLook(
     double scattering,
     double windMps,
     int particles) {
-  private static final double FORWARD = 0.5; // of the scattered light stays within a pixel's view
+  private static final double FORWARD =
+      0.5; // fraction of the scattered light that stays within a pixel's view
 
   /**
    * @throws IllegalArgumentException if a value is outside its range

@@ -164,6 +164,6 @@ class AircraftFileTest {
 
     assertThatThrownBy(() -> read(BODY, wing))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("expected how it starts");
+        .hasMessageContaining("expected one, for the start");
   }
 }
