@@ -67,7 +67,7 @@ class ChessboardCalibrationTest {
     assertThatThrownBy(calibration::calibrate)
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("0 of 2 pictures show a whole board of 9x6 corners")
-        .hasMessageContaining("expected 4 at least");
+        .hasMessageContaining("expected at least 4");
   }
 
   @Test
