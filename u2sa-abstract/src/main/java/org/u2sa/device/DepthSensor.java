@@ -123,8 +123,7 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
     } else if (Math.abs(offPa) > now.maxError()) {
       log(
           LogLevelEnum.WARN,
-          String.format(
-              Locale.ROOT, "not afloat, or gauge error of %.0f Pa: no correction", offPa));
+          String.format(Locale.ROOT, "not afloat, or off by %.0f Pa: no correction", offPa));
       zero.is(0.0);
     } else {
       zero.take(measuredMicros, offPa, now.zeroTime());

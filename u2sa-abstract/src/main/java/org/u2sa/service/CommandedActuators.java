@@ -43,7 +43,7 @@ public final class CommandedActuators {
           double clockTolerance,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
+              "Whether actuators obey only while a Safety Manager reports that the vehicle is armed.")
           boolean requiresArming,
       // The longest restart or outage measured took 7.5 s, and it listens 0.5 s.
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
@@ -334,8 +334,8 @@ public final class CommandedActuators {
   }
 
   /**
-   * Whether a Safety Manager says that the vehicle is armed, and said so within ARMING EXPIRY;
-   * whether or not REQUIRES ARMING.
+   * Whether a Safety Manager has reported the vehicle armed within ARMING EXPIRY; whether or not
+   * REQUIRES ARMING.
    */
   public boolean isArmed() {
     double expiryS = limits.get().armingExpiry();

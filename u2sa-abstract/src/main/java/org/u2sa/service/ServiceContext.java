@@ -62,10 +62,7 @@ public final class ServiceContext {
     Optional<Execution> keep(String className, ServiceContext context);
   }
 
-  /**
-   * Ends a service's trial construction when it would open its device. Not a failure; only
-   * launchers catch it.
-   */
+  /** Ends a service's trial construction at its device. Not a failure; caught by launchers only. */
   public static final class TrialEnded extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

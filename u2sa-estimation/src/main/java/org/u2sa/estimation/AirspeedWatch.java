@@ -37,8 +37,7 @@ final class AirspeedWatch {
   private boolean isSure;
   private long seenMicros = Long.MIN_VALUE;
   private boolean isContradicted;
-  private long sinceMicros =
-      Long.MIN_VALUE; // since when its readings have been off, or agree again
+  private long sinceMicros = Long.MIN_VALUE; // start of disagreement, or of agreement
 
   /**
    * @param trouble receives messages for the operator

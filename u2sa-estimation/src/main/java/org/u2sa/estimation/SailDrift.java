@@ -13,8 +13,7 @@ final class SailDrift {
   private static final double HALF_AIR_KG_PER_M3 = 0.6;
   private static final double SIDE = 0.8; // drag coefficient of a boat's side (Fossen 2011, 8.1)
   private static final double UNKNOWN_SHARE = 0.5; // 1 σ of the drift: coefficients are estimates
-  private static final double LONGEST_S =
-      1.0; // maximum time between two winds; after a longer gap, the drift counts as steady
+  private static final double LONGEST_S = 1.0; // after a longer gap the drift counts as steady
 
   /**
    * Properties of the boat.

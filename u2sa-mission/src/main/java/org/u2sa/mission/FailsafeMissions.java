@@ -48,9 +48,7 @@ final class FailsafeMissions {
         || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
-  /**
-   * Goals of the LAND MISSION or, without one, of the mission's landing; empty if neither exists.
-   */
+  /** Goals of the LAND MISSION, or else of the mission's landing; empty without either. */
   List<GoalInformation> landGoals() {
     return goals(FailsafeAction.LAND);
   }

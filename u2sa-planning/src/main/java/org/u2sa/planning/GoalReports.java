@@ -7,10 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.service.handover.HandOver;
 
-/**
- * Reports finished goals to the Mission Manager, and repeats a report if the Mission Manager does
- * not react.
- */
+/** Reports finished goals to the Mission Manager; repeats a report until it reacts. */
 final class GoalReports {
   private final Consumer<GoalInformation> publish;
   private final LongSupplier intervalMicros;

@@ -27,8 +27,7 @@ final class PayloadDropState implements PlannerState {
   private static final int ATTEMPTS = 3;
   private static final double RELEASING_S = 1.0; // duration of the release command
   private static final double HOVERS_MPS = 0.5;
-  private static final double HOVER_SHARE =
-      0.5; // fraction of the threshold, before a hovering release
+  private static final double HOVER_SHARE = 0.5; // of the threshold, for a hovering release
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
@@ -36,8 +35,7 @@ final class PayloadDropState implements PlannerState {
   private final LineGuidance guidance;
   private double altitudeM; // on the way there
   private int attempts;
-  private double
-      beforeM; // distance by which the fall ends short of the position, at the last state
+  private double beforeM; // by which the fall ended short at the last state
   private long releasedMicros;
   private String remark = "";
 

@@ -31,8 +31,7 @@ final class StationCircle {
   private static final double NEXT_ENTRY_RAD = Math.toRadians(60.0);
   private static final int ENTRIES = 5;
   private static final double UNREACHABLE_S = 4.0; // without a route to an entry
-  private static final double ALONG_RAD =
-      Math.toRadians(45.0); // maximum course error relative to the circle
+  private static final double ALONG_RAD = Math.toRadians(45.0); // maximum course error
   private static final double LEAVES_RAD = Math.toRadians(12.0); // before its course to the next
 
   private final Detour detour;

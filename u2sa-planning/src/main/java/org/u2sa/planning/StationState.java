@@ -58,8 +58,7 @@ final class StationState implements PlannerState {
   private final WaypointGuidance guidance;
   private final Supplier<Variables> settings;
   private final StationCircle circle;
-  private Optional<Place> here =
-      Optional.empty(); // starting position, for a station without a position
+  private Optional<Place> here = Optional.empty(); // start, if the station has no position
   private Phase phase = Phase.TRANSIT;
   private long sinceMicros = Long.MIN_VALUE; // on station
 

@@ -27,10 +27,7 @@ import org.u2sa.planning.guidance.Vehicle;
  * direction.
  */
 final class StraightApproach implements LandingState.Descent {
-  /**
-   * Length of the level part of the line, in radii of downwind turns; the others are used if no
-   * route leads to the first.
-   */
+  /** Lengths of the level part to try, in radii of downwind turns. */
   private static final double[] LEAD_RADII = {3.0, 2.0, 4.5, 1.5};
 
   private static final double ROLL_OUT_M = 500.0; // line behind the position

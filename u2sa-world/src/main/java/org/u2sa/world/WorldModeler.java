@@ -44,8 +44,7 @@ import org.u2sa.world.modeller.Sighting;
 public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
   private static final long FUTURE_MICROS = Clock.MICROS_PER_SECOND; // tolerated clock difference
-  private static final double LONGEST_SCAN_S =
-      10.0; // maximum duration of a scan; longer ones are invalid
+  private static final double LONGEST_SCAN_S = 10.0; // longer scans are invalid
 
   private final ServiceContext context;
   private final Settings<WorldVariables> settings = settings(WorldVariables.class);

@@ -114,8 +114,7 @@ abstract class ParameterFileCommand extends BaseCommand {
         if (!Files.isRegularFile(file()) || Files.size(file()) > LONGEST) {
           throw new BadInputException(file() + ": expected a file of at most 4 MiB");
         }
-        return Files.readString(file())
-            .replaceFirst("^\uFEFF", ""); // byte-order mark of Windows editors
+        return Files.readString(file()).replaceFirst("^\uFEFF", ""); // byte-order mark
       } catch (CharacterCodingException e) {
         throw new BadInputException(file() + ": expected UTF-8 text", e);
       } catch (IOException e) {

@@ -137,7 +137,7 @@ final class DescriptionText {
     if (!loose.isEmpty()) {
       line(
           joined.isEmpty() ? what : "",
-          String.join(", ", loose) + ": " + direction + " nobody in here");
+          String.join(", ", loose) + ": " + direction + " no service");
     }
   }
 

@@ -114,7 +114,7 @@ class DescribeCommandTest extends CommandFixture {
         .containsPattern("perception +- +2 discrete +Flashlight measures the vehicle")
         .containsPattern(
             "sensed-state +flashlight +StateInformation +\\d+\\.\\d Hz +x y +x 1\\.5 m, y 2 m")
-        .contains("state: to nobody in here")
+        .contains("state: to no service")
         .containsPattern(
             "LAMP: minimum 0 %, maximum 100 %, effect lights, .*rateLimit 50 %/s, force .*-0\\.25.* N");
   }

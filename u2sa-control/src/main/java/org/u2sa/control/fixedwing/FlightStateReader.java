@@ -45,8 +45,7 @@ final class FlightStateReader {
   private static final double HIGH_M = 1_000.0; // height of an aircraft with unknown height
   private static final double SLOWEST_MPS = 1.0; // below this, airflow has no direction
 
-  private static final double ELECTRIC_RPM =
-      10_000.0; // reported for a motor that needs no starting
+  private static final double ELECTRIC_RPM = 10_000.0; // reported for motors that need no starting
 
   private final Supplier<GroundReference.Variables> settings;
   private final GroundReference ground = new GroundReference();

@@ -132,9 +132,7 @@ abstract class GroundControl extends ControlSystem {
     publish(Channels.MANUAL_STATE, state);
   }
 
-  /**
-   * Tells late subscribers the current state, which may differ from a predecessor's last message.
-   */
+  /** Publishes the current state, which may differ from a predecessor's last message. */
   @Override
   protected void begin() {
     super.begin();

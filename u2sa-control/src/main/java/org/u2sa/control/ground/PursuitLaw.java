@@ -19,8 +19,7 @@ final class PursuitLaw {
    */
   private static final double LEAVES_AFTER = 2.0;
 
-  private static final double TURNED_RAD =
-      Math.toRadians(1.0); // tolerance at which a turn at the target ends
+  private static final double TURNED_RAD = Math.toRadians(1.0); // a turn at the target ends here
 
   private PursuitSettings settings;
   private Drive drive = Drive.STANDING;

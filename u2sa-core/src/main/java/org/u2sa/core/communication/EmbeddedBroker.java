@@ -164,8 +164,7 @@ final class EmbeddedBroker implements AutoCloseable {
     int owed = filter.drain();
     if (owed > 0) {
       notTaken.addAndGet(owed);
-      log.accept(
-          owed + " or more messages had not been delivered to remote subscribers at shutdown");
+      log.accept(owed + " or more messages were undelivered to remote subscribers at shutdown");
     }
     closing = true;
     FilterInstaller.takeDown(server);

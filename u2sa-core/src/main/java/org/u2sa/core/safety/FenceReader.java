@@ -25,8 +25,7 @@ final class FenceReader {
   private static final int MIN_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
   private static final double INSIDE = 1.0; // corners on the circle
-  private static final double AROUND =
-      1.0 / Math.cos(Math.PI / CIRCLE_CORNERS); // number of edges of the circle's polygon
+  private static final double AROUND = 1.0 / Math.cos(Math.PI / CIRCLE_CORNERS); // edges touch it
 
   private final GeometryFactory geometry = new GeometryFactory();
   private final boolean onEarth;

@@ -33,8 +33,8 @@ import org.u2sa.service.handover.HandOver;
  * (arming). In: state, conditions, health, operator, power, actuators, goals, arming, manual-state,
  * emergency-stop, fence-orders. Out: failsafe, arming-state, emergency-stop, fence, fence-orders.
  *
- * <p>Failsafes act only while the vehicle is armed and no pilot flies it by radio. The most severe
- * cause wins.
+ * <p>Failsafes act only while the vehicle is armed and no pilot flies it. The most severe cause
+ * wins.
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;

@@ -8,8 +8,7 @@ import java.util.Optional;
  * service's thread.
  */
 final class StopEcho {
-  private static final long FRESH_ANSWERS =
-      2; // the first answer may belong to a question before the stop
+  private static final long FRESH_ANSWERS = 2; // the first may answer an earlier question
 
   private Optional<BoardSession> stopped = Optional.empty(); // question sent after the newest stop
   private long neededAnswers;

@@ -125,9 +125,9 @@ class GroundPressureTest {
     old.timestamp(0L);
     kit.publish(Channels.GROUND_PRESSURE, old);
     kit.advance(1.0);
-    assertThat(remarks()).anyMatch(each -> each.contains("no station told any"));
+    assertThat(remarks()).anyMatch(each -> each.contains("no station sent one"));
     tell(60_000.0);
     kit.advance(1.0);
-    assertThat(remarks()).anyMatch(each -> each.contains("no station told any"));
+    assertThat(remarks()).anyMatch(each -> each.contains("no station sent one"));
   }
 }

@@ -15,8 +15,7 @@ final class InertialInput {
   private static final double MEAN_SHARE = 0.05;
   private static final double TYPICAL_INTERVAL_S = 0.02;
   private static final int SAMPLES_TO_LEVEL = 20;
-  private static final double LEVEL_SIGMA_RAD =
-      0.06; // tilt error if 0.6 m/s² is mistaken for gravity
+  private static final double LEVEL_SIGMA_RAD = 0.06; // error if 0.6 m/s² is taken for gravity
   private static final double STEADY = 0.15; // relative deviation of |f| from gravity
   static final double UNAIDED_S = 5.0; // unaided dead reckoning is useless after this
 

@@ -93,7 +93,7 @@ public final class ItemGoals {
         if (ItemPlaces.COMMANDS.contains(item.command())) {
           places.waypoint(item).ifPresent(this::take);
         } else if (!orders.take(item)) {
-          lose(item, "no goal says that");
+          lose(item, "no goal can express that");
         }
       }
     }

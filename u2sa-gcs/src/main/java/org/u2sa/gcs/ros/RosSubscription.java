@@ -121,9 +121,7 @@ final class RosSubscription {
     }
   }
 
-  /**
-   * Ends it immediately: a task that waits for its turn, up to an hour, would keep it in memory.
-   */
+  /** Ends it now: a task that waits for its turn, up to an hour, would keep it in memory. */
   synchronized void end() {
     ended = true;
     while (!waiting.isEmpty()) {

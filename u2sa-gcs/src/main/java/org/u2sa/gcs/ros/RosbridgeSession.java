@@ -289,9 +289,7 @@ final class RosbridgeSession {
     answer(answer);
   }
 
-  /**
-   * Sends a message that must not be dropped; a client that leaves too many unread is disconnected.
-   */
+  /** Sends a message that must not be dropped; disconnects a client that leaves too many unread. */
   private void answer(JsonText text) {
     if (socket.backlog() > MAX_UNREAD) {
       socket.close();

@@ -92,10 +92,7 @@ public final class ViewServer implements AutoCloseable {
     return false;
   }
 
-  /**
-   * Reports a message that cannot be shown, with exponential thinning because senders determine the
-   * rate.
-   */
+  /** Reports messages that cannot be shown, ever more rarely: senders determine the rate. */
   void notShown(String topic, RuntimeException why) {
     if (Long.bitCount(++notShown) == 1) { // 1, 2, 4, 8…
       remarks.accept("a message on " + topic + " cannot be shown, " + notShown + " so far: " + why);

@@ -183,7 +183,7 @@ class PlanFormatsTest {
         .containsExactly(
             "goal \"1\": stays within horizontalThreshold 3.0 m",
             "goal \"1\": has turns and duration 5.0",
-            "goal \"1\": has psi of 28.64788975654116 deg besides");
+            "goal \"1\": has psi of 28.64788975654116 deg in addition");
   }
 
   @Test
@@ -236,7 +236,7 @@ class PlanFormatsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "'205,2,0,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that'",
+    "'205,2,0,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_MOUNT_CONTROL): no goal can express that'",
     "'21,0,10,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): an altitude to abort'",
     "'21,0,0,0,0,0,50,8,nan,1', 'item 1 (MAV_CMD_NAV_LAND): no altitude of the ground'",
     "'18,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LOITER_TURNS): 0.0 turns'",
@@ -291,7 +291,7 @@ class PlanFormatsTest {
         "{} | a: fileType: expected \"Plan\"",
         "{'fileType':'Plan'} | a: mission: expected an object",
         "{'fileType':'Plan','mission':{'items':[{'type':'SimpleItem','params':[1]}]}} | a: mission.items[0].params: 1 numbers; expected 7",
-        "{'fileType':'Plan','mission':{'items':[],'plannedHomePosition':[95,8,0]}} | a: plannedHomePosition: 95.0, 8.0 are not a latitude and longitude",
+        "{'fileType':'Plan','mission':{'items':[],'plannedHomePosition':[95,8,0]}} | a: plannedHomePosition: 95.0, 8.0 is not on the earth",
       })
   void read_brokenPlan_isRefusedWithTheField(String text, String message) {
     assertThatThrownBy(() -> QgcPlan.read("a", text.replace('\'', '"'), lost))

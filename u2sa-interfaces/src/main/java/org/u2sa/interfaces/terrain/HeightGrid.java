@@ -165,8 +165,7 @@ public final class HeightGrid {
 
   /** Altitude of the ground at a place [m], bilinear; empty outside the grid or where unknown. */
   public OptionalDouble altitudeM(Geodetic place) {
-    double eastDeg =
-        (place.longitudeDeg() - westDeg) % FULL_TURN_DEG; // maps may extend beyond 180°
+    double eastDeg = (place.longitudeDeg() - westDeg) % FULL_TURN_DEG; // maps may exceed 180°
     double x = (eastDeg < 0.0 ? eastDeg + FULL_TURN_DEG : eastDeg) / cellDeg;
     double y = rows - 1.0 - (place.latitudeDeg() - southDeg) / cellDeg;
     if (!(x >= 0.0 && y >= 0.0 && x <= columns - 1.0 && y <= rows - 1.0)) {

@@ -23,8 +23,7 @@ import org.u2sa.planning.seen.PlanarShape;
 public final class TangentGraph {
   private static final double FULL = 2.0 * Math.PI;
   private static final double ROUNDING_RAD = 1.0e-7;
-  private static final double TOUCHING =
-      1.0e-9; // tolerance for touching circles, relative to the squared distance
+  private static final double TOUCHING = 1.0e-9; // tolerance of touching circles
   private static final int MAX_CIRCLES = 300;
   private static final int MAX_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);

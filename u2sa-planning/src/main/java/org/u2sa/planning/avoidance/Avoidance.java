@@ -53,8 +53,7 @@ public final class Avoidance {
   private final StraightFlight straight;
   private final DriftWatch drift;
   private PlanningPlane plane;
-  private Optional<GoalAttempt> attempt =
-      Optional.empty(); // exists from the first step towards a goal
+  private Optional<GoalAttempt> attempt = Optional.empty(); // set at the first step
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
   private Optional<HeldChoice> held = Optional.empty();
 

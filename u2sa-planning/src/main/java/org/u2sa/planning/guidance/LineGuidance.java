@@ -40,9 +40,7 @@ public final class LineGuidance implements WaypointGuidance {
   /** Longer gaps between states do not count for a law with a memory [s]. */
   private static final double LONGEST_STEP_S = 1.0;
 
-  /**
-   * Minimum speed for adaptation: below it, a vehicle may be moored, drifting or disarmed [m/s].
-   */
+  /** Minimum speed for learning: a slower vehicle may be moored, drifting or disarmed [m/s]. */
   private static final double SLOWEST_MPS = 0.2;
 
   private final Supplier<LineSettings> settings;

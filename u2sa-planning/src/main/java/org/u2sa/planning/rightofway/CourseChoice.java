@@ -13,7 +13,7 @@ import java.util.function.DoublePredicate;
 final class CourseChoice {
   private static final double STEP_RAD = Math.toRadians(5.0);
   private static final double[] SPEEDS = {1.0, 0.5, 0.0}; // changes large enough to be seen
-  private static final double ROOMIER = 1.25; // required distances of a new course
+  private static final double ROOMIER = 1.25; // clearance of a new course, in required distances
   private static final double RIGHT_ANGLE_RAD = 0.5 * Math.PI;
   private static final double FREE = 1.25;
   private static final double KEPT = 1.0;

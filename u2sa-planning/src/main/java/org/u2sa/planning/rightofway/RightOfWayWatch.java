@@ -26,8 +26,7 @@ import org.u2sa.planning.seen.SeenWorld;
 public final class RightOfWayWatch {
   private static final String PLANNER = "RIGHT OF WAY";
   private static final double AHEAD_S = 900.0; // distance of the place to go to
-  private static final double NEAR_SHARE =
-      0.5; // fraction of that distance at which a new point is set
+  private static final double NEAR_SHARE = 0.5; // fraction left when a new point is set
   private static final double ON_MAP = 0.35; // fraction of the map, if routes are planned on one
   private static final double OPEN = 0.2; // fraction of the map that has to be free on a course
 

@@ -13,10 +13,7 @@ import java.util.List;
  */
 final class LaneLayout {
   private static final int DIRECTIONS = 18;
-  private static final double CRAWLS =
-      0.2; // minimum ground speed, as a fraction of the airspeed; lanes into stronger wind are
-
-  // hopeless
+  private static final double CRAWLS = 0.2; // minimum ground speed, as a share of the airspeed
 
   /**
    * Cells to be seen, on the planning plane.

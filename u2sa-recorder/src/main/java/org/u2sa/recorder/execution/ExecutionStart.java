@@ -151,9 +151,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return new ExecutionStart(moreTexts, moreFiles);
   }
 
-  /**
-   * Whether a variable may name a file to record: XML or a height map, but not passwords or keys.
-   */
+  /** Whether a variable may name a file to record: XML or a height map, not passwords or keys. */
   public static boolean isRecorded(String value) {
     return value.endsWith(".xml") || value.endsWith(".asc");
   }

@@ -165,8 +165,7 @@ final class SerialPorts implements AutoCloseable {
       version.getInputStream().readAllBytes();
     } catch (IOException e) {
       throw new BadInputException(
-          "--serial: socat not found, which is needed for the serial ports (Debian: apt install socat)",
-          e);
+          "--serial: serial ports need socat, which was not found (Debian: apt install socat)", e);
     }
   }
 

@@ -21,8 +21,7 @@ final class BoatMission {
   /** Name of the sub-vehicle's goal. */
   static final String FETCH = "fetch";
 
-  private static final double BEFORE_M =
-      4.0; // distance of a channel's entrance in front of its first gate
+  private static final double BEFORE_M = 4.0; // from a channel's entrance to its first gate
   private static final double HOMEWARD_MPS = 0.6; // assumed speed on the way home
   private static final double RESERVE_S = 60.0;
   private static final double GRIP_M = 0.25; // height of the quadrotor above the deck, at the puck

@@ -39,8 +39,7 @@ final class ChannelState extends TaskState {
       10.0; // straight on without a gate in sight, which is farther than the next gate
   private static final double AT_END_M = 8.0; // distance from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
-  private static final double APPROACH_MPS =
-      1.2; // speed to a gate's axis, and to the buoy at the end
+  private static final double APPROACH_MPS = 1.2; // speed to a gate's axis and the end buoy
   private static final double MOVED_M = 0.8; // shift of the start of the run that causes replanning
   private static final double OFF_M = 1.2; // deviation from the planned path that causes replanning
   private static final double RETRY_M = 0.5; // between two attempts to plan
@@ -56,8 +55,7 @@ final class ChannelState extends TaskState {
   private Optional<Point> lineFrom = Optional.empty(); // start of the line to the next gate
   private Optional<GateApproach> approach = Optional.empty(); // while not on that line
   private Optional<Point> triedAt = Optional.empty(); // position at the last planning
-  private OptionalDouble arrivedS =
-      OptionalDouble.empty(); // time of arrival at the entrance, without a gate in sight
+  private OptionalDouble arrivedS = OptionalDouble.empty(); // arrival at the entrance
   private double turnsS; // time of the next plan starting with a turn
   private int breakOffs;
 

@@ -22,21 +22,17 @@ final class DockState extends StationTaskState {
       1.1; // slower, a current from the side would turn the bow off the line too far
   private static final double INSIDE_M = 0.9; // before the berth: the bow is between the fingers
   private static final double TOUCH_MPS = 0.5;
-  private static final double FULL_SPEED_M =
-      3.0; // distance of a point at which control keeps that speed
-  private static final double ENTRANCE_M =
-      2.5; // last distance from the berth at which to break off
+  private static final double FULL_SPEED_M = 3.0; // distance to a point passed at that speed
+  private static final double ENTRANCE_M = 2.5; // last distance to break off the approach
   private static final double OFF_M = 0.6; // cross-track distance
   private static final double BACK_M = 2.0; // distance from the station to try again
   private static final double IN_M = 0.6; // distance from the berth
-  private static final double STILL_S =
-      5.0; // time at rest, because the quadrotor expects to find the boat there
+  private static final double STILL_S = 5.0; // at rest, so the quadrotor finds the boat there
   private static final double SLIDES_M = 0.15; // more than the motion caused by waves
   private static final double TURNS_RAD = Math.toRadians(8.0);
   private static final double LEFT_M = 3.5; // distance from the berth
   private static final double BACK_MPS = 0.7;
-  private static final double LEAVE_MPS =
-      1.6; // fast, before the current sets the boat onto the fingers
+  private static final double LEAVE_MPS = 1.6; // fast, lest the current push it aside
 
   private enum Phase {
     ALIGN,
@@ -46,8 +42,7 @@ final class DockState extends StationTaskState {
   }
 
   private Phase phase = Phase.ALIGN;
-  private long
-      stillMicros; // since when the boat has been at rest in the dock; Long.MIN_VALUE: not at rest
+  private long stillMicros; // at rest in the dock since; Long.MIN_VALUE: not at rest
   private Point lay = Point.ORIGIN; // place from the station then: north, east
   private double layPsi;
 

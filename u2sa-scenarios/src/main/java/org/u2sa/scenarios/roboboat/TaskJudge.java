@@ -41,8 +41,7 @@ final class TaskJudge {
   private int hits;
   private OptionalDouble targetErrorM = OptionalDouble.empty();
   private final Berth berth;
-  private final NavigableMap<Double, Boolean> inBay =
-      new TreeMap<>(); // time since which the boat is in the bay [s]
+  private final NavigableMap<Double, Boolean> inBay = new TreeMap<>(); // from a time on [s]
   private boolean isEntered;
   private boolean isDocked;
   private final FetchJudge fetch;

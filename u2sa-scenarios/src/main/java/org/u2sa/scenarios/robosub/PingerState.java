@@ -50,8 +50,7 @@ final class PingerState extends SightState {
     if (levelM < Math.max(ABOVE_M, SLOPE * way.z())) {
       double slopeRad = Math.atan2(levelM, way.z());
       return completed(
-          String.format(
-              Locale.ROOT, "above the pinger, within %.1f deg", Math.toDegrees(slopeRad)));
+          String.format(Locale.ROOT, "above pinger, within %.1f deg", Math.toDegrees(slopeRad)));
     }
     return to(task, state, Point.of(way.x(), way.y(), keptM - hereM));
   }

@@ -8,9 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
-/**
- * {@link SurfaceInRing}: goes to a point well below the middle of a floating ring, then surfaces.
- */
+/** {@link SurfaceInRing}: goes well below the middle of a floating ring, then surfaces. */
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
   private static final double DEPTH_M = 1.5; // below the ring on the way there

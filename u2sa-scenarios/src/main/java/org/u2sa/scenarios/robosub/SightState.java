@@ -24,8 +24,7 @@ import org.u2sa.planning.Pursuit;
  * ahead and then around while the objects are unknown, and gives up after a while.
  */
 abstract class SightState implements PlannerState {
-  private static final double UNKNOWN_M =
-      1.0e6; // assumed distance of a task whose objects have not been seen
+  private static final double UNKNOWN_M = 1.0e6; // assumed if a task's objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
   private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
   private static final double AROUND_S = 15.0;

@@ -33,8 +33,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
   private static final double LOOKS_PER_S = 20.0;
   private static final double SLOWEST_MPS = 0.02;
   private static final double SLOWEST_RADPS = 0.05;
-  private static final double STANDS_AFTER_S =
-      1.0; // standstill; longer than a pause between two turns
+  private static final double STANDS_AFTER_S = 1.0; // standstill; longer than between turns
   private static final double STOOD_S = 2.0; // standstill at the end of the mission
   private static final double PARKED_WITHIN_S = 30.0; // time limit after the last goal
 

@@ -47,8 +47,7 @@ final class VehicleCommand implements Callable<Integer> {
       VehicleFile vehicle = VehicleFile.load(file);
       try {
         VehicleCheck.lines(vehicle).forEach(out::println);
-      } catch (
-          IllegalArgumentException e) { // each value is valid by itself, but not the combination
+      } catch (IllegalArgumentException e) { // invalid combination of valid values
         throw new BadInputException(file + ": cannot be simulated: " + e.getMessage(), e);
       }
       return ExitCode.DONE;

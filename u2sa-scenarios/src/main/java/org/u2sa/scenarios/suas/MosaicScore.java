@@ -8,9 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.report.mosaic.SurveyMosaic;
 import org.u2sa.sim.world.LocalPlane;
 
-/**
- * Compares a mosaic with the true ground: colours in the search area and positions of the targets.
- */
+/** Compares a mosaic with the true ground: colours, and positions of the targets. */
 final class MosaicScore {
   private static final int CHANNELS = 3;
   private static final double TARGET_M = 4.0; // around a target's true place

@@ -92,7 +92,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--radar",
-      description = "The aircraft has a radar, besides its receiver of transponders.")
+      description = "The aircraft has a radar in addition to its transponder receiver.")
   private boolean hasRadar;
 
   @Option(
@@ -186,13 +186,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
         times[i] = Double.parseDouble(texts[i]);
       } catch (NumberFormatException e) {
         throw new BadInputException(
-            option
-                + " "
-                + span
-                + ": \""
-                + texts[i]
-                + "\" is not a time span; expected, for example, 300-320",
-            e);
+            option + " " + span + ": \"" + texts[i] + "\": expected such as 300-320", e);
       }
     }
     return times;

@@ -49,8 +49,7 @@ final class TargetLook {
 
   private static boolean isStar(double right, double up) {
     double step = 2.0 * Math.PI / 5.0;
-    double angle =
-        Math.abs(Math.IEEEremainder(Math.atan2(right, up), step)); // angle from the nearest tip
+    double angle = Math.abs(Math.IEEEremainder(Math.atan2(right, up), step)); // from a tip
     double outer = 0.7;
     double inner = 0.36;
     // the line from the point at angle 0 to the notch at half a step

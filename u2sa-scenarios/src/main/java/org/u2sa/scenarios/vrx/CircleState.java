@@ -24,15 +24,12 @@ final class CircleState implements PlannerState {
   private static final double UNKNOWN_M =
       1.0e6; // assumed distance of objects that are still unseen
   private static final double FULL_RAD = Math.toRadians(385.0); // of a circle
-  private static final double LEAD_RAD =
-      Math.toRadians(50.0); // look-ahead angle of the point to steer to
+  private static final double LEAD_RAD = Math.toRadians(50.0); // look-ahead angle
   private static final double CIRCLING_MPS = 2.5;
   private static final double MARGIN_M = 0.5; // margin of the distance on a circle
-  private static final double OTHER_SHARE =
-      0.7; // clearance from other objects, as a fraction of the radius
+  private static final double OTHER_SHARE = 0.7; // of the radius: clearance from others
   private static final double BEYOND_M = 2.0; // clearance of the point beside an avoided object
-  private static final double FULL_SPEED_M =
-      8.0; // distance to a point at which control does not slow down
+  private static final double FULL_SPEED_M = 8.0; // distance to a point passed at speed
   private static final double GIVE_UP_S = 60.0; // without any object
 
   private final PlannerView surroundings;

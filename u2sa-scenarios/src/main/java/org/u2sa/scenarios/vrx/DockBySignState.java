@@ -32,8 +32,7 @@ final class DockBySignState implements PlannerState {
 
   private static final double UNKNOWN_M = 1.0e6;
   private static final double LIGHT_M = 10.0; // distance from the light buoy while reading it
-  private static final double ROUND_M =
-      24.0; // distance from the middle of the dock while looking for signs
+  private static final double ROUND_M = 24.0; // radius around the dock's middle
   private static final double STEP_RAD = 0.5; // step ahead on the way around the dock
   private static final double READ_M = 16.0; // before the middle of the signs
   private static final double READ_WITHIN_M = 3.0;

@@ -126,10 +126,7 @@ final class GateCourseState implements PlannerState {
     return MarkerGate.among(ports, starboards);
   }
 
-  /**
-   * A point beyond the gate if the straight path to it passes through, otherwise one in front of
-   * the gate.
-   */
+  /** A point beyond the gate if a straight path leads through it, otherwise in front of it. */
   private static Point through(MarkerGate gate, Point here) {
     double ahead = gate.aheadM(here);
     double aside = gate.asideM(here) * BEYOND_M / (ahead + BEYOND_M);

@@ -11,8 +11,7 @@ import org.u2sa.report.ReportFile;
 
 /** The mission that a world's task gives the vehicle. */
 final class VrxMission {
-  private static final double WITHIN_M =
-      0.15; // distance to the waypoint within which the smallest error counts
+  private static final double WITHIN_M = 0.15; // radius in which the best error counts
   private static final double START_WITHIN_M = 1.0;
   private static final double STAY_S = 4.0;
   private static final double CIRCLE_SHARE = 0.55; // fraction of the engagement distance

@@ -24,10 +24,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/**
- * {@code u2sa demo vrx-table}: runs all worlds of a folder, and prints the scores beside published
- * ones.
- */
+/** {@code u2sa demo vrx-table}: runs a folder's worlds and compares with published scores. */
 @Command(
     name = "vrx-table",
     description = {

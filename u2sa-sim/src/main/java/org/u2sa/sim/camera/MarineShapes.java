@@ -19,8 +19,7 @@ final class MarineShapes {
   private static final float MISS = Float.POSITIVE_INFINITY;
   private static final double[] NO_SHADOW = {};
   private static final double SHEET_M = 0.01; // thickness of flat things
-  private static final double RIM =
-      0.7; // size of the inner part of a bin, as a fraction of the bin
+  private static final double RIM = 0.7; // inner part of a bin, as a fraction of its size
 
   private MarineShapes() {}
 

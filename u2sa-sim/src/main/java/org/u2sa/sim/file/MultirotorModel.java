@@ -43,8 +43,7 @@ record MultirotorModel(
       double failsAt = each.number("failsAt", "s", 0.0, 1e9, Double.POSITIVE_INFINITY);
       Rotor rotor = rotor(each);
       if (rotors.stream().anyMatch(other -> other.name().equals(rotor.name()))) {
-        throw each.xml()
-            .error("name \"" + rotor.name() + "\" is already the name of another rotor");
+        throw each.xml().error("name \"" + rotor.name() + "\" is already a rotor's");
       }
       rotors.add(rotor);
       failures.put(rotor.name(), failsAt);

@@ -24,8 +24,7 @@ public final class VehicleCheck {
   private static final double LOOK_BACK_S = 5.0;
   private static final double STEADY = 0.002; // change within that time, relative
   private static final double NOTHING = 0.02; // [m/s²], [rad/s²]
-  private static final double SIDE_EFFECT =
-      0.15; // fraction of an actuator's effect along another axis
+  private static final double SIDE_EFFECT = 0.15; // share of an effect along another axis
   private static final double DEPTH_M = 100.0;
 
   /** Forward, right, down; turning right. */

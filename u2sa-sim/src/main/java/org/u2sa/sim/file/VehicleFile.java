@@ -87,7 +87,7 @@ public final class VehicleFile {
   private SimulatedVehicle probed(XmlElement root) {
     try {
       return make(emptyWorld(), Point.ORIGIN, 0.0, 1);
-    } catch (IllegalArgumentException e) { // each value is valid by itself, but not the combination
+    } catch (IllegalArgumentException e) { // invalid combination of valid values
       throw root.error("cannot be simulated: " + e.getMessage(), e);
     }
   }
@@ -127,10 +127,7 @@ public final class VehicleFile {
     return home(World.at(new Geodetic(0.0, 0.0, 0.0)));
   }
 
-  /**
-   * The world; still water up to its plane is added if the vehicle needs water and the world has
-   * none.
-   */
+  /** The world, with still water up to its plane added if the vehicle needs water. */
   public World home(World world) {
     return model.medium() == VehicleModel.Medium.WATER && world.water().isEmpty()
         ? world.with(new Water(0.0, 0.0, 0.0))

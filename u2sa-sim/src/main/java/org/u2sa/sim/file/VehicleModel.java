@@ -38,9 +38,7 @@ public interface VehicleModel {
     return false;
   }
 
-  /**
-   * Whether only the service that commands the whole vehicle advances it; sensors then must not.
-   */
+  /** Whether only the service that commands the vehicle advances it; sensors must not. */
   default boolean isSteppedByOwner() {
     return false;
   }

@@ -152,8 +152,7 @@ record VesselModel(
     for (FileElement each : file.parts(kind, "name")) {
       VesselActuator actuator = reader.apply(each);
       if (all.stream().anyMatch(other -> other.name().equals(actuator.name()))) {
-        throw each.xml()
-            .error("name \"" + actuator.name() + "\" is already the name of another actuator");
+        throw each.xml().error("name \"" + actuator.name() + "\" is already an actuator's");
       }
       all.add(actuator);
     }

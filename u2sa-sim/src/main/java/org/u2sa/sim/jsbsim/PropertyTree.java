@@ -40,8 +40,7 @@ final class PropertyTree {
   }
 
   /**
-   * A property that this simulation sets; starts with the vehicle file's value if given, otherwise
-   * with this one.
+   * A property that this simulation sets, initially to the vehicle file's value or else this one.
    */
   Property define(String name, double value) {
     Property property = find(name);

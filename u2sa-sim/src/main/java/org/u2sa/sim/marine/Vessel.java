@@ -123,9 +123,7 @@ public final class Vessel implements SimulatedVehicle {
     return BodyState.attitude(state).nedFromFrd().transposed().times(ned);
   }
 
-  /**
-   * Updates current and waves at the hull's position without a jump of its velocity over ground.
-   */
+  /** Updates current and waves at the hull; its velocity over ground does not jump. */
   private void surround() {
     Point ned = BodyState.at(state, BodyState.NED);
     Point place = Point.of(ned.y(), ned.x(), -ned.z());

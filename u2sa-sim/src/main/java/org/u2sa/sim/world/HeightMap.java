@@ -123,7 +123,7 @@ public final class HeightMap implements Terrain {
       }
       BufferedImage image = reader.read(0);
       if (image.getRaster().getNumBands() != 1 || image.getColorModel().getPixelSize() < 8) {
-        throw new IOException("is not grey with 8 or 16 bits a pixel");
+        throw new IOException("is not grey with 8 or 16 bits per pixel");
       }
       return image;
     } catch (RuntimeException e) { // decoders throw these for damaged files

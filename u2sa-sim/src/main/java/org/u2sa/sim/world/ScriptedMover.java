@@ -212,9 +212,7 @@ public final class ScriptedMover {
         leg.from.plus(way.times(along / travel)), way.times(1.0 / travel), leg.courseRad);
   }
 
-  /**
-   * The object at a time since the start of the run [s], in LOCAL_ENU; waves lift floating objects.
-   */
+  /** The object at a time of the run [s], in LOCAL_ENU; waves lift floating objects. */
   ObjectDescription objectAt(double timeS, Water water) {
     State state = at(timeS);
     ObjectDescription there = object.copy();

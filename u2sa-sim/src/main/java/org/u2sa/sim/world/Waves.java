@@ -15,8 +15,7 @@ public final class Waves {
   private static final double LOWEST = 0.5; // relative to the peak frequency
   private static final double HIGHEST = 3.5;
   private static final double JONSWAP_PEAK = 3.3; // γ, mean of the JONSWAP measurements
-  private static final double STEEPEST =
-      1.0 / 7.0; // ratio of height to length at which waves break
+  private static final double STEEPEST = 1.0 / 7.0; // height over length of breaking waves
 
   private final double[] amplitude; // a [m]
   private final double[] frequency; // ω [rad/s]

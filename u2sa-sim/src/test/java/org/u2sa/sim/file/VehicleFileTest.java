@@ -110,8 +110,7 @@ class VehicleFileTest {
     String text = Vehicles.threeThrusters().replace("\"STARBOARD\"", "\"PORT\"");
 
     assertThatThrownBy(() -> Vehicles.parse(text))
-        .hasMessageContaining(
-            "line 17, <thruster>: name \"PORT\" is already the name of another actuator");
+        .hasMessageContaining("line 17, <thruster>: name \"PORT\" is already an actuator's");
   }
 
   @Test

@@ -41,8 +41,7 @@ final class MarineMessages {
   ObjectDescription of(SeenThing thing, Map<MarineKind, Integer> numbers, long micros) {
     Point frd = mount.turn().times(thing.way());
     Point at = body(frd.times(thing.rangeM()).plus(mount.place()));
-    double towards =
-        Math.atan2(frd.y(), -frd.x()); // position of the camera; BODY's y is to the left
+    double towards = Math.atan2(frd.y(), -frd.x()); // to the camera; BODY's y is left
     ObjectDescription object = shaped(thing, at, towards);
     int number = numbers.merge(thing.kind(), 1, Integer::sum);
     String colour = thing.colour().map(c -> c.name().toLowerCase(Locale.ROOT) + " ").orElse("");
@@ -115,10 +114,7 @@ final class MarineMessages {
     return Math.cos(psi) < 0.0 ? Math.atan2(at.y() - end.y(), at.x() - end.x()) : psi;
   }
 
-  /**
-   * Standard deviations along BODY's axes: from the range error along the line of sight and the
-   * angle errors across it.
-   */
+  /** Standard deviations along BODY's axes, from the errors of range and direction. */
   private Point sigma(Point frd, SeenThing thing) {
     double across = angleSigma * thing.rangeM();
     return Point.of(

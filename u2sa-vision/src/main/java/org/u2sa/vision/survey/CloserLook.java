@@ -16,8 +16,7 @@ import org.u2sa.messages.mission.MissionOrder;
  * @param resolution resolution of these areas, as a share of the previous area's
  */
 record CloserLook(double resolution) {
-  private static final double HALF_M =
-      8.0; // side of an area; a target's position is accurate to a few metres
+  private static final double HALF_M = 8.0; // half a side; targets are located to a few metres
   private static final double SHARE = 0.9;
 
   /**

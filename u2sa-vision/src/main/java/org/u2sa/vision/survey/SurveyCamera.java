@@ -66,8 +66,7 @@ public final class SurveyCamera extends CameraSensor {
   private static final int MAX_WAITING = 8; // images waiting for the state of their time
   private static final double MIN_M = 0.7; // of a target
   private static final double MAX_M = 2.8;
-  private static final double SIGMA_M =
-      2.0; // standard deviation of a position on the ground, from position and attitude
+  private static final double SIGMA_M = 2.0; // of a ground position
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   private static final long GAP_MICROS = Clock.micros(0.5);
 

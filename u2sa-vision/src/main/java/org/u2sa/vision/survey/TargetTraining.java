@@ -6,9 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.device.port.CameraFrame;
 
-/**
- * Trains the model of shapes and letters: means over the patches found in images of known targets.
- */
+/** Trains the model of shapes and letters: means over the patches of known targets. */
 public final class TargetTraining {
   static final double SCALE = 1_000.0; // numbers in the file are thousandths
 

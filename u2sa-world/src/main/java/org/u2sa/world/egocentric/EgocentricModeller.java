@@ -99,9 +99,7 @@ public final class EgocentricModeller implements Modeller {
     }
   }
 
-  /**
-   * Whether only the direction is measured; then only the newest sighting counts, as one object.
-   */
+  /** Whether only the direction is measured; then only the newest sighting counts. */
   private boolean isUnsure(ObjectDescription object) {
     double mostM = tuning.get().egocentricGate();
     return object

@@ -36,8 +36,7 @@ final class MapFile {
   private static final String HEADER = "U2SA scan map 1";
   private static final int MAX_SCANS = 20_000;
   private static final int MAX_BYTES = 1 << 20; // of a scan
-  private static final long HEAP_SHARE =
-      8; // share of the heap for all scans, as stored in the file
+  private static final long HEAP_SHARE = 8; // part of the heap for all scans of a file
 
   private MapFile() {}
 
@@ -108,8 +107,7 @@ final class MapFile {
    */
   static Contents read(Path file, long maxBytes) {
     if (Files.exists(file) && !Files.isRegularFile(file)) {
-      throw new BadInputException(
-          file + ": expected a regular file"); // reading a pipe might block forever
+      throw new BadInputException(file + ": expected a regular file"); // a pipe might block
     }
     try (DataInputStream in = opened(file)) {
       String header = in.readUTF();

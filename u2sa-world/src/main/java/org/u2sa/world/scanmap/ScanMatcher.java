@@ -29,8 +29,7 @@ final class ScanMatcher {
   private static final int NARROW_CELLS = 2;
   private static final double HUBER_M = 0.06;
   private static final double MIN_SIGMA_M = 0.02;
-  private static final double POINT_SIGMA =
-      3.0; // sigma multiplier for echoes that belong to no surface
+  private static final double POINT_SIGMA = 3.0; // multiplier for echoes off any surface
   private static final double NEAR_M = 0.12; // an echo this near to a surface supports the match
 
   /** Number of neighbouring beams that count as one independent measurement. */

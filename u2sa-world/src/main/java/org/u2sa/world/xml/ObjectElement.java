@@ -232,9 +232,7 @@ final class ObjectElement {
     return Point.of(onTheEarth ? shortWay(x) : x, y, z);
   }
 
-  /**
-   * Wraps a longitude, or a difference of longitudes, to ±180°: an object may cross the date line.
-   */
+  /** Wraps a longitude or a difference to ±180°: objects may cross the date line. */
   private static double shortWay(double longitudeDeg) {
     return Math.IEEEremainder(longitudeDeg, 360.0);
   }

@@ -119,7 +119,7 @@ class WorldFileTest {
         "<circle><uid>a</uid><x>1</x><y>1</y></circle><box><uid>a</uid><x>1</x><y>1</y></box>",
         "uid \"a\" already");
     assertRefused("<line><points>1 2; 3</points></line>", "\"3\" is not a point");
-    assertRefused("<line><points>1 2; x 4</points></line>", "no point");
+    assertRefused("<line><points>1 2; x 4</points></line>", "is not a point");
     assertRefused("<line><points>1 2; 1e999 4</points></line>", "<points>");
     assertRefused("<line><points/></line>", "contains no points");
     assertRefused("<line><points>1 2; 3 95</points></line>", "latitude");

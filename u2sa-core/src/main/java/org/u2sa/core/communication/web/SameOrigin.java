@@ -63,9 +63,7 @@ public final class SameOrigin {
         || isLocal && host.startsWith("127.") && ADDRESS.matcher(host).matches();
   }
 
-  /**
-   * Whether a request comes from a page of this server. Programs without an Origin header do not.
-   */
+  /** Whether a request comes from a page of this server; false without an Origin header. */
   boolean isOwnPage(HttpHeaders headers) {
     String own = (isEncrypted ? "https://" : "http://") + headers.get(HttpHeaderNames.HOST, "");
     List<String> origins = headers.getAll(HttpHeaderNames.ORIGIN);

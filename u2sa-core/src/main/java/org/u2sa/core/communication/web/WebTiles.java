@@ -59,9 +59,7 @@ public final class WebTiles {
       if (file.read(start, 0) != MAGIC.length || !Arrays.equals(start.array(), MAGIC)) {
         file.close();
         throw new BadInputException(
-            "WEB TILES: "
-                + path
-                + ": not PMTiles version 3; ./u2sa does not convert other formats");
+            "WEB TILES: " + path + ": not PMTiles version 3; other formats are not converted");
       }
       return new WebTiles(file, file.size());
     } catch (IOException e) {

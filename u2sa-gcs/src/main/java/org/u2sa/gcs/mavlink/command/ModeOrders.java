@@ -131,8 +131,7 @@ final class ModeOrders {
     goal.nextIf(GoalResult.DONE, List.of());
     altitudeM.ifPresent(goal::z);
     if (altitudeM.isPresent() && vehicle.kind() != VehicleKind.PLANE) {
-      goal.verticalThreshold(
-          VERTICAL_THRESHOLD_M); // otherwise a copter arrives before it has climbed
+      goal.verticalThreshold(VERTICAL_THRESHOLD_M); // so that a copter climbs before it arrives
     }
     speed.ifPresent(goal::speed);
     orders.tell(Channels.GOAL_UPDATES, goal);

@@ -152,10 +152,7 @@ public final class VehicleCommands {
     }
   }
 
-  /**
-   * Whether the vehicle appears to be in the air: by its wheels or, without any, by its height
-   * above home.
-   */
+  /** Whether the vehicle is in the air: by its wheels or, without any, its height above home. */
   private boolean flies() {
     if (vehicle.kind().isOnSurface() || !vehicle.isArmed()) {
       return false;

@@ -9,7 +9,7 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * A configuration variable as a parameter: numbers as they are, flags as 0 and 1, choices as their
- * index. Free texts are no parameters.
+ * index. Free texts are not parameters.
  *
  * @param name at most 16 characters
  * @param service the service whose variable it is

@@ -123,8 +123,7 @@ public final class FenceBook {
   }
 
   private Content content() {
-    FenceState state =
-        vehicle.fence().orElseThrow(() -> refusal("no message from a Safety Manager"));
+    FenceState state = vehicle.fence().orElseThrow(() -> refusal("no Safety Manager found"));
     if (state.file().isEmpty()) {
       return new Content(List.of(), List.of(), List.of());
     }

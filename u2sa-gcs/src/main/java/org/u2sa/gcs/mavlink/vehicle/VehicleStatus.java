@@ -217,7 +217,7 @@ public final class VehicleStatus {
   /** Reasons against arming; empty if there are none or none is known. */
   public List<String> reasonsAgainstArming() {
     return arming == null
-        ? List.of("no message from a Safety Manager")
+        ? List.of("no Safety Manager found")
         : arming.armed() ? List.of() : arming.reasons();
   }
 

@@ -14,10 +14,7 @@ public record Gate(Point left, Point right) {
   private static final double NARROWEST_M = 1.5;
   private static final double WIDEST_M = 4.0;
 
-  /**
-   * Gates between buoys of two colours: each left buoy paired with its nearest right one, if
-   * unambiguous.
-   */
+  /** Gates of two colours: each left buoy with its nearest right one, if unambiguous. */
   public static List<Gate> among(List<Point> lefts, List<Point> rights) {
     List<Gate> gates = new ArrayList<>();
     for (Point left : lefts) {

@@ -27,12 +27,10 @@ public record GateApproach(SailingPath path, Gate gate, double runM) {
   private static final double NEAR_COST = 10.0; // per metre nearer to an object than this:
   private static final double WELL_CLEAR_M = 2.5;
   private static final double CLEAR_M = 0.95; // clearance of arcs: half the beam and 0.6 m
-  private static final double RUN_CLEAR_M =
-      0.7; // clearance of the run, which may pass through a gate
+  private static final double RUN_CLEAR_M = 0.7; // clearance of the run, also through a gate
   private static final double LEAVING_M = 1.5; // length within which the boat may be leaving a gate
   private static final double LEAVING_CLEAR_M = 0.45;
-  private static final double FAR_M =
-      10.0; // distance in front of a gate while no path to it is clear
+  private static final double FAR_M = 10.0; // distance to wait at while no path is clear
   private static final double[] FAR_ASIDE_M = {0.0, 3.0, -3.0, 6.0, -6.0};
   private static final double ROOM_M = 2.5; // between that place and all objects
   private static final double BEFORE_M = 1.5; // end of the part of the run that is checked

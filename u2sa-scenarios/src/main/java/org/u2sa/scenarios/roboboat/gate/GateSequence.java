@@ -11,8 +11,7 @@ public final class GateSequence {
   private static final double SAME_M = 2.0; // two gates this near are the same
   private static final double BEHIND_M = 1.0; // a gate is still ahead
   private static final double REACH_M = 30.0; // maximum distance to the next gate
-  private static final double KEPT_M =
-      4.0; // a gate closer than this is kept even if a buoy is lost from sight
+  private static final double KEPT_M = 4.0; // closer gates are kept if a buoy is lost
 
   private final List<Point> passed = new ArrayList<>(); // their middles
   private List<Gate> gates = List.of(); // newest

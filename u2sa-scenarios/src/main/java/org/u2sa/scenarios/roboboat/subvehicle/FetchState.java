@@ -53,8 +53,7 @@ final class FetchState implements PlannerState {
   private Place deck;
   private FetchGoal goal;
   private long beganMicros;
-  private long
-      thereMicros; // time of arrival at the object or on the deck; Long.MIN_VALUE: not there
+  private long thereMicros; // arrival at object or deck; Long.MIN_VALUE: not there
   private boolean gripped;
   private int misses; // number of times the gripper closed without holding anything
 

@@ -11,8 +11,8 @@ import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
 /**
- * A layout. Positions are north, east and down from the start, which faces north at the surface
- * [m].
+ * A layout. Positions are north, east and down from the start at the surface [m], which faces
+ * north.
  *
  * @param stages tasks in order; those of one stage may be done in any order (thesis, figure 21)
  * @param currentEastMps eastward current
