@@ -15,8 +15,8 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes the altitude above mean sea level from a barometer's pressure, in GLOBAL, once per
- * reading. QNH and both sigmas may be changed in flight. In: ground-pressure, state, with which a
- * QNH has to agree. Out: sensed-state.
+ * reading. QNH and both sigmas may be changed in flight. In: ground-pressure, and state for
+ * checking the QNH. Out: sensed-state.
  */
 public final class BarometerSensor extends DeviceSensor<Pressure> {
   private static final double MIN_PA = 5_000.0; // 20 km; lower pressures are implausible
@@ -45,7 +45,7 @@ public final class BarometerSensor extends DeviceSensor<Pressure> {
           double altitudeSigma,
       @Variable(unit = "m", min = 10, max = 10_000, ifAbsent = 30)
           @Description(
-              "Difference from a certain altitude at which a QNH counts as wrong, and one that fits is used.")
+              "Difference from a reliable altitude at which a QNH counts as wrong and is replaced by a fitted one.")
           double qnhTolerance) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

@@ -10,7 +10,7 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Base class of camera services (thesis 3.2.2.3, 4.1.2): subclasses implement {@link #look} and
- * publish their detections. Out: sensed-objects; images, compressed and for people only.
+ * publish their detections. Out: sensed-objects; images, compressed, for people only.
  *
  * <p>A class in a system file needs a public constructor (ServiceContext); with another one
  * (ServiceContext, Camera) the Android application can pass the phone's camera.

@@ -22,7 +22,7 @@ import org.u2sa.service.handover.HandOver;
  * in GLOBAL, or as z of a local frame. Out: sensed-state.
  *
  * <p>With ZERO TIME, the sensor's constant error is measured first, while the vehicle floats. A
- * service that starts under water knows by the pressure that it does not float.
+ * service that starts under water detects by the pressure that the vehicle is not afloat.
  */
 public final class DepthSensor extends DeviceSensor<Pressure> {
   private static final SensorKind<DepthGauge> KIND =
@@ -68,14 +68,14 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
           DepthFrame depthFrame,
       @Variable(unit = "s", min = 0, max = 60, ifAbsent = 0)
           @Description(
-              "Time after the start for which the vehicle floats at FLOATING DEPTH; the sensor's mean error in that time is subtracted from later readings, and no depth is published until then. 0: no correction.")
+              "Time after the start for which the vehicle floats at FLOATING DEPTH; the sensor's mean error during this time is subtracted from later readings, and no depth is published until it ends. 0: no correction.")
           double zeroTime,
       @Variable(unit = "m", min = -100, max = 100, ifAbsent = 0)
           @Description("Depth of the vehicle's reference point while it floats.")
           double floatingDepth,
       @Variable(unit = "Pa", min = 0, max = 1_000_000, ifAbsent = 7_000)
           @Description(
-              "Largest error that is corrected. A larger one at the start means that the vehicle does not float.")
+              "Maximum error to correct. A larger one at the start means that the vehicle is not afloat.")
           double maxError) {}
 
   private static final String ZERO = "ZERO";
@@ -130,7 +130,7 @@ public final class DepthSensor extends DeviceSensor<Pressure> {
       zero.errorPa()
           .ifPresent(
               pascals ->
-                  log(String.format(Locale.ROOT, "afloat: the gauge is off by %.0f Pa", pascals)));
+                  log(String.format(Locale.ROOT, "afloat: gauge error of %.0f Pa", pascals)));
     }
   }
 

@@ -15,7 +15,7 @@ public final class DeviceReader<R extends Device.Reading> {
   private final DeviceWatch watch;
   private Optional<R> last = Optional.empty();
   private String said = "";
-  private long refused; // readings that no message takes
+  private long refused; // readings rejected by a message
   private String refusal = "";
 
   /**

@@ -18,9 +18,9 @@ import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Publishes what a 3-D lidar or a depth camera sees as one point cloud in BODY, once per scan
- * (thesis 3.2.3.6, figure 10): the points at the height of obstacles, the nearest of each cell,
- * none if nothing is there. Out: sensed-objects; the object's own place is the point nearest to the
+ * Publishes the view of a 3-D lidar or depth camera as one point cloud in BODY, once per scan
+ * (thesis 3.2.3.6, figure 10): the points at the height of obstacles, the nearest of each cell;
+ * empty if there are none. Out: sensed-objects; the object's own place is the point nearest to the
  * scanner, or the scanner's.
  */
 public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
@@ -40,7 +40,7 @@ public final class PointCloudSensor extends DeviceSensor<PointScanner.Cloud> {
           double minHeight,
       @Variable(unit = "m", min = -1_000, max = 1_000, ifAbsent = 2)
           @Description(
-              "Maximum height above the vehicle's reference point; it passes under higher points.")
+              "Maximum height above the vehicle's reference point; the vehicle passes under higher points.")
           double maxHeight,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0.5)
           @Description("Minimum range from the scanner; closer points are the vehicle itself.")

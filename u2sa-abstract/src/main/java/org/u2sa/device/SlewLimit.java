@@ -16,7 +16,7 @@ public final class SlewLimit {
   private boolean hasBegun;
 
   /**
-   * At 0 %, at rest.
+   * Starts at 0 %.
    *
    * @param percentPerS slew-rate limit [%/s]; infinite for none
    * @throws BadInputException if it is not positive
@@ -29,7 +29,7 @@ public final class SlewLimit {
   }
 
   /**
-   * Moves one step toward a percentage, and returns the one to hold now.
+   * Moves one step toward a percentage, and returns the percentage to apply now.
    *
    * @param target target [%], clamped to −100…100; NaN counts as 0
    * @param nowMicros time of the run's clock [µs]; the first step only starts the timer

@@ -43,7 +43,7 @@ public final class CommandedActuators {
           double clockTolerance,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether actuators obey only while a Safety Manager says that the vehicle is armed.")
+              "Whether actuators obey only while a Safety Manager reports that the vehicle is armed.")
           boolean requiresArming,
       // The longest restart or outage measured took 7.5 s, and it listens 0.5 s.
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
@@ -70,7 +70,7 @@ public final class CommandedActuators {
   private double announceEveryS = ANNOUNCE_EVERY_S;
   private double announceDueS = Double.POSITIVE_INFINITY;
   private BooleanSupplier deviceStopped = () -> true;
-  private boolean unconfirmed; // stopped, but the device has not shown it yet
+  private boolean unconfirmed; // stopped, but not yet confirmed by the device
   private boolean armed;
   private long armedMicros; // time at which that was last received
   private boolean ignoresArmed; // the last state, for its age
@@ -334,8 +334,8 @@ public final class CommandedActuators {
   }
 
   /**
-   * Whether a Safety Manager says that the vehicle is armed, and said so within ARMING EXPIRY;
-   * whether or not REQUIRES ARMING.
+   * Whether a Safety Manager has reported the vehicle armed within ARMING EXPIRY; whether or not
+   * REQUIRES ARMING.
    */
   public boolean isArmed() {
     double expiryS = limits.get().armingExpiry();

@@ -19,10 +19,7 @@ import org.u2sa.service.handover.RememberedStates;
  * Everything a service gets at construction: its system, configuration, clock and communication.
  */
 public final class ServiceContext {
-  /**
-   * Devices that the host of a run provides in place of the configured ones, such as a simulated
-   * vehicle's sensors.
-   */
+  /** Devices that replace the configured ones in a run, such as a simulated vehicle's sensors. */
   public interface DeviceSource {
     /** Provides none: every service opens its configured device. */
     DeviceSource NONE =
@@ -38,14 +35,13 @@ public final class ServiceContext {
      * Device of a service; called once, while the service is constructed.
      *
      * @param port kind of device: an interface of {@code org.u2sa.device.port}
-     * @param variables those that follow from the device may be overridden
+     * @param variables variables of the service; those determined by the device may be overridden
      * @return empty: the service opens its configured device
-     * @throws org.u2sa.interfaces.BadInputException if it must not, but there is no other device
-     *     for it
+     * @throws org.u2sa.interfaces.BadInputException if it must not do so and no replacement exists
      */
     <D> Optional<D> device(Class<D> port, String service, XmlConfiguration variables, Clock clock);
 
-    /** These devices, but another one of a kind, made by the clock of its service. */
+    /** Copy with a different device of one kind, created with the service's clock. */
     default <P> DeviceSource with(Class<P> kind, Function<Clock, P> device) {
       DeviceSource others = this;
       return new DeviceSource() {
@@ -66,7 +62,7 @@ public final class ServiceContext {
     Optional<Execution> keep(String className, ServiceContext context);
   }
 
-  /** Ends a service's trial construction at its device. Not a failure; only launchers catch it. */
+  /** Ends a service's trial construction at its device. Not a failure; caught by launchers only. */
   public static final class TrialEnded extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -171,10 +167,10 @@ public final class ServiceContext {
 
   /**
    * Called before a constructor opens a device or another exclusive resource. A restart first
-   * constructs the successor as a trial, so that a wrong file leaves the running service alone; the
-   * trial ends here.
+   * constructs the successor as a trial, so that an invalid file does not disturb the running
+   * service; the trial ends here.
    *
-   * @throws TrialEnded if this is the trial
+   * @throws TrialEnded if this is a trial
    */
   public void beforeDevice() {
     if (made.trial) {

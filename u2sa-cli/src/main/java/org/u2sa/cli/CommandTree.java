@@ -42,7 +42,7 @@ final class CommandTree {
 
   /**
    * Creates the command line of all commands, with the project's error handling; for an emergency
-   * stop only that command, because creating the others would take a third of its run time.
+   * stop only that command, because creating the others would take a third of the run time.
    */
   static CommandLine build(List<CommandProvider> providers, Help.Ansi ansi, String... args) {
     boolean isUrgent = args.length > 0 && args[0].equals(URGENT);

@@ -16,7 +16,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Print the shell script that completes u2sa's commands, options and values.",
       "",
-      "  source <(./u2sa completion bash)     in bash, for ./u2sa and u2sa; in ~/.bashrc for always",
+      "  source <(./u2sa completion bash)     in bash, for ./u2sa and u2sa; permanently in ~/.bashrc",
       "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"
     })
 final class CompletionCommand extends BaseCommand {

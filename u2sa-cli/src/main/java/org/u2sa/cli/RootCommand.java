@@ -22,7 +22,7 @@ import picocli.CommandLine.Spec;
     description = {
       "",
       "A vehicle is a set of services (sensors, state estimator, mission manager, path planner, control system, actuators) that know only"
-          + " the messages they exchange. XML files say which services run and how they are configured.",
+          + " the messages they exchange. XML files define which services run and how they are configured.",
       "",
       "@|bold START HERE|@",
       "  ./u2sa demo cessna        a Cessna 172 takes off by itself and flies",

@@ -111,7 +111,7 @@ public abstract class ControlSystem extends EventDrivenService {
     return VEHICLE;
   }
 
-  /** Carries out an order to drive by hand, and answers; refuses unless overridden. */
+  /** Executes an order to drive by hand and returns the answer; refuses unless overridden. */
   protected ManualState byHand(ManualOrder order) {
     ManualState state = new ManualState();
     return order.active() ? state.reason("this vehicle cannot be driven by hand") : state;
@@ -125,7 +125,7 @@ public abstract class ControlSystem extends EventDrivenService {
 
   private void onNavigation(NavigationPoint point) {
     if (points.size() >= MAX_SUBSYSTEMS && !points.containsKey(point.subsystem())) {
-      points.values().removeIf(each -> !states.isFresh(each)); // names that others invented
+      points.values().removeIf(each -> !states.isFresh(each)); // unknown names
       placed.keySet().retainAll(points.keySet());
     }
     points.put(point.subsystem(), point);

@@ -56,7 +56,7 @@ public final class Pid {
   private double output;
   private double pending; // error part of I's increment, applied at the next step
 
-  /** At rest. */
+  /** Creates a controller at rest. */
   public Pid(Gains gains) {
     this.gains = gains;
   }
@@ -135,7 +135,7 @@ public final class Pid {
     integral = gains.gain > 0.0 ? wantedOutput - proportional : 0.0;
   }
 
-  /** Integral part of the output: what a steady disturbance demands. */
+  /** Integral part of the output: the response to a steady disturbance. */
   public double integral() {
     return integral;
   }

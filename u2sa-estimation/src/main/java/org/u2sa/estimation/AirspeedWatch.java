@@ -10,15 +10,15 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Compares the airspeed of an aircraft with its ground speed and the wind of the last minute. A
- * blocked pitot tube reads too little in a descent, and too much in a climb: by 18 m/s it loses all
- * of its reading within 17 m. The estimated wind follows each reading, as it has to follow gusts,
- * so single readings do not show that.
+ * blocked pitot tube reads too low in a descent and too high in a climb: at 18 m/s it loses its
+ * whole reading within 17 m. Single readings do not reveal this, because the estimated wind follows
+ * each of them, as it must to follow gusts.
  */
 final class AirspeedWatch {
-  private static final double WIND_S = 60.0; // over which the wind is averaged
-  private static final double KNOWN_S = 20.0; // of flight, from which on the wind is known
+  private static final double WIND_S = 60.0; // time over which the wind is averaged
+  private static final double KNOWN_S = 20.0; // flight time after which the wind is known
   private static final double FLIES_MPS = 10.0; // over ground
-  private static final double SURE_MPS = 1.0; // sigma of a ground speed to compare with
+  private static final double SURE_MPS = 1.0; // maximum sigma of a ground speed to compare with
   private static final double MIN_OFF_MPS = 6.0; // gusts and the wind's change with height
   private static final double OFF_SHARE = 0.3; // of the airspeed
   private static final double OFF_S = 1.5; // until it is contradicted
@@ -37,16 +37,16 @@ final class AirspeedWatch {
   private boolean isSure;
   private long seenMicros = Long.MIN_VALUE;
   private boolean isContradicted;
-  private long sinceMicros = Long.MIN_VALUE; // its readings are off, or agree again
+  private long sinceMicros = Long.MIN_VALUE; // start of disagreement, or of agreement
 
   /**
-   * @param trouble receives what the operator has to know
+   * @param trouble receives messages for the operator
    */
   AirspeedWatch(Consumer<String> trouble) {
     this.trouble = trouble;
   }
 
-  /** Learns the wind, unless the airspeed is contradicted. */
+  /** Updates the wind unless the airspeed is contradicted. */
   void see(Estimate estimate) {
     long micros = estimate.micros();
     double dt = seenMicros == Long.MIN_VALUE ? 0.0 : Clock.seconds(micros - seenMicros);
@@ -75,7 +75,7 @@ final class AirspeedWatch {
     windEastMps += share * (estimate.flowMps(1) - windEastMps);
   }
 
-  /** The message, or a copy with the expected airspeed in place of one that is contradicted. */
+  /** The message, or a copy with the expected airspeed in place of a contradicted one. */
   StateInformation checked(StateInformation sensed) {
     OptionalDouble airspeed = sensed.fluidxDot();
     if (airspeed.isEmpty() || !isSure || learntS < KNOWN_S) {
@@ -128,7 +128,7 @@ final class AirspeedWatch {
         isContradicted
             ? String.format(
                 Locale.ROOT,
-                "%s contradicts ground speed and wind by %.0f m/s: replaced by them; is it blocked?",
+                "%s contradicts ground speed and wind by %.0f m/s and is replaced; is the tube blocked?",
                 sensed.sensorName(),
                 offMps)
             : sensed.sensorName() + " agrees with ground speed and wind again");

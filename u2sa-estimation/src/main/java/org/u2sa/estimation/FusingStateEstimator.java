@@ -44,7 +44,7 @@ public final class FusingStateEstimator extends StateEstimator {
   private final MeasurementReader reader;
   private final LeverArms leverArms;
   private final Optional<SailDrift> sailDrift;
-  private final Optional<AirspeedWatch> airspeeds; // of an aircraft
+  private final Optional<AirspeedWatch> airspeeds; // for aircraft only
   private final Measurement measurement = new Measurement();
   private final LocalOdometry odometry = new LocalOdometry();
   private final Completeness completeness;
@@ -107,8 +107,8 @@ public final class FusingStateEstimator extends StateEstimator {
   }
 
   /**
-   * Feeds the surveyed start heading and, once a receiver is near it or if there is none, the
-   * surveyed position.
+   * Feeds the surveyed start heading and, once a receiver agrees or if there is none, the surveyed
+   * position.
    */
   private void tellStart() {
     if (!isHeadingTold && variables.startPsiSigma() > 0.0) {

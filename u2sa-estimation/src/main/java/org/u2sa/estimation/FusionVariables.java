@@ -113,7 +113,7 @@ record FusionVariables(
         String fluidSensors,
     @Variable(unit = "m^2", min = 0, max = 1e5, ifAbsent = 0)
         @Description(
-            "Side area of a boat above the water: WIND SENSORS then tell its sideways drift through the water, in place of the no-sideslip constraint. 0: none.")
+            "Side area of a boat above the water: WIND SENSORS then determine its sideways drift through the water, replacing the no-sideslip constraint. 0: none.")
         double sailArea,
     @Variable(unit = "kg", min = 0.01, max = 1e9, ifAbsent = 100)
         @Description("Mass of the boat, with the added mass sideways; for SAIL AREA.")
@@ -122,7 +122,7 @@ record FusionVariables(
         @Description("Drag of the hull sideways through the water, in N s/m; for SAIL AREA.")
         double swayDrag,
     @Variable(min = 0, max = 1e9, ifAbsent = 0)
-        @Description("Its part that grows with the square of the speed, in N s²/m².")
+        @Description("Quadratic part of that drag, in N s²/m².")
         double swaySquareDrag,
     @Variable(ifAbsentText = "WindSensor")
         @Description("Names of the wind sensors that SAIL AREA uses, separated by commas.")
@@ -198,12 +198,12 @@ record FusionVariables(
   Set<String> fluid() {
     Set<String> named = names(fluidSensors);
     if (sailArea > 0.0 && !named.isEmpty()) {
-      named.addAll(names(windSensors)); // they tell the drift
+      named.addAll(names(windSensors)); // they determine the drift
     }
     return named;
   }
 
-  /** Drift by the wind; empty if it does not count. */
+  /** Drift from the wind; empty if unused. */
   Optional<SailDrift> sailDrift() {
     return sailArea == 0.0
         ? Optional.empty()

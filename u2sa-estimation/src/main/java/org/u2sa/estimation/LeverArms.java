@@ -47,7 +47,7 @@ final class LeverArms {
       metres = Double.parseDouble(number);
     } catch (NumberFormatException e) {
       throw new IllegalArgumentException(
-          "\"" + part + "\": \"" + number + "\" is no number; " + FORM, e);
+          "\"" + part + "\": \"" + number + "\" is not a number; " + FORM, e);
     }
     if (!(Math.abs(metres) <= FARTHEST_M)) {
       throw new IllegalArgumentException(

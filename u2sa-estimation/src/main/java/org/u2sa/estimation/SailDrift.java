@@ -13,15 +13,15 @@ final class SailDrift {
   private static final double HALF_AIR_KG_PER_M3 = 0.6;
   private static final double SIDE = 0.8; // drag coefficient of a boat's side (Fossen 2011, 8.1)
   private static final double UNKNOWN_SHARE = 0.5; // 1 σ of the drift: coefficients are estimates
-  private static final double LONGEST_S = 1.0; // between two winds; beyond, the drift is steady
+  private static final double LONGEST_S = 1.0; // after a longer gap the drift counts as steady
 
   /**
-   * The boat.
+   * Properties of the boat.
    *
    * @param sailAreaM2 side area above the water
    * @param displacementKg mass, with the added mass sideways
-   * @param drag sideways through the water [N s/m], above 0
-   * @param squareDrag likewise [N s²/m²]
+   * @param drag linear drag sideways through the water [N s/m], above 0
+   * @param squareDrag quadratic drag [N s²/m²]
    */
   record Hull(double sailAreaM2, double displacementKg, double drag, double squareDrag) {}
 
@@ -34,9 +34,9 @@ final class SailDrift {
   private long usedMicros = Long.MIN_VALUE;
 
   /**
-   * @param windSensors names of those whose speed through the air counts
-   * @param slipSigmaMps sideways speed for other reasons, 1 σ
-   * @param intervalS between two drifts
+   * @param windSensors names of the wind sensors used
+   * @param slipSigmaMps sideways speed from other causes, 1 σ
+   * @param intervalS time between two drifts
    */
   SailDrift(Set<String> windSensors, Hull hull, double slipSigmaMps, double intervalS) {
     this.windSensors = windSensors;
@@ -46,8 +46,8 @@ final class SailDrift {
   }
 
   /**
-   * The drift by a message of a wind sensor, as a speed through the water; other messages as they
-   * are. A drift within the interval is left out.
+   * Converts a wind sensor's message to the drift, as a speed through the water; returns other
+   * messages unchanged. A drift within the interval is omitted.
    */
   StateInformation throughWater(StateInformation sensed) {
     OptionalDouble wind = sensed.fluidyDot(); // of the boat through the air

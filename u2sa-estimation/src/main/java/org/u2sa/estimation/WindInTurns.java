@@ -6,18 +6,18 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The wind by an airspeed and the ground speed on different headings: the same on all of them if
- * the airspeed is right, another one on each if it is not.
+ * Wind from airspeed and ground speed on different headings: the same on all headings if the
+ * airspeed is right, different on each if it is not.
  */
 final class WindInTurns {
   private static final int SECTORS = 8; // of headings
-  private static final int ENOUGH = 4; // with a wind
-  private static final double SAME_MPS = 3.0; // from their mean
+  private static final int ENOUGH = 4; // number of sectors with a wind
+  private static final double SAME_MPS = 3.0; // maximum deviation from their mean
   private static final double SMOOTHING_S = 4.0;
   private static final double VISIT_S = 10.0; // after a longer absence the sector starts again
   private static final double VALID_S = 120.0;
 
-  private final double[] north = new double[SECTORS]; // towards which it blows [m/s]
+  private final double[] north = new double[SECTORS]; // wind vector, downwind [m/s]
   private final double[] east = new double[SECTORS];
   private final long[] seenMicros = new long[SECTORS]; // MIN_VALUE: never
 
@@ -42,7 +42,7 @@ final class WindInTurns {
     seenMicros[sector] = micros;
   }
 
-  /** Their mean if the winds of enough headings agree: x north, y east [m/s]. */
+  /** Mean wind if enough headings agree: x north, y east [m/s]. */
   Optional<Point> agreed(long nowMicros) {
     Point sum = Point.ORIGIN;
     int count = 0;

@@ -23,7 +23,7 @@ class LeverArmsTest {
         "GPS 1 0 0 | \"GPS 1 0 0\": expected",
         "GPS = 1 0 | \"GPS = 1 0\": expected",
         "= 1 0 0 | \"= 1 0 0\": expected",
-        "GPS = 1 x 0 | \"x\" is no number",
+        "GPS = 1 x 0 | \"x\" is not a number",
         "GPS = 1 NaN 0 | NaN m is outside -100.0…100.0",
         "GPS = 1 0 200 | 200 m is outside",
         "GPS = 1 0 0; GPS = 2 0 0 | GPS appears twice"

@@ -8,7 +8,7 @@ import io.dronefleet.mavlink.annotations.MavlinkMessageInfo;
  *
  * @param standardMode MAV_STANDARD_MODE; 0: none
  * @param customMode as in HEARTBEAT
- * @param intendedCustomMode the mode last ordered; 0: unknown
+ * @param intendedCustomMode the last ordered mode; 0: unknown
  */
 @MavlinkMessageInfo(id = 436, crc = 193, description = "The vehicle's mode.")
 public record CurrentMode(

@@ -3,9 +3,9 @@ package org.u2sa.mavlink;
 import java.util.zip.CRC32;
 
 /**
- * MAVLink's CRC-32 of files and parameters: the polynomial of {@link CRC32}, but it begins with 0
- * and its result is not inverted (PX4's crc32part, QGroundControl's QGC::crc32). As CRCs are
- * linear, it is the usual CRC of the bytes, exclusive-or that of as many zeros.
+ * MAVLink's CRC-32 of files and parameters: the polynomial of {@link CRC32}, but starting with 0
+ * and without inverting the result (PX4's crc32part, QGroundControl's QGC::crc32). Because CRCs are
+ * linear, it equals the usual CRC of the bytes XOR that of as many zeros.
  */
 public final class MavlinkCrc32 {
   private final CRC32 content = new CRC32();

@@ -30,8 +30,8 @@ public final class MavlinkSigning {
 
   private final byte[] key;
   private final LongSupplier unixMicros;
-  private final Map<Integer, Long> streams = new HashMap<>(); // newest timestamp of each
-  private long newest; // of all signatures, ours included [10 µs since 2015]
+  private final Map<Integer, Long> streams = new HashMap<>(); // newest timestamp of each stream
+  private long newest; // newest timestamp of all signatures, including ours [10 µs since 2015]
 
   /**
    * @param passphrase shared with the stations, which hash it the same way
@@ -58,7 +58,7 @@ public final class MavlinkSigning {
         MavlinkPacket.createSignedMavlink2Packet(
                 sequence, system, component, message, crc, payload, LINK_ID, newest, key)
             .getRawBytes();
-    // The library's own signature is not what the specification says.
+    // The library's signature deviates from the specification.
     System.arraycopy(signature(frame), 0, frame, frame.length - SIGNATURE, SIGNATURE);
     return frame;
   }
@@ -74,7 +74,7 @@ public final class MavlinkSigning {
     return (unixMicros.getAsLong() - EPOCH_MICROS) / TICK_MICROS;
   }
 
-  /** Why a frame is not admitted; empty if it is, and then never again. */
+  /** Reason to reject a frame; empty if admitted, which then counts as used. */
   synchronized String refusal(byte[] frame) {
     boolean isSigned = (frame[0] & 0xFF) == MAGIC_2 && frame[FLAGS] == SIGNED;
     if (!isSigned) {
@@ -97,7 +97,7 @@ public final class MavlinkSigning {
     }
     long oldest = Math.max(newest, wallTicks()) - NEW_STREAM_TICKS;
     if (before == null ? time < oldest : time <= before) {
-      return "signature of the past";
+      return "outdated signature";
     }
     streams.put(stream, time);
     newest = Math.max(newest, time);

@@ -50,7 +50,7 @@ public final class MavlinkStream {
   /**
    * Creates a stream that sends as this component and system.
    *
-   * @param signing if present, all packets are signed, and others are refused
+   * @param signing if present, all packets are signed, and unsigned ones are refused
    */
   public MavlinkStream(int systemId, int componentId, Optional<MavlinkSigning> signing) {
     this.systemId = systemId;

@@ -45,7 +45,7 @@ class MavlinkSigningTest {
     byte[] packet = ping(stream(255, "secret", clock));
     assertThat(heard(packet)).hasSize(1);
     assertThat(heard(packet)).isEmpty();
-    assertThat(vehicle.lastRefusal()).isEqualTo("Ping: signature of the past");
+    assertThat(vehicle.lastRefusal()).isEqualTo("Ping: outdated signature");
   }
 
   @Test

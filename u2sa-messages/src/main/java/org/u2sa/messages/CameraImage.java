@@ -15,7 +15,7 @@ public final class CameraImage extends U2SAData {
   /** The {@link #format()} of JPEG images. */
   public static final String JPEG = "jpeg";
 
-  private static final long MAX_SIDE_PX = 65_535; // of JPEG (ITU-T T.81, B.2.2)
+  private static final long MAX_SIDE_PX = 65_535; // limit of JPEG (ITU-T T.81, B.2.2)
 
   private static final Schema<CameraImage> SCHEMA =
       Schema.of(CameraImage.class, CameraImage::new, U2SAData.TYPE).since(3);

@@ -42,7 +42,7 @@ public final class GroundPressure extends U2SAData {
     return put(PRESSURE, pascals);
   }
 
-  /** Where it was measured, above mean sea level [m]; empty: reduced to sea level, a QNH. */
+  /** Altitude of the measurement above mean sea level [m]; empty: reduced to sea level (QNH). */
   public OptionalDouble z() {
     return get(Z);
   }

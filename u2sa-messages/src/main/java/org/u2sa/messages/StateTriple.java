@@ -75,7 +75,7 @@ enum StateTriple {
     if (from.number(fields[0]).isPresent() != from.number(fields[1]).isPresent()) {
       throw new IllegalArgumentException(
           String.format(
-              "%s: %s and %s are needed both or neither",
+              "%s: expected both %s and %s, or neither",
               between(from.referenceFrame(), to.referenceFrame()),
               fields[0].fieldName(),
               fields[1].fieldName()));

@@ -155,8 +155,8 @@ abstract class TranslationState<S extends U2SAData> extends U2SAData {
   }
 
   /**
-   * Sets in a copy the fields of a subclass that have axes of their own, when two BODY frames are
-   * exchanged.
+   * Converts in a copy the fields of a subclass that have their own axes, when changing between two
+   * BODY frames.
    */
   void flipOwn(TranslationState<?> copy, BodySigns signs) {}
 }

@@ -17,7 +17,7 @@ import org.u2sa.messages.safety.FailsafeAction;
 
 /** The goals for the failsafes RETURN and LAND. */
 final class FailsafeMissions {
-  private static final int MAX_CHARS = 1_000; // of a UID
+  private static final int MAX_CHARS = 1_000; // maximum length of a UID
 
   private final MissionRun run;
   private final Logger logger;
@@ -48,7 +48,7 @@ final class FailsafeMissions {
         || variables.contains(MissionVariables.DEFAULT_THRESHOLD);
   }
 
-  /** Goals of the LAND MISSION, or from the mission's start of landing on; none without either. */
+  /** Goals of the LAND MISSION, or else of the mission's landing; empty without either. */
   List<GoalInformation> landGoals() {
     return goals(FailsafeAction.LAND);
   }
@@ -107,7 +107,7 @@ final class FailsafeMissions {
     return renamed(place, FailsafeAction.RETURN + " ");
   }
 
-  /** The new name of a goal; of one that would be too long, its hash. */
+  /** New name of a goal; a hash if it would be too long. */
   private static String name(String prefix, String uid) {
     boolean isShort = prefix.length() + uid.length() <= MAX_CHARS;
     return prefix + (isShort ? uid : Integer.toHexString(uid.hashCode()));

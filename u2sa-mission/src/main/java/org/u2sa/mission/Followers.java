@@ -71,7 +71,7 @@ final class Followers {
     return own.map(this::known).orElseGet(() -> otherwise(uid));
   }
 
-  /** Whether the mission says that it ends with this result of a goal. */
+  /** Whether the mission ends explicitly with this result of a goal. */
   boolean end(String uid, GoalResult result) {
     return own(book.goal(uid), result).filter(List::isEmpty).isPresent();
   }

@@ -128,7 +128,7 @@ final class GoalBook {
         && hasRoomFor(updated(present.get(update.uid()), update));
   }
 
-  /** What a goal would lack to be pursued if an update were taken over; empty if nothing. */
+  /** What a goal would lack if an update were applied; empty if nothing. */
   Optional<String> lackAfter(GoalInformation update) {
     return WaypointRules.lack(updated(defined.get(update.uid()), update))
         .or(() -> WaypointRules.lack(updated(present.get(update.uid()), update)));

@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.ValueField;
 
 /** Describes the classes of goals that mission files may contain. */
 final class GoalClasses {
-  /** Kinds of values that have a form in XML, with their names in descriptions. */
+  /** Kinds of values with an XML form, and their names in descriptions. */
   private static final Map<Kind, String> KINDS = new EnumMap<>(Kind.class);
 
   static {

@@ -39,7 +39,7 @@ record GoalElement(
           "repeatFrom",
           "repeatTimes");
 
-  /** Required fields that the Mission Manager sets where a file leaves them out. */
+  /** Required fields that the Mission Manager sets if a file omits them. */
   static final List<String> SET_LATER = Arrays.asList("uid", "horizontalThreshold");
 
   private static final String FRAME = "referenceFrame";
@@ -47,7 +47,7 @@ record GoalElement(
   /**
    * Reads the children of a goal's element as fields of its class, converting units.
    *
-   * @param complete whether fields that the class requires have to be there
+   * @param complete whether the class's required fields must be present
    */
   static <T extends GoalInformation> GoalElement read(
       XmlElement element, MessageType<T> type, boolean complete) {

@@ -122,7 +122,7 @@ final class GoalLinks {
     if (result == null) {
       throw child.error(
           String.format(
-              "if: \"%s\" is no result of a goal; expected one of %s%s",
+              "if: \"%s\" is not a result of a goal; expected one of %s%s",
               text,
               String.join(", ", RESULTS.keySet()),
               NearestNames.didYouMean(plain, RESULTS.keySet())));

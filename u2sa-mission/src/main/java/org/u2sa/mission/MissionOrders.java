@@ -25,8 +25,8 @@ import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
 
 /**
- * Carries out operators' orders to a Mission Manager and reports the results. Idempotent: a
- * repeated order is answered again but not executed again.
+ * Executes operators' orders to a Mission Manager and reports the results. Idempotent: a repeated
+ * order is answered again but not executed again.
  */
 final class MissionOrders {
   private static final int REMEMBERED = 64;
@@ -71,9 +71,9 @@ final class MissionOrders {
   }
 
   /**
-   * Carries out an order unless already done. Returns the answer of the manager of that name.
+   * Executes an order unless already done. Returns the answer of the manager of that name.
    *
-   * @param changed called if the order was carried out
+   * @param changed called if the order was executed
    */
   MissionOrderResult obey(MissionOrder order, String manager, Runnable changed) {
     MissionOrderResult before = answered.get(order.requestId());

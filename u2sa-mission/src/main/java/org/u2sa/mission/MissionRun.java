@@ -54,7 +54,7 @@ final class MissionRun {
    * Creates the answer to a request for the mission's progress.
    *
    * @param manager the Mission Manager's name
-   * @param resumable where RESUME would return to; empty: nowhere
+   * @param resumable position to which RESUME would return; empty if none
    */
   MissionReport report(String requestId, String manager, Optional<String> resumable) {
     GoalSequence pursued = progress.pursued();

@@ -12,11 +12,11 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.FenceState;
 
-/** Where the vehicle returns to: its home or a rally point, whichever is nearest. */
+/** Determines where the vehicle returns to: its home or a rally point, whichever is nearest. */
 final class ReturnPlaces {
   private final Supplier<Optional<Waypoint>> home;
   private List<GoalInformation> rally = List.of();
-  private StateInformation state; // null until a position was heard
+  private StateInformation state; // null until a position is received
 
   /**
    * @param home home of the mission
@@ -59,7 +59,7 @@ final class ReturnPlaces {
     return nearest;
   }
 
-  /** Horizontal distance [m]; infinite if it cannot be told. */
+  /** Horizontal distance [m]; infinite if unknown. */
   private double distanceM(Waypoint place) {
     ReferenceFrame frame = place.referenceFrame();
     if (state == null || state.referenceFrame().isEarth() != frame.isEarth()) {

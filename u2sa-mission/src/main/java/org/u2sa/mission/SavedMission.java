@@ -76,7 +76,7 @@ final class SavedMission {
       return Optional.empty();
     }
     if (state.text(DIGEST).filter(digest(mission)::equals).isEmpty()) {
-      throw new IOException(file + ": is of another mission than " + mission + " is now");
+      throw new IOException(file + ": belongs to a different mission than " + mission + " is now");
     }
     try {
       Optional<MissionProgress> progress = MissionProgress.takenOver(state, loop, options);

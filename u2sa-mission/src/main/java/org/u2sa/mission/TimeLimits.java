@@ -74,7 +74,7 @@ final class TimeLimits {
     String reason = "the mission's time limit of " + limit.seconds() + " s has passed";
     if (limit.next().containsAll(mission.currentNames())) {
       mission.endLoop();
-      logger.log(LogLevelEnum.INFO, reason + ": " + mission.currentNames() + " goes on");
+      logger.log(LogLevelEnum.INFO, reason + ": " + mission.currentNames() + " continues");
       return false;
     }
     logger.log(LogLevelEnum.WARN, reason + (limit.next().isEmpty() ? "" : ": now " + limit.next()));

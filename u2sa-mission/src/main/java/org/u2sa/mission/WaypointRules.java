@@ -54,7 +54,7 @@ final class WaypointRules {
     }
   }
 
-  /** A station without one is where the vehicle is when it begins. */
+  /** A station without a position is at the vehicle's position when it begins. */
   private static boolean hasPlace(Waypoint waypoint) {
     return !(waypoint instanceof Station) || waypoint.x().isPresent() || waypoint.y().isPresent();
   }
@@ -125,7 +125,7 @@ final class WaypointRules {
           .error("is the only coordinate; expected a <verticalThreshold> as well");
     }
     if (waypoint.photoDistance().orElse(1.0) == 0.0) {
-      throw element(goal, "photoDistance").error("0.0 m is no distance; expected more than 0 m");
+      throw element(goal, "photoDistance").error("0.0 m is not a distance; expected more than 0 m");
     }
     if (waypoint.speed().orElse(1.0) == 0.0) {
       throw element(goal, "speed")

@@ -31,7 +31,7 @@ class MissionErrorsTest {
           <waypoint><x>0x10</x></waypoint> | m.xml, line 2, <x>: "0x10" is not a number of deg
           <waypoint><x>1</x><speed>-1</speed></waypoint> | m.xml, line 2, <speed>: Waypoint.speed: expected at least 0.0 m/s, not "-1.0"
           <waypoint><x/></waypoint> | m.xml, line 2, <x>: is empty; expected a number of deg
-          <waypoint><x>1</x><photoDistance>0</photoDistance></waypoint> | m.xml, line 2, <photoDistance>: 0.0 m is no distance; expected more than 0 m
+          <waypoint><x>1</x><photoDistance>0</photoDistance></waypoint> | m.xml, line 2, <photoDistance>: 0.0 m is not a distance; expected more than 0 m
           <waypoint><x>1</x><lookAt>1</lookAt></waypoint> | m.xml, line 2, <lookAt>: Waypoint.lookAt: expected a point: two or three numbers, not "1"
           <waypoint><x>1</x><lookAt>8 95 0</lookAt></waypoint> | m.xml, line 2, <lookAt>: 95.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
           <station><turns>-1</turns></station> | m.xml, line 2, <turns>: Station.turns: expected 0.0…1000.0 1, not "-1.0"
@@ -56,8 +56,8 @@ class MissionErrorsTest {
           <home><x>8</x><y>500</y></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <y>: 500.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
           <home><x>8</x><y>50</y><psi>north</psi></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <psi>: "north" is not a number of deg
           <home><x>8</x><y>50</y><reference>Body FRD</reference></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <reference>: "BODY_FRD" moves with the vehicle; expected GLOBAL, LOCAL_ENU, LOCAL_NED or UTM
-          <waypoint><x>1</x><next if="lost">1</next></waypoint> | m.xml, line 2, <next>: if: "lost" is no result of a goal; expected one of done, failed, timed out
-          <waypoint><x>1</x><next if="fail">1</next></waypoint> | m.xml, line 2, <next>: if: "fail" is no result of a goal; expected one of done, failed, timed out; did you mean "failed"?
+          <waypoint><x>1</x><next if="lost">1</next></waypoint> | m.xml, line 2, <next>: if: "lost" is not a result of a goal; expected one of done, failed, timed out
+          <waypoint><x>1</x><next if="fail">1</next></waypoint> | m.xml, line 2, <next>: if: "fail" is not a result of a goal; expected one of done, failed, timed out; did you mean "failed"?
           <waypoint><x>1</x><next if="timed out">1</next></waypoint> | m.xml, line 2, <next>: if: the goal never times out because it has no <timeLimit>; expected one in the same goal
           <waypoint><x>1</x><next if="failed">dock</next></waypoint> | m.xml, line 2, <next>: "dock" names no goal; the goals are 1
           <waypoint><x>1</x><next if="failed">home</next></waypoint> | m.xml, line 2, <next>: "home" names no goal; the goals are 1

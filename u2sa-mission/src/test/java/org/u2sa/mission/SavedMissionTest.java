@@ -175,7 +175,7 @@ class SavedMissionTest extends ThreeWaypoints {
     nextProcess(before);
 
     assertThat(current()).containsExactly("1");
-    assertThat(logged("is of another mission than")).isTrue();
+    assertThat(logged("belongs to a different mission than")).isTrue();
   }
 
   @Test
@@ -188,7 +188,7 @@ class SavedMissionTest extends ThreeWaypoints {
     nextProcess(before);
 
     assertThat(current()).containsExactly("1");
-    assertThat(logged("is of another mission than")).isTrue();
+    assertThat(logged("belongs to a different mission than")).isTrue();
   }
 
   @Test

@@ -35,7 +35,7 @@ final class Detour {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
   }
 
-  /** Whether traffic comes near on the way straight to a place. */
+  /** Whether traffic comes close on the straight way to a position. */
   boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);
   }

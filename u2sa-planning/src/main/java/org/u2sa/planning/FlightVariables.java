@@ -17,11 +17,11 @@ record FlightVariables(
         double approachSlope,
     @Variable(unit = "m", min = 1, max = 200, ifAbsent = 15)
         @Description(
-            "Cross-track and altitude error at the start of the descent beyond which the approach is flown again.")
+            "Cross-track and altitude error at the start of the descent above which the approach is flown again.")
         double approachAccuracy,
     @Variable(unit = "m/s", min = 0.1, max = 5, ifAbsent = 0.5)
         @Description("Sink rate at which a multirotor touches down.")
         double touchDownSink,
     @Variable(unit = "s", min = 0, max = 5, ifAbsent = 0.1)
-        @Description("Time from the decision to drop a payload until it falls.")
+        @Description("Delay from the decision to drop a payload until it falls.")
         double releaseDelay) {}

@@ -7,7 +7,7 @@ import java.util.function.ToDoubleFunction;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 
-/** Chooses among the current goals, and predicts the one after. Immutable. */
+/** Chooses among the current goals, and predicts the next one. Immutable. */
 final class GoalChoice {
   private final GoalList list;
 

@@ -7,7 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.service.handover.HandOver;
 
-/** Reports finished goals to the Mission Manager, and repeats a report if it does not react. */
+/** Reports finished goals to the Mission Manager; repeats a report until it reacts. */
 final class GoalReports {
   private final Consumer<GoalInformation> publish;
   private final LongSupplier intervalMicros;
@@ -22,12 +22,12 @@ final class GoalReports {
     this.intervalMicros = intervalMicros;
   }
 
-  /** The goal reported last, from which the vehicle comes; empty if none. */
+  /** The last reported goal, from which the vehicle comes; empty if none. */
   Optional<GoalInformation> last() {
     return last;
   }
 
-  /** Whether the goal reported last has this UID. */
+  /** Whether the last reported goal has this UID. */
   boolean areOf(String uid) {
     return last.filter(done -> done.uid().equals(uid)).isPresent();
   }

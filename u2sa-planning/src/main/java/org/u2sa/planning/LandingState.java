@@ -18,7 +18,7 @@ import org.u2sa.planning.guidance.Vehicle;
 final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
-  private static final double LOW_M = 3.0; // above the ground as the goal has it
+  private static final double LOW_M = 3.0; // height above the ground given by the goal
 
   /** One way to land. */
   interface Descent {
@@ -30,7 +30,7 @@ final class LandingState implements PlannerState {
   private final Supplier<LineSettings> lines;
   private final Descent straight;
   private final Descent vertical;
-  private long sinceMicros = Long.MIN_VALUE; // it stands
+  private long sinceMicros = Long.MIN_VALUE; // it has stopped
 
   LandingState(
       Detour detour,

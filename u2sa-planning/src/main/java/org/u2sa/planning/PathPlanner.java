@@ -197,9 +197,9 @@ public class PathPlanner extends EventDrivenService {
 
   /**
    * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
-   * axes suffice for a goal that is relative to them, and lists without any for its search: the
-   * vehicle is at their origin (thesis 4.3.2). Any other goal, a holding position or a failsafe
-   * needs the vehicle's position; without it no navigation points are published.
+   * axes suffice for a goal that is relative to them, and lists without any such objects for its
+   * search: the vehicle is at their origin (thesis 4.3.2). Any other goal, a holding position or a
+   * failsafe needs the vehicle's position; without it no navigation points are published.
    */
   private void onObjects(ObjectList list) {
     long now = clock().micros();
@@ -236,7 +236,7 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** A vehicle that was driven by hand holds where it was left, not where it held before. */
+  /** After driving by hand, the vehicle holds where it was left, not where it held before. */
   private void onManual(ManualState state) {
     if (byHand && !state.active()) {
       holdAt = Optional.empty();
@@ -305,7 +305,7 @@ public class PathPlanner extends EventDrivenService {
   /** Stops a vehicle whose surroundings are unknown, or circles if it cannot stop. */
   private List<NavigationPoint> standing(StateInformation state) {
     if (!avoidance.world().age().isKnown()) {
-      return List.of(); // it was never in motion: not to take off either
+      return List.of(); // the vehicle never moved: it must not take off either
     }
     return blind.brakes()
         ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))

@@ -20,14 +20,14 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * {@link PayloadDrop}: flies such that the computed fall ends at the position, upwind of it in a
- * crosswind, and releases there. A multirotor hovers upwind of it.
+ * {@link PayloadDrop}: flies so that the computed fall ends at the position, passing upwind of it
+ * in a crosswind, and releases the payload. A multirotor hovers upwind of it.
  */
 final class PayloadDropState implements PlannerState {
   private static final int ATTEMPTS = 3;
   private static final double RELEASING_S = 1.0; // duration of the release command
   private static final double HOVERS_MPS = 0.5;
-  private static final double HOVER_SHARE = 0.5; // of the threshold, before a hovering release
+  private static final double HOVER_SHARE = 0.5; // of the threshold, for a hovering release
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
@@ -35,7 +35,7 @@ final class PayloadDropState implements PlannerState {
   private final LineGuidance guidance;
   private double altitudeM; // on the way there
   private int attempts;
-  private double beforeM; // way that the fall ends short of the position, at the last state
+  private double beforeM; // by which the fall ended short at the last state
   private long releasedMicros;
   private String remark = "";
 
@@ -74,7 +74,7 @@ final class PayloadDropState implements PlannerState {
     }
   }
 
-  /** Resumes after the release only: what was dropped is not dropped again. */
+  /** Resumes only after the release: a payload is not dropped twice. */
   @Override
   public boolean takeOver(HandOver state) {
     if (state.number("DROP RELEASED").isEmpty()) {
@@ -182,6 +182,6 @@ final class PayloadDropState implements PlannerState {
     }
     attempts++;
     approach();
-    return new Plan(List.of(point), Plan.Progress.UNDER_WAY, off + ": once more");
+    return new Plan(List.of(point), Plan.Progress.UNDER_WAY, off + ": trying again");
   }
 }

@@ -28,8 +28,8 @@ import org.u2sa.planning.survey.SurveyVariables;
 
 /**
  * Flies over a {@link SearchArea} in lanes until the World Modeler's record of it has no gaps: lays
- * lanes over what is missing, flies them, and looks again (thesis 4.4.2). Around obstacles and
- * traffic it leaves its lane; what was missed is flown again.
+ * lanes over the missing parts, flies them, and checks again (thesis 4.4.2). It leaves its lane
+ * around obstacles and traffic; missed parts are flown again.
  */
 final class SearchAreaState implements PlannerState {
   private static final double LEDGER_WITHIN_S = 15.0;
@@ -45,9 +45,9 @@ final class SearchAreaState implements PlannerState {
   private final SurveyHeights heights;
   private final Deque<LaneLegs.Leg> legs = new ArrayDeque<>();
   private PlanningPlane plane; // of the legs
-  private boolean isAlong; // on its lane, after the way there
+  private boolean isAlong; // on its lane, after the transit to it
   private boolean evades;
-  private boolean isReversed; // because it cannot be entered from its other end
+  private boolean isReversed; // reversed, because it cannot be entered from its other end
   private long lostSince; // without a route; MAX_VALUE with one
   private int passes;
   private long waitsSince; // for the record
@@ -127,7 +127,7 @@ final class SearchAreaState implements PlannerState {
     return Plan.underWay(List.of(fly(area, vehicle, pursuit.state(), ledger)));
   }
 
-  /** Ends the pursuit, or lays lanes over what is missing. */
+  /** Ends the pursuit, or lays lanes over the missing parts. */
   private Plan look(
       SearchArea area, CoverageLedger ledger, Vehicle vehicle, StateInformation state) {
     double share = ledger.share(area.resolution());
@@ -265,8 +265,8 @@ final class SearchAreaState implements PlannerState {
   }
 
   /**
-   * Flies the lane in the other direction if it cannot be entered, else not at all: its cells stay
-   * missing, and are tried again.
+   * Flies the lane in the other direction if it cannot be entered, or else skips it: its cells stay
+   * missing and are tried again.
    */
   private void leave(Vehicle vehicle) {
     if (isAlong || isReversed) {

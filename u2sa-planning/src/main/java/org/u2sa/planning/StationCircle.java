@@ -23,7 +23,7 @@ import org.u2sa.service.handover.HandOver;
 /**
  * A {@link Station} of a vehicle that cannot stop: a circle around it. Duration and turns count
  * from the arrival on the circle at the altitude of the station, even if the vehicle has to evade
- * later. Where the circle is obstructed, the vehicle is led around to a later part of it.
+ * later. Where the circle is obstructed, the vehicle goes around to a later part of it.
  */
 final class StationCircle {
   private static final double LOOKS_AHEAD_RAD =
@@ -31,15 +31,15 @@ final class StationCircle {
   private static final double NEXT_ENTRY_RAD = Math.toRadians(60.0);
   private static final int ENTRIES = 5;
   private static final double UNREACHABLE_S = 4.0; // without a route to an entry
-  private static final double ALONG_RAD = Math.toRadians(45.0); // course, at most off the circle's
+  private static final double ALONG_RAD = Math.toRadians(45.0); // maximum course error
   private static final double LEAVES_RAD = Math.toRadians(12.0); // before its course to the next
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
-  private final Supplier<Double> radiusM; // of stations that specify none
+  private final Supplier<Double> radiusM; // default for stations that specify none
   private final Supplier<FlightVariables> settings;
   private LoiterCircle circle; // null before the first plan
-  private Optional<Place> place = Optional.empty(); // its centre as the station has it
+  private Optional<Place> place = Optional.empty(); // its centre as given by the station
   private int
       entry; // number of the current detour's entry, from 1; 0: on the circle or straight to it
   private double entryRad; // its direction from the centre
@@ -109,7 +109,7 @@ final class StationCircle {
    * Plans the next step.
    *
    * @param after the next goal
-   * @param centre of the circle, with altitude; another one than before begins a new circle
+   * @param centre of the circle, with altitude; a changed centre starts a new circle
    */
   Plan plan(
       Station station,

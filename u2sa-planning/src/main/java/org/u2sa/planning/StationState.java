@@ -21,15 +21,15 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Without one, the
- * vehicle moves to the place, or to the start of its straight way and along it, and stays until the
- * time is over. The time starts again when the vehicle leaves a threshold or the heading.
+ * vehicle moves to the position, or to the start of its straight way and along it, and stays until
+ * the time is over. The time restarts when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
   /** Configuration variables of stations and berths. */
   record Variables(
       @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 5)
           @Description(
-              "Distance from a station at which the vehicle turns to the heading that it is to keep there.")
+              "Distance from a station at which the vehicle turns to its required heading.")
           double stationTurnWithin,
       @Variable(unit = "deg", min = 0.1, max = 180, ifAbsent = 5)
           @Description(
@@ -37,7 +37,7 @@ final class StationState implements PlannerState {
           double stationAngle,
       @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 0.3)
           @Description(
-              "Distance from the start of the straight way to a berth at which the vehicle enters it, and from the way's line at which it waits until it is back.")
+              "Tolerance at the start of the straight way to a berth, and cross-track error at which the vehicle waits until it is back on the way's line.")
           double berthAccuracy,
       @Variable(unit = "m/s", min = 0.01, max = 10, ifAbsent = 0.3)
           @Description("Speed on the straight way to a berth that specifies none.")
@@ -58,7 +58,7 @@ final class StationState implements PlannerState {
   private final WaypointGuidance guidance;
   private final Supplier<Variables> settings;
   private final StationCircle circle;
-  private Optional<Place> here = Optional.empty(); // where it began, for a station without a place
+  private Optional<Place> here = Optional.empty(); // start, if the station has no position
   private Phase phase = Phase.TRANSIT;
   private long sinceMicros = Long.MIN_VALUE; // on station
 
@@ -78,7 +78,7 @@ final class StationState implements PlannerState {
     Place place = Place.of((Station) goal);
     return place.isHorizontal()
         ? length(Vehicle.of(state).orElseThrow().nedOf(place))
-        : 0.0; // it is where it begins
+        : 0.0; // it is at its starting position
   }
 
   @Override
@@ -90,7 +90,7 @@ final class StationState implements PlannerState {
     circle.leave();
   }
 
-  /** Position of a station, or where it began if it names none. */
+  /** Position of a station, or the starting position if it has none. */
   private Place place(Station station) {
     Place place = Place.of(station);
     if (place.isHorizontal() || here.isEmpty()) {

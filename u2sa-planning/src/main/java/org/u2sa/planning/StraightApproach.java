@@ -19,21 +19,21 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
 /**
- * Landing of an aeroplane: to a place on the extended centreline, around obstacles if the planner
- * avoids them, circling there down or up to the altitude of the approach, level along the line,
- * then down the slope and along the runway. Control flares. An approach that is off at the start of
- * the descent, that something is in the way of before, or that traffic comes near to above
- * MIN_BREAK_OFF_M is flown again. With an obstacle on the slope it lands in another direction, or
- * not at all if the goal has one.
+ * Landing of an aeroplane: to a point on the extended centreline, around obstacles if the planner
+ * avoids them, circling there to the approach altitude, level along the line, then down the slope
+ * and along the runway. Control flares. The approach is repeated if it is off at the start of the
+ * descent, if it is obstructed before that, or if traffic comes close above MIN_BREAK_OFF_M. With
+ * an obstacle on the slope it lands in another direction, or gives up if the goal requires the
+ * direction.
  */
 final class StraightApproach implements LandingState.Descent {
-  /** Level part of the line, in radii of turns downwind; the others if no route leads to it. */
+  /** Lengths of the level part to try, in radii of downwind turns. */
   private static final double[] LEAD_RADII = {3.0, 2.0, 4.5, 1.5};
 
   private static final double ROLL_OUT_M = 500.0; // line behind the position
   private static final double PASSED_M = 50.0; // beyond the position …
   private static final double HIGH_M = 10.0; // … so high, control refuses to land
-  private static final double ALONG_RAD = Math.toRadians(30.0); // course on the line, at most off
+  private static final double ALONG_RAD = Math.toRadians(30.0); // maximum course error on the line
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
   private static final double MIN_BREAK_OFF_M = 20.0; // above the position
@@ -58,7 +58,7 @@ final class StraightApproach implements LandingState.Descent {
   private Phase phase = Phase.JOIN;
   private int attempts;
   private int breakOffs;
-  private boolean leaves; // the line, which it broke off on
+  private boolean leaves; // the line on which the approach was aborted
   private double courseRad;
   private double radiusM;
   private int lead; // index in LEAD_RADII
@@ -178,7 +178,7 @@ final class StraightApproach implements LandingState.Descent {
       if (!blocksDescent(vehicle, state, place, lengthM, highM)) {
         lead = 0;
         join();
-        String remark = "an obstacle is in the way of the descent: in another direction";
+        String remark = "an obstacle blocks the descent; landing in another direction";
         return new Plan(List.of(up(vehicle, place, highM)), Plan.Progress.UNDER_WAY, remark);
       }
     }
@@ -186,7 +186,7 @@ final class StraightApproach implements LandingState.Descent {
     return new Plan(
         List.of(up(vehicle, place, highM)),
         Plan.Progress.ABANDONED,
-        "given up: an obstacle is in the way of the descent");
+        "given up: an obstacle blocks the descent");
   }
 
   /** Straight on, up or down to the altitude of the approach. */
@@ -220,10 +220,10 @@ final class StraightApproach implements LandingState.Descent {
     return new Plan(
         List.copyOf(plan.points()),
         Plan.Progress.UNDER_WAY,
-        plan.remark() + ": to another place on the centreline");
+        plan.remark() + "; going to another point on the centreline");
   }
 
-  /** The place on the level line to look to: as far ahead as it reaches, at most the length. */
+  /** Look-ahead point on the level line, as far ahead as the line reaches. */
   private Place ahead(Place place, double remainingM, double lengthM) {
     return onLine(place, -Math.max(lengthM, remainingM - lengthM));
   }
@@ -231,14 +231,12 @@ final class StraightApproach implements LandingState.Descent {
   private Plan breakOff(Point body) {
     List<NavigationPoint> points = List.of(NavigationPoint.at(body));
     if (breakOffs >= BREAK_OFFS) {
-      return new Plan(
-          points, Plan.Progress.ABANDONED, "given up: something is in the way of the approach");
+      return new Plan(points, Plan.Progress.ABANDONED, "given up: the approach is obstructed");
     }
     breakOffs++;
     leaves = true;
     join();
-    return new Plan(
-        points, Plan.Progress.UNDER_WAY, "something is in the way of the approach: once more");
+    return new Plan(points, Plan.Progress.UNDER_WAY, "the approach is obstructed: trying again");
   }
 
   /** A place on the centreline, a distance behind the position. */
@@ -290,7 +288,7 @@ final class StraightApproach implements LandingState.Descent {
     attempts++;
     join();
     return new Plan(
-        List.of(NavigationPoint.at(body)), Plan.Progress.UNDER_WAY, off + ": once more");
+        List.of(NavigationPoint.at(body)), Plan.Progress.UNDER_WAY, off + ": trying again");
   }
 
   private static Plan underWay(Point body) {

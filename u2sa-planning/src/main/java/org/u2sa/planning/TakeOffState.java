@@ -34,7 +34,7 @@ final class TakeOffState implements PlannerState {
 
   @Override
   public double distanceM(GoalInformation goal, StateInformation state) {
-    return 0.0; // it begins where the vehicle is
+    return 0.0; // it starts at the vehicle's position
   }
 
   @Override

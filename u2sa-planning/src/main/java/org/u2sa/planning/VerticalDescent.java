@@ -16,7 +16,7 @@ import org.u2sa.planning.guidance.Vehicle;
 
 /** Landing of a multirotor: level to above the position, then down. */
 final class VerticalDescent implements LandingState.Descent {
-  private static final double SLOW_BELOW_M = 4.0; // above the ground as the goal has it
+  private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
 
   private final Detour detour;
   private final Supplier<FlightVariables> settings;

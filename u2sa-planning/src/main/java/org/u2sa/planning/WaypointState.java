@@ -53,9 +53,9 @@ final class WaypointState implements PlannerState {
   private boolean
       armed; // false: the vehicle must leave the threshold before the waypoint can be reached
   private boolean reached;
-  private boolean yields; // it follows an order of right of way
+  private boolean yields; // it follows a right-of-way order
   private double nearestM; // in this attempt, while approaching
-  private double nowM; // from the waypoint
+  private double nowM; // current distance from the waypoint
   private Optional<StateInformation> last = Optional.empty();
   private Optional<Place> aimedAt = Optional.empty(); // position of the waypoint at the last state
 
@@ -139,7 +139,7 @@ final class WaypointState implements PlannerState {
     return true;
   }
 
-  /** Position of a goal; none of a circle that was left towards the next goal. */
+  /** Position of a goal; empty for a circle that was left towards the next goal. */
   static Optional<Place> placeOf(Optional<GoalInformation> goal) {
     return goal.filter(Waypoint.class::isInstance)
         .filter(each -> !(each instanceof Station station && station.towardsNext()))
@@ -185,8 +185,8 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Whether a vehicle that can stop still climbs or descends at a waypoint. However it drifts over
-   * the place meanwhile, it does not pass it.
+   * Whether a vehicle that can stop is still climbing or descending at a waypoint. Drifting over
+   * the waypoint meanwhile does not count as passing it.
    */
   private boolean isClimbing(Waypoint waypoint, double downM, Vehicle vehicle) {
     boolean comesNearer = altitude.comesNearer(Math.abs(downM), vehicle.timestampMicros());
@@ -254,7 +254,7 @@ final class WaypointState implements PlannerState {
         List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: trying again");
   }
 
-  /** Asks whether other vessels leave the way to the waypoint, or the route there, free. */
+  /** Checks whether other vessels leave the way or route to the waypoint free. */
   private Optional<Order> order(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
     if (!rightOfWay.isOn() || !target.isHorizontal()) {
       return Optional.empty();
@@ -269,7 +269,7 @@ final class WaypointState implements PlannerState {
         speed.orElseThrow());
   }
 
-  /** Keeps the course and speed of right of way. */
+  /** Follows the course and speed required by right of way. */
   private Plan yielding(
       Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit, Order order) {
     double downM = vehicle.nedOf(target).z();

@@ -252,8 +252,7 @@ class AirGoalsTest extends PlannedVehicle {
         nearestOnTheWayDownM(new Landing().approach(1000.0).slope(0.06), onTheFinal());
 
     assertThat(nearestM).isGreaterThan(20.0 + 5.5);
-    assertThat(logged("an obstacle is in the way of the descent: in another direction"))
-        .isPositive();
+    assertThat(logged("an obstacle blocks the descent; landing in another direction")).isPositive();
   }
 
   @Test
@@ -264,7 +263,7 @@ class AirGoalsTest extends PlannedVehicle {
     assertThat(nearestOnTheWayDownM(landing, onTheFinal())).isNaN();
     GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
     assertThat(report.completed()).isFalse();
-    assertThat(report.reason().orElseThrow()).contains("an obstacle is in the way of the descent");
+    assertThat(report.reason().orElseThrow()).contains("an obstacle blocks the descent");
   }
 
   @Test
@@ -315,7 +314,7 @@ class AirGoalsTest extends PlannedVehicle {
       touchesS = isDown ? kit.nowS() : touchesS;
     }
 
-    assertThat(logged("something is in the way of the approach: once more")).isPositive();
+    assertThat(logged("the approach is obstructed: trying again")).isPositive();
     assertThat(nearestM).isGreaterThan(70.0);
     assertThat(touchesS).isNotNaN();
     assertThat(Math.abs(aircraft.east)).isLessThan(20.0);
@@ -355,7 +354,7 @@ class AirGoalsTest extends PlannedVehicle {
       isDown = Math.abs(aircraft.north) < 100.0 && aircraft.altitude < 15.0;
     }
 
-    assertThat(logged("something is in the way of the approach: once more")).isEqualTo(1);
+    assertThat(logged("the approach is obstructed: trying again")).isEqualTo(1);
     assertThat(isDown).isTrue();
     assertThat(Math.abs(aircraft.east)).isLessThan(20.0);
   }

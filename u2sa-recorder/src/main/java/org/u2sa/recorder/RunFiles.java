@@ -55,7 +55,7 @@ public final class RunFiles {
     }
   }
 
-  /** Attaches the file that a variable names, if it is one to record. */
+  /** Attaches the file named by a variable if it is to be recorded. */
   public void attachIfFile(Path folder, String value) {
     if (!ExecutionStart.isRecorded(value)) {
       return;

@@ -34,14 +34,14 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
       return new SparkMaster(text, List.of());
     }
     if (!text.startsWith(STANDALONE)) {
-      throw refused(text, "is no address of Spark");
+      throw refused(text, "is not an address of Spark");
     }
     List<InetSocketAddress> hosts = new ArrayList<>();
     for (String part : text.substring(STANDALONE.length()).split(",", -1)) {
       Matcher host = HOST.matcher(part);
       int port = host.matches() ? Integer.parseInt(host.group(2)) : 0;
       if (port < 1 || port > LAST_PORT) {
-        throw refused(text, "\"" + part + "\" is no HOST:PORT");
+        throw refused(text, "\"" + part + "\" is not a HOST:PORT");
       }
       hosts.add(InetSocketAddress.createUnresolved(host.group(1), port));
     }

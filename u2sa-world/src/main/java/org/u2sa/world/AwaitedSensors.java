@@ -8,11 +8,11 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * Detects sensors that should be measuring but are silent. A silent camera may just have nothing to
- * see; a scanner publishes even over empty ground, as scans or as point clouds.
+ * Detects sensors that should be measuring but are silent. A silent camera may just see nothing; a
+ * scanner publishes scans or point clouds even over empty ground.
  */
 final class AwaitedSensors {
-  /** Placeholder for a scanner that never scanned, so that its name is unknown. */
+  /** Placeholder for a scanner that never scanned and whose name is therefore unknown. */
   static final String ANY_SCANNER = "any scanner";
 
   private static final double MISSED = 2.0; // intervals after which a slow scanner is silent
@@ -70,8 +70,8 @@ final class AwaitedSensors {
    * Sensors that should be measuring and are silent.
    *
    * @param expected names of the sensors to expect; empty: every scanner heard so far
-   * @param needsScans whether at least one scan, other than a cloud, is needed if nothing is named
-   *     as expected
+   * @param needsScans whether at least one scan, not a cloud, is required if no expected sensors
+   *     are named
    * @param nowMicros time of the map [µs]
    * @param silentMicros age from which a measurement is too old; without expected names, a slower
    *     scanner may take twice its usual interval [µs]

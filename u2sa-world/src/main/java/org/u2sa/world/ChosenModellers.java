@@ -71,7 +71,7 @@ final class ChosenModellers {
         throw new IllegalArgumentException(
             "MODELLERS: \""
                 + name
-                + "\" is no modeller; expected some of "
+                + "\" is not a modeller; expected some of "
                 + String.join(", ", new TreeSet<>(all.keySet()))
                 + " with commas between");
       }

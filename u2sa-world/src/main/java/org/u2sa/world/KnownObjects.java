@@ -89,7 +89,7 @@ final class KnownObjects {
     return placed().stream().map(object -> object.after(sinceS)).collect(Collectors.toList());
   }
 
-  /** Objects are known from when the file was loaded, whichever modeller asks later. */
+  /** Motion starts when the file was loaded, whichever modeller asks later. */
   Sighting since(Sighting now) {
     return new Sighting(sinceMicros, now.frame(), now.vehicle());
   }

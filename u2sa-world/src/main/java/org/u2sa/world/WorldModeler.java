@@ -44,7 +44,7 @@ import org.u2sa.world.modeller.Sighting;
 public final class WorldModeler extends PeriodicService {
   private static final double RATE_HZ = 10.0;
   private static final long FUTURE_MICROS = Clock.MICROS_PER_SECOND; // tolerated clock difference
-  private static final double LONGEST_SCAN_S = 10.0; // beyond it, the time of its end means nothing
+  private static final double LONGEST_SCAN_S = 10.0; // longer scans are invalid
 
   private final ServiceContext context;
   private final Settings<WorldVariables> settings = settings(WorldVariables.class);
@@ -58,7 +58,7 @@ public final class WorldModeler extends PeriodicService {
   private final KnownObjects known;
   private long heardStateMicros; // run clock, not the state's timestamp
   private boolean isMeasuring; // has registered for what modellers that measure the state need
-  private boolean isSensing; // has subscribed to what the vehicle's own sensors measure
+  private boolean isSensing; // has subscribed to proprioceptive measurements
   private long gridDueMicros = Long.MIN_VALUE;
 
   public WorldModeler(ServiceContext context) {

@@ -19,7 +19,7 @@ record WorldVariables(
         String world,
     @Variable(ifAbsentText = "true")
         @Description(
-            "Whether objects of WORLD that move are known beforehand too; false: sensors have to detect them, like uncharted traffic.")
+            "Whether moving objects of WORLD are also known beforehand; false: sensors have to detect them, like uncharted traffic.")
         boolean worldMovers,
     @Variable(unit = "Hz", min = 0.01, max = 100, ifAbsent = 2)
         @Description("Grids published per second, at most RATE.")

@@ -110,7 +110,7 @@ public final class ObjectDetectorSensor extends DeviceSensor<ObjectDetector.Dete
     return object;
   }
 
-  /** A direction in the sensor's axes, in the vehicle's. */
+  /** Rotates a direction from the sensor's axes to the vehicle's. */
   private Point direction(Point way) {
     return mounted.toBody(way).minus(mounted.toBody(Point.ORIGIN));
   }

@@ -23,7 +23,7 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
   /**
    * Computes the direction.
    *
-   * @param places of the hydrophones: forward, left, down [m]; at least three, not in one line
+   * @param positions of the hydrophones: forward, left, down [m]; at least three, not in one line
    * @param arrivalsS arrival times, in the same order [s]
    * @param soundMps speed of sound [m/s]
    * @param sigmaS standard deviation of an arrival time [s]
@@ -32,7 +32,7 @@ record ArrivalDirection(Point direction, double sigmaRad, double residualS) {
       List<Point> places, List<Double> arrivalsS, double soundMps, double sigmaS) {
     Array array = new Array(places, arrivalsS, soundMps);
     Point best = null;
-    for (int k = 0; k < 2 * STARTS; k++) { // those below first
+    for (int k = 0; k < 2 * STARTS; k++) { // downward directions first
       double azimuth = 2.0 * Math.PI * k / STARTS;
       double down = k < STARTS ? 0.5 : -0.5;
       Point end = descended(array, Point.of(Math.cos(azimuth), Math.sin(azimuth), down));

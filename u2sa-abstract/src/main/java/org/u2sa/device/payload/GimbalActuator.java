@@ -29,7 +29,7 @@ public final class GimbalActuator extends PeriodicService implements ActuatorOwn
 
   private record Variables(
       @Variable(ifAbsentText = "GIMBAL")
-          @Description("Subsystem that it moves, as planners name it.")
+          @Description("Name of the subsystem that it moves, as used by planners.")
           String subsystem,
       @Variable(ifAbsentText = "PAN") @Description("Actuator name of the pan axis.")
           String panActuator,

@@ -59,7 +59,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
           double angleSigma,
       @Variable(ifAbsentText = "")
           @Description(
-              "Places of the hydrophones relative to MOUNTED X, Y, Z [m], forward, left and down of each, as \"0.1 0 0; 0 0.1 0; …\", for an array that measures arrival times.")
+              "Positions of the hydrophones relative to MOUNTED X, Y, Z [m]: forward, left and down of each, such as \"0.1 0 0; 0 0.1 0; …\", for an array that measures arrival times.")
           String hydrophonePlaces,
       @Variable(unit = "m/s", min = 1000, max = 2000, ifAbsent = 1500)
           @Description("Speed of sound in the water.")
@@ -84,7 +84,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
           places.add(Point.of(Double.parseDouble(parts[0]), left, Double.parseDouble(parts[2])));
         } else if (!place.trim().isEmpty()) {
           throw new IllegalArgumentException(
-              "HYDROPHONE PLACES \"" + place.trim() + "\": expected three numbers of m");
+              "HYDROPHONE PLACES \"" + place.trim() + "\": expected three numbers in m");
         }
       }
       if (!places.isEmpty() && places.size() < 3) {

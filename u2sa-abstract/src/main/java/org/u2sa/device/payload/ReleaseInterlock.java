@@ -62,8 +62,7 @@ final class ReleaseInterlock {
   }
 
   /**
-   * Whether a release commanded now cannot fire, because the safe position was not commanded
-   * before.
+   * Whether a release commanded now cannot fire, because the safe position was not commanded first.
    */
   boolean isLocked() {
     return state == State.LOCKED;

@@ -8,7 +8,7 @@ public interface SwitchOutput extends Device<SwitchOutput.Level> {
   /**
    * The commanded state.
    *
-   * @param percent level, 0…100 [%]; empty before it was set
+   * @param percent level, 0…100 [%]; empty until first set
    */
   record Level(long measuredAtMicros, OptionalDouble percent) implements Reading {}
 

@@ -39,7 +39,7 @@ public final class SwitchedActuator extends PeriodicService implements ActuatorO
               "Name to which commands are addressed, unique in the system; empty: the service's name.")
           String actuatorName,
       @Variable(ifAbsentText = "PAYLOAD")
-          @Description("Subsystem that it belongs to, as planners name it.")
+          @Description("Name of its subsystem, as used by planners.")
           String subsystem,
       @Variable
           @Description(

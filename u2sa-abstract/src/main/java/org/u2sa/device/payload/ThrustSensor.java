@@ -19,8 +19,8 @@ import org.u2sa.service.ServiceContext;
  * Publishes the acceleration that a measured thrust gives the vehicle, along the thruster's axis,
  * in BODY, once per reading (thesis 4.2.1.1). Out: sensed-state.
  *
- * <p>The cell feels neither drag nor gravity nor other thrusters: OTHER FORCES SIGMA adds them to
- * the standard deviation.
+ * <p>The load cell measures neither drag nor gravity nor other thrusters: OTHER FORCES SIGMA adds
+ * them to the standard deviation.
  */
 public final class ThrustSensor extends DeviceSensor<LoadCell.Load> {
   private static final double ALONG = 1.0e-3; // smaller components of the axis count as 0
@@ -43,14 +43,14 @@ public final class ThrustSensor extends DeviceSensor<LoadCell.Load> {
 
   private record Variables(
       @Variable(unit = "kg", min = 0.01, max = 1e7)
-          @Description("Mass of the vehicle; on and under water with the added mass ahead.")
+          @Description("Mass of the vehicle; on and under water including the added mass in surge.")
           double mass,
       @Variable(unit = "N", min = 1e-6, max = 1e7, ifAbsent = 1)
           @Description("Standard deviation of the thrust, from the calibration.")
           double thrustSigma,
       @Variable(unit = "m/s^2", min = 1e-6, max = 1_000, ifAbsent = 0.5)
           @Description(
-              "Standard deviation of the acceleration by what the cell does not feel: drag, gravity, other thrusters.")
+              "Standard deviation of the acceleration from forces that the cell does not measure: drag, gravity, other thrusters.")
           double otherForcesSigma) {}
 
   private final Settings<Variables> tuning = settings(Variables.class);

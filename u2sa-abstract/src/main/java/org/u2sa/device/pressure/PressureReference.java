@@ -8,14 +8,14 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The sea-level pressure from which a barometer's altitudes are computed (thesis 4.4.1.2): what a
- * ground station tells, else what is configured. It is compared with the altitude of the state, as
- * far as that is certain; one that contradicts it is replaced by the one that fits.
+ * The sea-level pressure from which a barometer's altitudes are computed (thesis 4.4.1.2): the
+ * ground station's value or, without one, the configured value. It is checked against the state's
+ * altitude where that is reliable; a contradicting value is replaced by a fitted one.
  */
 public final class PressureReference {
   private static final double LOWEST_PA = 85_000.0;
   private static final double HIGHEST_PA = 110_000.0;
-  private static final double SURE_M = 10.0; // sigma of an altitude to compare with
+  private static final double SURE_M = 10.0; // maximum sigma of an altitude to compare with
   private static final double FRESH_S = 1.0;
   private static final double COMPARES_S = 10.0;
   private static final double OLDEST_S = 3_600.0; // weather changes by about 1 hPa an hour
@@ -28,7 +28,7 @@ public final class PressureReference {
   private double qnhPa = Double.NaN;
   private String source = "";
   private double sigmaM; // 0: as configured
-  private double stateM; // altitude of the newest certain state
+  private double stateM; // altitude of the newest reliable state
   private long stateMicros = Long.MIN_VALUE / 2;
   private double newestPa = Double.NaN;
   private double sumM; // of differences from the state
@@ -36,7 +36,7 @@ public final class PressureReference {
   private long since;
 
   /**
-   * @param trouble receives what the operator has to know
+   * @param trouble receives messages for the operator
    */
   public PressureReference(Consumer<String> trouble) {
     this.trouble = trouble;
@@ -46,7 +46,7 @@ public final class PressureReference {
   public void configure(double pascals) {
     if (pascals != configuredPa) {
       configuredPa = pascals;
-      adopt(pascals, "configured, no station told any", 0.0);
+      adopt(pascals, "configured; no station sent one", 0.0);
     }
   }
 
@@ -58,7 +58,7 @@ public final class PressureReference {
     sumM = 0.0;
   }
 
-  /** Uses what a ground station tells, unless it is old or contradicts a certain altitude. */
+  /** Uses a ground station's value unless it is old or contradicts a reliable altitude. */
   public void hear(GroundPressure told, long nowMicros) {
     double pascals = PressureAltitude.qnhOf(told.pressure(), told.z().orElse(0.0));
     String what = hectopascals(pascals) + " from " + told.operator();
@@ -78,7 +78,7 @@ public final class PressureReference {
     }
   }
 
-  /** Sets the difference from a certain altitude at which a pressure counts as wrong [m]. */
+  /** Sets the difference from a reliable altitude at which a pressure counts as wrong [m]. */
   public void tolerate(double metres) {
     toleranceM = metres;
   }
@@ -87,7 +87,7 @@ public final class PressureReference {
     return Math.abs(nowMicros - stateMicros) <= Clock.micros(FRESH_S);
   }
 
-  /** Notes the altitude of a state if it is certain. */
+  /** Records the altitude of a state if it is reliable. */
   public void see(StateInformation state) {
     boolean isSure =
         state.referenceFrame().equals(ReferenceFrame.GLOBAL)
@@ -124,7 +124,7 @@ public final class PressureReference {
     trouble.accept(
         String.format(
             Locale.ROOT,
-            "QNH %s, %s, contradicts the altitude by %.0f m; %s fits and is used",
+            "QNH %s, %s, contradicts the altitude by %.0f m; using %s, which fits",
             hectopascals(qnhPa),
             source,
             offM,

@@ -4,8 +4,8 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Constant error of a pressure sensor, from readings at a known pressure. Depths under water depend
- * on it: 1 kPa is 0.1 m, and a sensor for 300 m is accurate to some 5 kPa. Not thread-safe.
+ * Constant error of a pressure sensor, from readings at a known pressure. It matters for depths: 1
+ * kPa is 0.1 m, and a sensor for 300 m is accurate to about 5 kPa. Not thread-safe.
  */
 public final class PressureZero {
   private OptionalDouble errorPa = OptionalDouble.empty();
@@ -24,7 +24,7 @@ public final class PressureZero {
   }
 
   /**
-   * Takes a reading; the mean error counts once the time has passed.
+   * Processes a reading; the mean error applies once the time has passed.
    *
    * @param measuredMicros time of the reading [µs]
    * @param offPa reading minus the known pressure [Pa]

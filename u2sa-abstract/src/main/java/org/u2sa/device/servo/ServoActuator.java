@@ -49,7 +49,7 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
           boolean reversed,
       @Variable(unit = "%", min = -100, max = 0, ifAbsent = -100)
           @Description(
-              "Minimum command; 0 for a servo that turns one way only, such as that of flaps.")
+              "Minimum command; 0 for a servo that moves one way only, such as a flap servo.")
           double minimum,
       @Variable(unit = "rad", min = 0.01, max = 2.0 * Math.PI, ifAbsent = Math.PI / 6.0)
           @Description("Angle by which a command of 100 % turns it from the neutral angle.")
@@ -68,7 +68,7 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
           double rateLimit,
       @Variable(ifAbsentText = "NEUTRAL")
           @Description(
-              "Behaviour without commands, at an emergency stop and while disarmed: NEUTRAL moves to the neutral angle, HOLD keeps the angle, as the joints of an arm should.")
+              "Behaviour without commands, at an emergency stop and while disarmed: NEUTRAL moves to the neutral angle, HOLD keeps the angle, as recommended for the joints of an arm.")
           WithoutCommands withoutCommands) {}
 
   private final Variables variables;

@@ -39,7 +39,7 @@ record EffectText(
           switch (form) {
             case "thrust" -> thrust(words);
             case "wrench" -> wrench(words);
-            default -> throw new IllegalArgumentException("\"" + form + "\" is no form");
+            default -> throw new IllegalArgumentException("\"" + form + "\" is not a form");
           };
       if (!words.isEmpty()) {
         throw new IllegalArgumentException("\"" + String.join(" ", words) + "\" is too much");

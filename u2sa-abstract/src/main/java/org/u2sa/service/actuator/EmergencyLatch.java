@@ -88,7 +88,7 @@ public final class EmergencyLatch {
       return;
     }
     if (before != null || standing.size() < TOLD_APART) {
-      standing.put(identity, stop); // of the same ID, the newer one counts for clears up to a time
+      standing.put(identity, stop); // the newer one of an ID counts for clears up to a time
       if (isUntimed) {
         untimed.add(identity);
       } else {

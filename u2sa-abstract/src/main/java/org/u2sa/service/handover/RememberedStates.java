@@ -11,7 +11,7 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class RememberedStates {
   private final Map<String, HandOver> states = new ConcurrentHashMap<>(); // by service name
 
-  /** Keeps the state of a service in place of its earlier one. */
+  /** Stores the state of a service, replacing its earlier one. */
   public void put(String serviceName, HandOver state) {
     states.put(serviceName, state);
   }

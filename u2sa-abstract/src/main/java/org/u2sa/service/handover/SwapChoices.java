@@ -15,11 +15,11 @@ import java.util.TreeSet;
 
 /**
  * Classes of this process that can replace a running service, by role: the lines {@code ROLE CLASS}
- * of each file {@value #FILE} on the class path. A class that is missing there can be swapped in by
- * its name all the same.
+ * of each file {@value #FILE} on the class path. A class not listed there can still be swapped in
+ * by name.
  */
 public final class SwapChoices {
-  /** One per jar; # begins a comment. */
+  /** One such file per jar; # starts a comment. */
   static final String FILE = "META-INF/u2sa/services";
 
   private static final List<String> LINES = read(SwapChoices.class.getClassLoader());

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.time.SystemClock;
 public final class CallbackStopwatch {
   private final Clock run;
   private final Clock real; // the same in real time
-  private long lastMicros; // of real; touched by the service's thread only
+  private long lastMicros; // real time; touched by the service's thread only
   private boolean isFresh; // likewise: lastMicros is still current
 
   public CallbackStopwatch(Clock run) {

@@ -20,8 +20,8 @@ import org.u2sa.messages.schema.U2SAData;
  * a quarter of the rest at most.
  *
  * <p>Also limits the number of sources and the memory of their last messages ({@link
- * KnownSources}), and the memory of waiting messages from other processes, lest invented names
- * exhaust it.
+ * KnownSources}), and the memory of waiting messages from other processes, so that invented names
+ * cannot exhaust it.
  */
 public final class ServiceInbox {
   public static final class Delivery {

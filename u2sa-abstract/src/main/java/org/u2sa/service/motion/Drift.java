@@ -1,8 +1,7 @@
 package org.u2sa.service.motion;
 
 /**
- * Velocity over ground with which wind and current carry a vehicle that cannot move sideways.
- * Immutable.
+ * Velocity over ground of a vehicle without lateral thrust due to wind and current. Immutable.
  *
  * @param northMps northward [m/s]
  * @param eastMps eastward [m/s]

@@ -1,15 +1,15 @@
 package org.u2sa.service.motion;
 
 /**
- * Learns the {@link Drift} of a vehicle that cannot move sideways from its sideways velocity on
- * different headings, apart from the slip of its hull in turns (Fossen, Handbook of Marine Craft
- * Hydrodynamics and Motion Control, 2nd ed., section 12.4). Not thread-safe.
+ * Estimates the {@link Drift} of a vehicle without lateral thrust from its sideways velocity on
+ * different headings, separately from the slip of its hull in turns (Fossen, Handbook of Marine
+ * Craft Hydrodynamics and Motion Control, 2nd ed., section 12.4). Not thread-safe.
  */
 public final class DriftFilter {
   private static final double[] CHANGE = {0.1, 0.1, 0.02}; // of each component in one second
   private static final double[] MAX_VARIANCE = {0.25, 0.25, 0.25};
   private static final double SIGMA_MPS = 0.25; // of the sideways velocity, over one second
-  private static final double STEADY_RADPS = 0.3; // in faster turns the slip is not steady
+  private static final double STEADY_RADPS = 0.3; // at higher turn rates the slip is not steady
 
   private final double[] drift = new double[3]; // north, east [m/s], slip per turn rate [m]
   private final double[][] variance = new double[3][3];
@@ -21,7 +21,7 @@ public final class DriftFilter {
   }
 
   /**
-   * Learns from one step, by a Kalman filter.
+   * Updates the estimate with one step (Kalman filter).
    *
    * @param headingRad clockwise from north
    * @param asideMps velocity over ground to the right
@@ -52,7 +52,7 @@ public final class DriftFilter {
     }
   }
 
-  /** What has been learnt so far. */
+  /** Current estimate. */
   public Drift drift() {
     return new Drift(drift[0], drift[1]);
   }

@@ -45,7 +45,7 @@ abstract class ParameterFileCommand extends BaseCommand {
       if (!configuration.silent().isEmpty()) {
         throw new RunFailedException(
             String.format(
-                "no answer within %s s from %s; expected one of each service, try --timeout",
+                "no answer within %s s from %s; expected one from each service, try a longer --timeout",
                 link.timeoutS(), String.join(", ", configuration.silent())));
       }
       run(configuration, all);
@@ -68,7 +68,7 @@ abstract class ParameterFileCommand extends BaseCommand {
         "  ./u2sa config export rover.params    QGroundControl",
         "  ./u2sa config export rover.parm      Mission Planner, MAVProxy",
         "",
-        "Names and values are those of docs/mavlink.md; texts, such as file names, are not in it."
+        "Names and values are as in docs/mavlink.md; text variables, such as file names, are omitted."
       })
   static final class Export extends ParameterFileCommand {
     @Override
@@ -114,9 +114,9 @@ abstract class ParameterFileCommand extends BaseCommand {
         if (!Files.isRegularFile(file()) || Files.size(file()) > LONGEST) {
           throw new BadInputException(file() + ": expected a file of at most 4 MiB");
         }
-        return Files.readString(file()).replaceFirst("^\uFEFF", ""); // as Windows' editors begin
+        return Files.readString(file()).replaceFirst("^\uFEFF", ""); // byte-order mark
       } catch (CharacterCodingException e) {
-        throw new BadInputException(file() + ": expected a text in UTF-8", e);
+        throw new BadInputException(file() + ": expected UTF-8 text", e);
       } catch (IOException e) {
         throw new BadInputException(file() + ": cannot be read: " + e, e);
       }

@@ -34,7 +34,7 @@ final class DescriptionText {
   List<String> lines() {
     lines.add(
         terminal.bold("System " + vehicle.systemId())
-            + (vehicle.live() ? " as it runs at " : " by ")
+            + (vehicle.live() ? " running at " : " by ")
             + vehicle.origin());
     words();
     autonomy();
@@ -71,7 +71,7 @@ final class DescriptionText {
     }
     lines.addAll(table.lines());
     if (vehicle.services().stream().anyMatch(service -> service.role().isEmpty())) {
-      lines.add(terminal.bad("Not all services could be asked; what these show is missing."));
+      lines.add(terminal.bad("Not all services could be queried; their evidence is missing."));
     }
     for (AutonomyEvidence.Finding finding : findings) {
       if (finding.isUnproven()) {
@@ -137,7 +137,7 @@ final class DescriptionText {
     if (!loose.isEmpty()) {
       line(
           joined.isEmpty() ? what : "",
-          String.join(", ", loose) + ": " + direction + " nobody in here");
+          String.join(", ", loose) + ": " + direction + " no service");
     }
   }
 
@@ -175,16 +175,16 @@ final class DescriptionText {
   private void actuators() {
     head(vehicle.live() ? "Actuators" : "Actuators, as they would announce themselves");
     if (vehicle.actuators().isEmpty()) {
-      lines.add(vehicle.live() ? "none has announced itself" : "none");
+      lines.add(vehicle.live() ? "none announced" : "none");
     }
     for (AnnouncedActuator actuator : vehicle.actuators()) {
       lines.add(actuator.name() + ": " + pairs(actuator.facts(), " "));
     }
     String strength = strength();
     if (!strength.isEmpty()) {
-      lines.add("Together, for each axis alone, in the weaker direction: " + strength);
+      lines.add("Combined maximum per axis, each axis alone, in its weaker direction: " + strength);
     } else if (!vehicle.actuators().isEmpty()) {
-      lines.add("None announces its effect in numbers (EFFECT), so control cannot allocate.");
+      lines.add("None announces a numeric effect (EFFECT), so control cannot allocate.");
     }
   }
 

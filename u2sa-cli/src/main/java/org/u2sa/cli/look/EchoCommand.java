@@ -37,7 +37,7 @@ import picocli.CommandLine.Parameters;
       "A field is psi, ranges[3], ranges[-1], point.x, goals[0].uid or objects.size. A condition is FIELD OPERATOR VALUE with one of "
           + "= != < <= > >= ~ (contains, ignoring case); a number may have a unit. All conditions must hold; for an absent field only != holds.",
       "",
-      "Exit code 1: nothing was heard within --timeout (with --once or --count) or --for."
+      "Exit code 1: nothing was received within --timeout (with --once or --count) or --for."
     })
 public final class EchoCommand extends BaseCommand {
   private static final long LOOK_MS = 100;

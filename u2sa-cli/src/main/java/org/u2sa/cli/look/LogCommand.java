@@ -32,7 +32,7 @@ import picocli.CommandLine.Parameters;
       "Print the logs of all services of a run, sorted by time.",
       "",
       "  ./u2sa log                              of the newest run below out/",
-      "  ./u2sa log --level warn --follow        warnings and errors, as they come",
+      "  ./u2sa log --level warn --follow        warnings and errors, as they occur",
       "  ./u2sa log out/drive/logs --service Control,PathPlanner",
       "  ./u2sa log recording.mcap --tail 20     logs attached to a recording",
       "",

@@ -36,9 +36,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
         "  ./u2sa hz                           all standard channels, until Ctrl-C",
         "  ./u2sa hz state actuation --for 5 --json",
         "",
-        "Exit code 1: nothing was heard. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000. LAST: "
-            + "how long ago the last message came; RATE is 0 after 2 s, or 5 mean intervals if "
-            + "longer, without one."
+        "Exit code 1: nothing was received. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000. LAST: time since the last message; RATE is 0 after 2 s without one, or after 5 mean intervals if longer."
       })
   public static final class Rate extends MeasureCommand {
     public Rate() {
@@ -50,14 +48,13 @@ public abstract sealed class MeasureCommand extends BaseCommand {
   @Command(
       name = "delay",
       description = {
-        "Measure the latency from a message's timestamp until it arrives here.",
+        "Measure the latency from a message's timestamp to its arrival here.",
         "",
         "  ./u2sa delay state",
         "  ./u2sa delay sensed-state state navigation actuation --for 10",
         "",
         "A timestamp is the time of measurement, so the delay includes processing by the service. Both hosts' clocks must "
-            + "agree. Messages of a run in simulated time have no such delay; the table says so. LAST: how long ago the last message "
-            + "came. Exit code 1: nothing was heard."
+            + "agree. Messages of a run in simulated time have no such delay; the table shows this. LAST: time since the last message. Exit code 1: nothing was received."
       })
   public static final class Delay extends MeasureCommand {
     public Delay() {
@@ -75,7 +72,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
         "  ./u2sa bw scans grid --for 5",
         "",
         "Bytes are those of the encoded messages; topics and the overhead of MQTT are not counted. BANDWIDTH is the mean since the command began; "
-            + "LAST: how long ago the last message came. Exit code 1: nothing was heard."
+            + "LAST: time since the last message. Exit code 1: nothing was received."
       })
   public static final class Bandwidth extends MeasureCommand {
     public Bandwidth() {

@@ -107,7 +107,7 @@ interface Meter {
         return undated + " without a timestamp";
       }
       if (Math.abs(delays.quantile(0.5)) > OTHER_CLOCK_S) {
-        return "timestamps are of another clock: simulated time?";
+        return "timestamps are from another clock; simulated time?";
       }
       return delays.quantile(0.0) < 0.0 ? "from the future: the clocks differ" : "";
     }

@@ -142,7 +142,7 @@ public final class PublishCommand extends BaseCommand {
     if (!channel.carries(type)) {
       throw new BadInputException(
           String.format(
-              "%s: a %s does not travel on \"%s\"; it carries %s",
+              "%1$s: \"%3$s\" does not carry a %2$s; it carries %4$s",
               origin, type.name(), channel, names(carried)));
     }
     return reader.message(origin, type, fields);

@@ -79,15 +79,14 @@ public final class ViewCommand extends BaseCommand {
       names = "--origin",
       paramLabel = "ORIGIN",
       description =
-          "Web page whose viewer may connect, too, such as https://viewer.example; repeatable, '*' for all. Always allowed: pages of this host, Foxglove's, and programs other than browsers.")
+          "Additional web page whose viewer may connect, such as https://viewer.example; repeatable, '*' for all. Always allowed: pages of this host, Foxglove's, and programs other than browsers.")
   private Set<String> origins = Set.of();
 
   @Option(
       names = "--rate",
       paramLabel = "X",
       defaultValue = "1",
-      description =
-          "Of a recording: how many times as fast as recorded. Default: ${DEFAULT-VALUE}.")
+      description = "For a recording: speed relative to the original. Default: ${DEFAULT-VALUE}.")
   private double rate;
 
   @Mixin private SpanOptions part;

@@ -46,13 +46,13 @@ abstract class MissionFileCommand extends BaseCommand {
   @Option(
       names = "--fence",
       paramLabel = "PATH",
-      description = "The fence's file, which goes with the mission.")
+      description = "Fence file that belongs to the mission.")
   private Path fence;
 
   @Option(
       names = "--lossy",
       description =
-          "Leave out what cannot be said in the other format, and say what; otherwise refuse.")
+          "Leave out and list everything that the other format cannot express; otherwise refuse.")
   private boolean lossy;
 
   private final List<String> lost = new ArrayList<>();
@@ -81,11 +81,11 @@ abstract class MissionFileCommand extends BaseCommand {
     try {
       return Files.readString(file, StandardCharsets.UTF_8);
     } catch (CharacterCodingException e) {
-      throw new BadInputException(file + ": expected a text in UTF-8", e);
+      throw new BadInputException(file + ": expected UTF-8 text", e);
     }
   }
 
-  /** Refuses losses that were not asked for. */
+  /** Rejects losses unless --lossy is given. */
   void settle() {
     if (!lost.isEmpty() && !lossy) {
       throw new BadInputException(
@@ -110,7 +110,7 @@ abstract class MissionFileCommand extends BaseCommand {
         "  ./u2sa mission export mission.xml",
         "  ./u2sa mission export mission.xml --out mission.waypoints",
         "",
-        "A file whose name ends with .plan is a plan, any other a list of waypoints. docs/missions.md says what the formats have."
+        "A file whose name ends with .plan is a plan, any other a list of waypoints. docs/missions.md describes the formats."
       })
   static final class Export extends MissionFileCommand {
     @Override
@@ -129,7 +129,7 @@ abstract class MissionFileCommand extends BaseCommand {
         lost().add("mission: timeLimit " + mission.timeLimit().getAsDouble() + " s");
       }
       if (!isPlan && fence.isPresent()) {
-        lost().add("fence: a list of waypoints has none");
+        lost().add("fence: a waypoint list cannot contain one");
       }
       settle();
       write(
@@ -160,7 +160,7 @@ abstract class MissionFileCommand extends BaseCommand {
         "  ./u2sa mission import survey.plan",
         "  ./u2sa mission import route.waypoints --out mission.xml",
         "",
-        "Altitudes relative to home need the home's altitude. Of a plan with a fence or rally points, --fence takes them."
+        "Altitudes relative to home need the home's altitude. For a plan with a fence or rally points, give --fence."
       })
   static final class Import extends MissionFileCommand {
     @Override
@@ -173,7 +173,7 @@ abstract class MissionFileCommand extends BaseCommand {
               : QgcPlan.read(origin, text, lost());
       List<GoalInformation> goals = goals(plan);
       if (goals.isEmpty()) {
-        throw new BadInputException(file() + ": holds no position to go to");
+        throw new BadInputException(file() + ": contains no position to go to");
       }
       String fenceText = "";
       boolean hasFence = !plan.areas().isEmpty() || !plan.rally().isEmpty();

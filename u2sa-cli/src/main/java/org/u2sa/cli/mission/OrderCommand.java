@@ -90,7 +90,7 @@ abstract class OrderCommand extends BaseCommand {
 
   @Command(
       name = "skip",
-      description = {"Skip a current goal: the mission continues as if it were done."})
+      description = {"Skip a current goal: the mission continues as if it were completed."})
   static final class Skip extends OrderCommand {
     @Parameters(
         arity = "0..1",

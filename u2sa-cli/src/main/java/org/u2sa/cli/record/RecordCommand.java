@@ -91,7 +91,7 @@ public final class RecordCommand extends BaseCommand {
             + recorder.files()
             + (recorder.dropped() == 0
                 ? ""
-                : ", besides " + recorder.dropped() + " that came too fast"));
+                : ", not counting " + recorder.dropped() + " that arrived too fast"));
     out().flush();
   }
 }

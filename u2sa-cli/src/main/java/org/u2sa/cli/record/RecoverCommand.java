@@ -45,7 +45,7 @@ public final class RecoverCommand extends BaseCommand {
     }
     Path whole = out == null ? recovered() : out;
     if (Files.exists(whole)) {
-      throw wrong(whole + " exists already; --out names another file");
+      throw wrong(whole + " already exists; give another file with --out");
     }
     McapRecovery.Result result = McapRecovery.recover(file, whole, "u2sa " + ProgramVersion.text());
     if (json) {

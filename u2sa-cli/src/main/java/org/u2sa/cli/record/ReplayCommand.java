@@ -123,7 +123,7 @@ public final class ReplayCommand extends BaseCommand {
       print(
           published
               + " messages published"
-              + (refused == 0 ? "" : ", " + refused + " not taken by the broker"));
+              + (refused == 0 ? "" : ", " + refused + " not accepted by the broker"));
       return refused == 0 ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
@@ -164,7 +164,7 @@ public final class ReplayCommand extends BaseCommand {
     return ExitCode.DONE;
   }
 
-  /** Services are executed again from their start, on all that they were given. */
+  /** Services are re-executed from their start with all their inputs. */
   private void refuseParts() {
     for (String option : List.of("--from", "--to", "--channel", "--rate", "--loop", "--web")) {
       if (commandLine().getParseResult().hasMatchedOption(option)) {

@@ -40,7 +40,7 @@ public final class RunFacts {
     return this;
   }
 
-  /** Adds a variable that is overridden for this run, and attaches the file it names, if any. */
+  /** Adds a variable overridden for this run, and attaches the file it names, if any. */
   public RunFacts setting(String service, String variable, Object value) {
     String text = String.valueOf(value);
     facts.say("settings", service + ":" + variable, text);

@@ -115,7 +115,7 @@ final class ServiceChanges {
               + file
               + ": applies to none of the services "
               + starts.stream().map(ExecutionStart::service).toList()
-              + "; configurations are told by their files' names, expected one of "
+              + "; configurations are identified by their file names, expected one of "
               + starts.stream().map(ExecutionStart::configurationName).toList());
     }
   }

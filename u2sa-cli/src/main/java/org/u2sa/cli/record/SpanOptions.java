@@ -17,14 +17,14 @@ public final class SpanOptions {
       paramLabel = "S",
       defaultValue = "0",
       description =
-          "Of a recording: begin this many seconds after its first message. Default: ${DEFAULT-VALUE}.")
+          "For a recording: start this many seconds after its first message. Default: ${DEFAULT-VALUE}.")
   private double fromS;
 
   @Option(
       names = "--to",
       paramLabel = "S",
       description =
-          "Of a recording: end this many seconds after its first message. Default: at its end.")
+          "For a recording: end this many seconds after its first message. Default: at its end.")
   private Double toS;
 
   /**

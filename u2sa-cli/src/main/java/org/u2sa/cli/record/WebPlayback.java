@@ -22,12 +22,11 @@ import org.u2sa.recorder.mcap.record.McapStatistics;
 import org.u2sa.recorder.playback.Playback;
 
 /**
- * A broker of its own that serves the operator's page for a recording. The page finds the playback
- * as a service with the variables POSITION, RATE and PAUSED, and sets them like those of any
- * service.
+ * Serves the operator's page for a recording through its own broker. The page finds the playback as
+ * a service with the variables POSITION, RATE and PAUSED, and sets them like those of any service.
  */
 final class WebPlayback implements AutoCloseable, Receiver {
-  /** Name by which the page knows that it shows a recording. */
+  /** Name by which the page recognises a recording. */
   static final String NAME = "Playback";
 
   static final String POSITION = "POSITION";
@@ -37,7 +36,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
   private static final double NANOS = 1e9;
   private static final double MIN_RATE = 0.1;
   private static final double MAX_RATE = 100.0;
-  private static final long TELL_EVERY = 5; // positions, of 20 a second
+  private static final long TELL_EVERY = 5; // position messages; 20 per second
 
   private final CommunicationManager manager;
   private final Connection connection;
@@ -50,7 +49,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
   /**
    * @param port of the page; the broker has the next one
    * @param systemId the recorded system
-   * @param log receives one line for each failure, and where the page is
+   * @param log receives one line for each failure, and the page's address
    */
   WebPlayback(
       int port,
@@ -122,7 +121,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
       throw new IllegalArgumentException(
           String.format(
               Locale.ROOT,
-              "%s: \"%s\" is no number in %.1f…%.1f",
+              "%s: \"%s\" is not a number in %.1f…%.1f",
               assignment.variableName(),
               assignment.value(),
               min,
@@ -135,7 +134,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
     return (statistics.endNanos() - statistics.startNanos()) / NANOS;
   }
 
-  /** Tells the page the position, four times a second and when something else changes. */
+  /** Sends the position to the page four times a second and when anything else changes. */
   void show(Playback.Position position) {
     boolean isOther =
         told == null || told.isPaused() != position.isPaused() || told.rate() != position.rate();

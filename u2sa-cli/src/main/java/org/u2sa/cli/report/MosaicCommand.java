@@ -15,7 +15,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code u2sa mosaic}: one picture of the images of a survey. */
+/** {@code u2sa mosaic}: joins the images of a survey to one picture. */
 @Command(
     name = "mosaic",
     description = {
@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
       "",
       "  ./u2sa mosaic recording.mcap --resolution 0.1 --out area.tif",
       "",
-      "Each pixel is from the image that shows its ground at the finest resolution. PNG comes with a world file (.pgw) and the "
+      "Each pixel comes from the image with the finest ground resolution there. PNG comes with a world file (.pgw) and the "
           + "coordinate reference system (.prj), WGS 84 / UTM. The images are those of a SurveyCamera with IMAGE EVERY above 0."
     })
 public final class MosaicCommand extends BaseCommand {

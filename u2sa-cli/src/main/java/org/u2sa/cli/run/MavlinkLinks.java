@@ -23,7 +23,7 @@ import picocli.CommandLine.Spec;
 
 /** The option {@code --mavlink}, and the bridges of a system that starts. */
 public final class MavlinkLinks {
-  private static final double CONNECT_WITHIN_S = 30.0; // a busy machine starts slowly
+  private static final double CONNECT_WITHIN_S = 30.0; // a busy machine may start slowly
   private static final double ANSWER_WITHIN_S = 3.0;
 
   private final List<BridgeOptions> asked = new ArrayList<>();
@@ -47,7 +47,7 @@ public final class MavlinkLinks {
     }
   }
 
-  /** Bridges that run. */
+  /** Running bridges. */
   @FunctionalInterface
   public interface Bridges extends AutoCloseable {
     @Override
@@ -57,8 +57,8 @@ public final class MavlinkLinks {
   /**
    * Starts the bridges of the options, or without any those of the system file.
    *
-   * @throws BadInputException if a link is wrong or taken, the system has no broker of its own, or
-   *     that admits users only: a link has none
+   * @throws BadInputException if a link is invalid or in use, or the system has no broker of its
+   *     own or one that only admits users, which a link does not have
    */
   public Bridges start(SystemFile file, RunningSystem running, Consumer<String> console) {
     List<BridgeOptions> links = asked.isEmpty() ? ofFile(file) : asked;

@@ -383,7 +383,7 @@ public final class RunCommand extends BaseCommand {
         .announce(file.systemId(), system.communicationManager().address(), out()::println);
   }
 
-  /** A process that runs only some of the services leaves the links to the one with the broker. */
+  /** A process with only some of the services leaves the links to the process with the broker. */
   private MavlinkLinks.Bridges bridges(SystemFile file, RunningSystem system) {
     return only.isEmpty() ? mavlink.start(file, system, out()::println) : () -> {};
   }

@@ -109,10 +109,10 @@ final class ServiceProcesses implements AutoCloseable {
 
   /**
    * Ends the service's process, if alive, and starts a new one. A working process is asked to end
-   * (SIGTERM) within 2 s, so that it sets its outputs to neutral and closes its files; one that is
-   * silent is killed.
+   * (SIGTERM) within 2 s, so that it sets its outputs to neutral and closes its files; a silent one
+   * is killed.
    *
-   * @param speaks whether the service is known to work
+   * @param speaks whether the service is known to be working
    * @return whether it was started; false during shutdown
    * @throws IOException if the process cannot be started
    */

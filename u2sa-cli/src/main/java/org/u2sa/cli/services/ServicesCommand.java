@@ -94,7 +94,7 @@ public final class ServicesCommand extends BaseCommand {
 
   private int print(List<ServiceDirectory.Found> found, String does) {
     if (found.isEmpty()) {
-      print("Nobody " + does + ".");
+      print("No service " + does + ".");
       return ExitCode.FAILED;
     }
     TextTable table = new TextTable("NAME", "CHANNEL", "TYPE", "");
@@ -158,7 +158,7 @@ public final class ServicesCommand extends BaseCommand {
       }
       throw new BadInputException(
           String.format(
-              "no data of type \"%s\" is known here or to any service%s",
+              "data type \"%s\" is unknown here and to all services%s",
               name, NearestNames.didYouMean(name, names)));
     }
   }

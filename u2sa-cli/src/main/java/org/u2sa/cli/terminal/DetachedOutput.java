@@ -48,7 +48,7 @@ final class DetachedOutput extends OutputStream {
     }
   }
 
-  /** Undoes {@link #detach}, after a bounded wait for the output of what waits. */
+  /** Undoes {@link #detach}, after a bounded wait for pending output. */
   void attach() {
     drain();
     synchronized (waiting) {

@@ -57,7 +57,7 @@ public final class RawTerminal implements AutoCloseable {
     try {
       stty(before);
     } catch (IOException e) {
-      System.err.println("u2sa: cannot restore the terminal (stty sane does): " + e.getMessage());
+      System.err.println("u2sa: cannot restore the terminal; run \"stty sane\": " + e.getMessage());
     }
   }
 

@@ -110,11 +110,11 @@ class DescribeCommandTest extends CommandFixture {
     assertThat(u2sa("describe", "--connect", "--broker", foreign.broker(), "--timeout", "60"))
         .isEqualTo(ExitCode.DONE);
     assertThat(out.toString())
-        .contains("System rover as it runs at " + foreign.broker())
+        .contains("System rover running at " + foreign.broker())
         .containsPattern("perception +- +2 discrete +Flashlight measures the vehicle")
         .containsPattern(
             "sensed-state +flashlight +StateInformation +\\d+\\.\\d Hz +x y +x 1\\.5 m, y 2 m")
-        .contains("state: to nobody in here")
+        .contains("state: to no service")
         .containsPattern(
             "LAMP: minimum 0 %, maximum 100 %, effect lights, .*rateLimit 50 %/s, force .*-0\\.25.* N");
   }

@@ -148,7 +148,7 @@ class LookCommandsTest extends CommandFixture {
   void publish_typeThatDoesNotTravelThere_isRefused() {
     assertThat(run("publish", "power", "{\"type\": \"Waypoint\", \"uid\": \"1\"}"))
         .isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("a Waypoint does not travel on \"power\"", "BatteryState");
+    assertThat(err.toString()).contains("\"power\" does not carry a Waypoint", "BatteryState");
   }
 
   @Test

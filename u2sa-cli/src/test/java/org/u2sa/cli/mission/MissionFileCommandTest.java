@@ -106,7 +106,7 @@ class MissionFileCommandTest extends CommandFixture {
         .isEqualTo(ExitCode.BAD_INPUT);
     Path empty = file("empty.plan", "{\"fileType\":\"Plan\",\"mission\":{\"items\":[]}}");
     assertThat(u2sa("mission", "import", empty.toString())).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("holds no position to go to");
+    assertThat(err.toString()).contains("contains no position to go to");
   }
 
   @ParameterizedTest

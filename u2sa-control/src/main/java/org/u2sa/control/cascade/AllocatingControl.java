@@ -42,7 +42,7 @@ import org.u2sa.service.handover.HandOver;
  * actuator appears, disappears or weakens, the next state is allocated accordingly, and health
  * reports the remaining authority. Without fresh navigation the vehicle stops and keeps its
  * heading. Without any state it approaches the point using motion estimated from the sightings of
- * it ({@link SeenMotion}) or measured by its sensors ({@link SensedMotion}), and actuators are
+ * it ({@link SeenMotion}) or measured by its sensors ({@link SensedMotion}), and the actuators are
  * released when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
@@ -78,7 +78,7 @@ public final class AllocatingControl extends ControlSystem {
           double retryTime,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether without states the motion is taken from an IMU and a velocity log on sensed-state. Once both have measured, the actuators are neutral while one is silent.")
+              "Whether, without states, motion comes from an IMU and a velocity log on sensed-state. Once both have measured, the actuators are neutral while either is silent.")
           boolean sensesMotion) {
     Choices {
       axes(essential);
@@ -124,7 +124,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
   private boolean wentBySight; // at the previous step
-  private boolean isMeasured; // has been by IMU and velocity log
+  private boolean isMeasured; // has been controlled by IMU and velocity log
   private boolean takesOver;
   private double fluidMps; // speed of the newest state through air or water
   private OptionalDouble headingBefore = OptionalDouble.empty();
@@ -203,7 +203,7 @@ public final class AllocatingControl extends ControlSystem {
     cascade.goBySight(isStateless(), measured.isPresent());
     isMeasured |= measured.isPresent();
     if (isStateless() && isMeasured && measured.isEmpty()) {
-      return Optional.empty(); // lost: what was seen is carried along by the same sensors
+      return Optional.empty(); // lost: sightings are propagated by the same sensors
     }
     if (isStateless()) {
       Point acceleration =

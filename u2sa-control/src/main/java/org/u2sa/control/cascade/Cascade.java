@@ -18,9 +18,9 @@ import org.u2sa.service.motion.DriftFilter;
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
-  private static final double VANE_PER_S = 0.1; // turning rate per angle off the weather
+  private static final double VANE_PER_S = 0.1; // yaw rate per angle off the weather
   private static final double FLIES_FROM = 0.5; // fraction of the weight that is lifted
-  private static final double MIN_AHEAD_MPS = 0.5; // to which a vehicle at rest accelerates soon
+  private static final double MIN_AHEAD_MPS = 0.5; // which a vehicle at rest reaches soon
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
   private static final int HEAVE = DegreeOfFreedom.HEAVE.ordinal();
@@ -85,8 +85,8 @@ final class Cascade {
   }
 
   /**
-   * Turns the bow into wind and current while the vehicle stays at a place and no heading is given:
-   * to the side to which it must push, until it need not push aside.
+   * Turns the bow into wind and current while the vehicle keeps its position without a given
+   * heading: towards the side of its lateral force, until none is needed.
    */
   private void weatherVane(MotionTarget target, double stepS) {
     boolean stays = target.way().isPresent() && distanceM(target) < settings.way().facingDistance();
@@ -212,7 +212,7 @@ final class Cascade {
   /**
    * Switches between control by sight in the vehicle's own axes and by states. The heading to hold
    * is dropped, because it refers to axes that have turned; by sight, a vehicle that faces its
-   * direction of travel must not move sideways, which would look like turning.
+   * direction of travel must not move sideways, because that would look like turning.
    *
    * @param isMeasured whether the motion is measured, not derived from sightings
    */

@@ -6,7 +6,7 @@ package org.u2sa.control.cascade;
  * to. Not thread-safe.
  */
 final class GroundWatch {
-  private static final double ABOVE_M = 0.3; // of a target that means taking off
+  private static final double ABOVE_M = 0.3; // minimum height of a target that implies taking off
   private static final double MOVES_MPS = 1.0;
   private static final double SINKS_MPS = 0.1; // wanted at least
   private static final double STILL_MPS = 0.05;

@@ -8,8 +8,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * The vehicle's motion without states, as an IMU and a velocity log measure it: turn rate, and
- * speeds along the axes of a level vehicle.
+ * The vehicle's motion without states, measured by an IMU and a velocity log: turn rate, and speeds
+ * along the axes of a level vehicle.
  */
 final class SensedMotion {
   private static final Attitude LEVEL = new Attitude(0.0, 0.0, 0.0);
@@ -21,13 +21,13 @@ final class SensedMotion {
   private double turnS = Double.NEGATIVE_INFINITY;
   private double velocityS = Double.NEGATIVE_INFINITY;
 
-  /** Adds what a sensor measured, which has arrived now [µs]. */
+  /** Adds a sensor's measurement that arrived just now [µs]. */
   void sensed(StateInformation measured, long nowMicros) {
     ReferenceFrame frame = measured.referenceFrame();
     if (!frame.equals(ReferenceFrame.BODY) && measured.psiDot().isPresent()) {
       boolean isLeftward =
           frame.equals(ReferenceFrame.LOCAL_ENU) || frame.equals(ReferenceFrame.BODY_FLU);
-      double sign = isLeftward ? -1.0 : 1.0; // there, nose down is positive, too
+      double sign = isLeftward ? -1.0 : 1.0; // there, nose down is also positive
       turnRadPerS = sign * measured.psiDot().getAsDouble();
       tilt = new Attitude(measured.phi().orElse(0.0), sign * measured.theta().orElse(0.0), 0.0);
       turnS = Clock.seconds(nowMicros);

@@ -6,7 +6,7 @@ import org.u2sa.control.Transfer;
 /** The airborne phases: climb-out, cruise, holding and go-around. */
 final class AirbornePhases {
   private static final double NEAR_GROUND_M = 10.0;
-  private static final double HEIGHT_FIRST_BELOW = 0.5; // of the safe height
+  private static final double HEIGHT_FIRST_BELOW = 0.5; // fraction of the safe height
 
   private final AutopilotVariables tuning;
   private final GuidanceVariables guidance;

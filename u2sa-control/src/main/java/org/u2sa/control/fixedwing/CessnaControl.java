@@ -62,7 +62,7 @@ public final class CessnaControl extends ControlSystem {
     registerPublisher(ControlStatus.CHANNEL);
   }
 
-  /** The laws begin again when a pilot has given the aircraft back, wherever that is. */
+  /** Restarts the control laws when a pilot has returned control, wherever the aircraft is. */
   private void onManual(ManualState state) {
     if (state.requestId().isPresent()) {
       return; // an answer of this service
@@ -226,7 +226,7 @@ public final class CessnaControl extends ControlSystem {
     }
   }
 
-  /** Begins with the commands given last. */
+  /** Starts from the last commands (bumpless transfer). */
   private void takeOverCommands() {
     if (lastCommand(AircraftActuator.THROTTLE.actuatorName()).isEmpty()) {
       return;

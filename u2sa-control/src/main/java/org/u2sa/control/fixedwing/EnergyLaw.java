@@ -24,7 +24,7 @@ final class EnergyLaw {
           @Description("Airspeed-error time constant.")
           double speedTimeConstant,
       @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 3.5)
-          @Description("Maximum demanded climb.")
+          @Description("Maximum demanded climb rate.")
           double climbLimit,
       @Variable(unit = "m/s", min = 0.5, max = 10, ifAbsent = 4)
           @Description("Maximum demanded sink rate.")
@@ -38,7 +38,7 @@ final class EnergyLaw {
       @Variable(unit = "s", min = 0.05, max = 20, ifAbsent = 1)
           @Description("Time constant of the airspeed low-pass; longer is calmer in gusts.")
           double airspeedFilter,
-      @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Throttle of level cruise.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Throttle in level cruise.")
           double throttleTrim,
       @Variable(unit = "1/rad", min = 0, max = 20, ifAbsent = 2.5)
           @Description("Throttle per energy rate.")
@@ -96,7 +96,7 @@ final class EnergyLaw {
     /** Altitude only, at full throttle while the airspeed margin lasts: close to the ground. */
     HEIGHT(0.0);
 
-    private final double speedShare; // of two that altitude and airspeed have together
+    private final double speedShare; // out of 2, which altitude and airspeed share
 
     Priority(double speedShare) {
       this.speedShare = speedShare;

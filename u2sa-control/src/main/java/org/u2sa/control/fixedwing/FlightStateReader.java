@@ -45,7 +45,7 @@ final class FlightStateReader {
   private static final double HIGH_M = 1_000.0; // height of an aircraft with unknown height
   private static final double SLOWEST_MPS = 1.0; // below this, airflow has no direction
 
-  private static final double ELECTRIC_RPM = 10_000.0; // reported for a motor that needs no start
+  private static final double ELECTRIC_RPM = 10_000.0; // reported for motors that need no starting
 
   private final Supplier<GroundReference.Variables> settings;
   private final GroundReference ground = new GroundReference();
@@ -104,9 +104,9 @@ final class FlightStateReader {
   }
 
   /**
-   * Converts a state for the laws; empty if something they need is {@linkplain #missing missing}. A
-   * message that is not an {@link AircraftState} has its height above ground from the start, if
-   * configured so, and else counts as airborne.
+   * Converts a state for the laws; empty if a required value is {@linkplain #missing missing}. For
+   * a message that is not an {@link AircraftState}, height above ground is measured from the start
+   * position if so configured; otherwise it counts as airborne.
    */
   Optional<FlightState> read(StateInformation state) {
     if (!missing(state).isEmpty()) {

@@ -5,15 +5,15 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Height above ground of an aeroplane whose state does not say it: above the place where it
- * started. The ground is taken as level from there to the landing.
+ * Height above ground of an aeroplane whose state lacks it: the height above the starting position.
+ * The ground is assumed level from there to the landing.
  */
 final class GroundReference {
-  /** Where an aeroplane gets its height from. */
+  /** Source of an aeroplane's height. */
   enum Source {
-    /** The state; one that lacks it counts as flying high. */
+    /** The state; without a height, the aircraft counts as flying high. */
     STATE,
-    /** The altitude at which the aircraft stood. */
+    /** The altitude of the aircraft at rest on the ground. */
     START
   }
 
@@ -25,10 +25,10 @@ final class GroundReference {
           Source ground,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
           @Description(
-              "Height at the start above where the aircraft rests after landing, as on a catapult or in a hand.")
+              "Height of the start above the resting position after landing, e.g. on a catapult or in a hand.")
           double startHeight) {}
 
-  private static final double STANDS_MPS = 2.0; // slower over ground: it is not flying
+  private static final double STANDS_MPS = 2.0; // at a lower ground speed it is not flying
   private static final double TIME_CONSTANT_S = 5.0;
   private static final double LIFTED_M = 0.5;
 
@@ -42,7 +42,7 @@ final class GroundReference {
     lastS = timeS;
     flown |= groundSpeedMps > STANDS_MPS;
     if (flown) {
-      return; // started in flight: unknown
+      return; // unknown if started in flight
     }
     double seenM = altitudeM - startHeightM;
     groundM =

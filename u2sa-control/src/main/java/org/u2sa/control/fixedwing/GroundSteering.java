@@ -46,7 +46,7 @@ final class GroundSteering {
 
   private static final double SLOWEST_MPS = 4.0; // below, geometry would demand too much
   private static final double GENTLE_MPS2 = 55.0; // lateral, per radian of heading error
-  private static final double GENTLE_SHARE = 0.3; // of the heading's bandwidth
+  private static final double GENTLE_SHARE = 0.3; // fraction of the heading's bandwidth
   private static final double VANE_SHARE = 0.4; // the tyres hold the rest
   private static final double VANE_RAD =
       0.4; // beyond this angle the aircraft is slow, and the nose wheel grips

@@ -59,13 +59,13 @@ final class LandingRefusal {
     return refused;
   }
 
-  /** Height that it takes to end the descent [m]. */
+  /** Height needed to end the descent [m]. */
   private static double pullUpM(FlightState state) {
     double sinkMps = Math.max(0.0, -state.climbMps());
     return sinkMps * sinkMps / (2.0 * PULL_UP_MPS2);
   }
 
-  /** The reason, and the aircraft's action instead. */
+  /** The reason, and what the aircraft does instead. */
   String words() {
     return String.format(
         Locale.ROOT,

@@ -61,7 +61,7 @@ public final class DifferentialDriveControl extends GroundControl {
     return true;
   }
 
-  /** Its gains do not imply any speed limits. */
+  /** Its gains imply no speed limits. */
   @Override
   boolean isDrivenByHand() {
     return false;

@@ -21,9 +21,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Control of a ground vehicle by the navigation point relative to the vehicle now and by its
- * measured motion, or by the hand of an operator; it stops without its motors. In: navigation,
- * state, arming-state, actuators, failsafe, manual-orders, manual-drive. Out: manual-state.
+ * Controls a ground vehicle from the navigation point and its measured motion, or from an
+ * operator's manual commands; stops if a motor is lost. In: navigation, state, arming-state,
+ * actuators, failsafe, manual-orders, manual-drive. Out: manual-state.
  */
 abstract class GroundControl extends ControlSystem {
   private final ActuatorRoster roster = new ActuatorRoster();
@@ -100,7 +100,7 @@ abstract class GroundControl extends ControlSystem {
         : hand.wanted(handLimits.get(), clock().micros()).map(GroundTarget::byHand);
   }
 
-  /** Whether targets that are motions, not places, are obeyed. */
+  /** Whether an operator may drive by hand. */
   boolean isDrivenByHand() {
     return true;
   }
@@ -132,7 +132,7 @@ abstract class GroundControl extends ControlSystem {
     publish(Channels.MANUAL_STATE, state);
   }
 
-  /** Late subscribers, and those of a predecessor's message, learn how it stands. */
+  /** Publishes the current state, which may differ from a predecessor's last message. */
   @Override
   protected void begin() {
     super.begin();

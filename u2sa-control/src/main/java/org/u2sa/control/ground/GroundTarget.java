@@ -30,7 +30,7 @@ record GroundTarget(
     this(forwardM, leftM, speedMps, backwards, OptionalDouble.empty(), Optional.empty());
   }
 
-  /** A motion, far from any place. */
+  /** A motion instead of a position. */
   static GroundTarget byHand(Drive drive) {
     return new GroundTarget(
         Double.POSITIVE_INFINITY,
@@ -56,7 +56,7 @@ record GroundTarget(
    * position or heading, or if they are in different frames.
    *
    * @param ned point relative to the older state: north, east, down [m]
-   * @param point with the speed, the direction and the turn there
+   * @param point point's speed, direction and turn
    */
   static Optional<GroundTarget> seenFrom(
       StateInformation then, Point ned, StateInformation now, NavigationPoint point) {
@@ -76,7 +76,7 @@ record GroundTarget(
             Optional.empty()));
   }
 
-  /** What is left of a turn to the right that an older state asked for. */
+  /** Remainder of a right turn requested relative to an older state. */
   private static OptionalDouble leftRad(
       OptionalDouble turnRad, StateInformation then, StateInformation now) {
     if (turnRad.isEmpty() || then.psi().isEmpty()) {

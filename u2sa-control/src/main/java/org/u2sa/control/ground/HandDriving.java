@@ -10,9 +10,9 @@ import org.u2sa.messages.safety.ManualState;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Driving by hand: begins and ends by an operator's order, and ends by a failsafe or when the
- * vehicle is disarmed. Only the operator who began it is obeyed; who falls silent stops the
- * vehicle.
+ * Driving by hand: starts and ends by an operator's order, and also ends by a failsafe or when the
+ * vehicle is disarmed. Only the operator who started it is obeyed; if that operator falls silent,
+ * the vehicle stops.
  */
 final class HandDriving {
   /** Limits of driving by hand. */
@@ -29,7 +29,7 @@ final class HandDriving {
   private boolean active;
   private String operator = "";
   private long takeovers;
-  private ManualDrive newest; // null: none since the beginning
+  private ManualDrive newest; // null: none since the start
   private long heardMicros;
   private boolean armed;
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
@@ -65,7 +65,7 @@ final class HandDriving {
     }
   }
 
-  /** New state if the arming ends driving by hand; otherwise empty. */
+  /** New state if disarming ends driving by hand; otherwise empty. */
   Optional<ManualState> see(boolean nowArmed) {
     boolean disarmed = armed && !nowArmed;
     armed = nowArmed;
@@ -84,7 +84,7 @@ final class HandDriving {
     return was ? Optional.of(state().reason(reason)) : Optional.empty();
   }
 
-  /** Motion wanted, within the limits; empty: stop. */
+  /** Commanded motion, within the limits; empty to stop. */
   Optional<Drive> wanted(Limits limits, long nowMicros) {
     if (!active || newest == null || nowMicros - heardMicros > DEAD_MAN_MICROS) {
       return Optional.empty();

@@ -25,7 +25,7 @@ final class PursuitLaw {
   private Drive drive = Drive.STANDING;
   private boolean turning;
   private boolean arrived;
-  private boolean turned; // to the heading wanted at the target
+  private boolean turned; // has turned to the required heading at the target
 
   PursuitLaw(PursuitSettings settings) {
     this.settings = settings;
@@ -108,7 +108,7 @@ final class PursuitLaw {
     return new Drive(along, along * curvature);
   }
 
-  /** Turns on the spot, and stands with that heading. */
+  /** Turns in place and stops at that heading. */
   private Drive turnedBy(OptionalDouble turnRad) {
     double leftRad = turnRad.orElse(0.0);
     turned = Math.abs(leftRad) <= TURNED_RAD * (turned ? LEAVES_AFTER : 1.0);

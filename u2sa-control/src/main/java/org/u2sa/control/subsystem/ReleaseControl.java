@@ -15,8 +15,8 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Commands switched payloads, such as launchers and drop mechanisms, at 100 % while a planner
- * publishes navigation points for the subsystem of their name, else at 0 % (thesis 4.3.1.5). In:
- * navigation, state. Out: actuation.
+ * publishes navigation points for the subsystem of their name, otherwise at 0 % (thesis 4.3.1.5).
+ * In: navigation, state. Out: actuation.
  */
 public final class ReleaseControl extends ControlSystem {
   private static final double RELEASED_PERCENT = 100.0;

@@ -75,7 +75,7 @@ public abstract class SubsystemControl extends ControlSystem {
    * The joints' angles for a target.
    *
    * @param target in the axes of the subsystem's base: forward, left, down of it [m]
-   * @return angles by actuator name [rad], those that stay as they are left out
+   * @return angles by actuator name [rad], without those that stay unchanged
    */
   protected abstract Map<String, Double> angles(Point target);
 

@@ -118,8 +118,8 @@ final class BrokerSecurity {
   }
 
   /**
-   * Tells where the operator's page is and how to log in. The link with the token is shown on a
-   * terminal only, because what a program logs may be read by others.
+   * Prints the address of the operator's page and how to log in. The link with the token is shown
+   * on a terminal only, because others may read a program's log.
    */
   String loginLine(String link) {
     if (directory != null) {
@@ -137,7 +137,7 @@ final class BrokerSecurity {
     return directory != null;
   }
 
-  /** Whether everybody who connects has full access. */
+  /** Whether every client has full access. */
   boolean isOpen() {
     return own == null;
   }

@@ -270,7 +270,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
 
   private void connect(ChannelHandlerContext ctx, MqttMessage packet) {
     if (!(packet instanceof MqttConnectMessage connect)) {
-      putOut(ctx, ConnectionFault.MALFORMED, "the first one is no CONNECT");
+      putOut(ctx, ConnectionFault.MALFORMED, "the first packet is not a CONNECT");
       return;
     }
     ConnectRequest said = ConnectRequest.of(connect, broker.pass());

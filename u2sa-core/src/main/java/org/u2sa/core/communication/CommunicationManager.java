@@ -142,7 +142,7 @@ public final class CommunicationManager implements AutoCloseable {
   }
 
   /**
-   * @throws RuntimeException if it cannot be started; then this manager is closed
+   * @throws RuntimeException if it cannot be started; this manager is then closed
    */
   private void startRosbridge(
       String systemId, ManagerVariables manager, MessageCodec codec, Consumer<String> log) {

@@ -164,7 +164,7 @@ final class EmbeddedBroker implements AutoCloseable {
     int owed = filter.drain();
     if (owed > 0) {
       notTaken.addAndGet(owed);
-      log.accept(owed + " messages or more were not taken by remote subscribers before the end");
+      log.accept(owed + " or more messages were undelivered to remote subscribers at shutdown");
     }
     closing = true;
     FilterInstaller.takeDown(server);

@@ -46,7 +46,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
    */
   private static final double SHARE = 0.01;
 
-  private static final double SHARE_BURST_MESSAGES = 20.0; // of many clients at once
+  private static final double SHARE_BURST_MESSAGES = 20.0; // shared by many simultaneous clients
 
   /**
    * Maximum payload of a short message [bytes], which is handled within microseconds regardless of

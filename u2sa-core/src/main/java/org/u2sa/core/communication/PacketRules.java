@@ -140,7 +140,7 @@ final class PacketRules {
       return Optional.of(verdict.refusal());
     }
     if (verdict.rule() != null && !verdict.rule().mayBeWill()) {
-      return Optional.of(verdict.rule().type().name() + " is no will");
+      return Optional.of(verdict.rule().type().name() + " is not a will");
     }
     if (will.payload().length > BrokerLimits.LONGEST_WILL) {
       return Optional.of("it is too long");

@@ -8,7 +8,7 @@ import org.u2sa.core.communication.web.WebResponses;
 import org.u2sa.core.communication.web.WebSite;
 import org.u2sa.core.communication.web.WebTiles;
 
-/** Where the embedded broker serves the operator's page, and what it serves. */
+/** Address and content of the operator's page served by the embedded broker. */
 record WebPort(InetSocketAddress address, WebResponses page, SameOrigin origin, boolean encrypted) {
   /**
    * The web port of a configuration; empty without one.

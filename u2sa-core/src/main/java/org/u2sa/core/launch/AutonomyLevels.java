@@ -16,7 +16,7 @@ import org.u2sa.interfaces.xml.XmlElement;
  * @param independence independence from people (2.3.3)
  */
 public record AutonomyLevels(Perception perception, Decision decision, Independence independence) {
-  /** A level: counts from 1. */
+  /** An autonomy level. */
   public interface Level {
     /** Name in code. */
     String name();

@@ -80,7 +80,7 @@ final class DuplicateCheck implements Transport, Receiver {
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new CommunicationException("interrupted while asking who runs already", e);
+      throw new CommunicationException("interrupted while asking for running services", e);
     }
   }
 

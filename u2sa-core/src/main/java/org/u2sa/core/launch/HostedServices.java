@@ -21,9 +21,9 @@ import org.u2sa.service.U2SAService;
  * it cannot be created. A thread that hangs cannot be ended in Java: it is disconnected and
  * abandoned.
  *
- * <p>A swap replaces a running service by another class ({@link ServiceSwap}) with the same
- * configuration. A restart after it starts the class that ran last; the next run of the system uses
- * the system file again.
+ * <p>A swap replaces a running service with another class ({@link ServiceSwap}) with the same
+ * configuration. After a swap, a restart creates the swapped-in class; the next run of the system
+ * uses the system file again.
  */
 final class HostedServices implements ServiceHost {
   /** Longest wait for a service's thread to end. */
@@ -50,7 +50,7 @@ final class HostedServices implements ServiceHost {
       U2SAService service) {}
 
   /**
-   * @param supervised whether an external supervisor starts and restarts it
+   * @param supervised whether an external supervisor starts and restarts the services
    */
   HostedServices(ServiceMaker maker, boolean supervised, Consumer<String> console) {
     this.maker = maker;
@@ -86,7 +86,7 @@ final class HostedServices implements ServiceHost {
   }
 
   /**
-   * Replaces a service by another, unless the system is ending.
+   * Replaces a service with another, unless the system is ending.
    *
    * @return whether it was replaced; if not, the caller ends the new one
    */
@@ -109,7 +109,7 @@ final class HostedServices implements ServiceHost {
   public Optional<String> start(String serviceName) {
     Hosted old = present(serviceName).orElseThrow();
     if (old.service().isRunning()) {
-      return Optional.of("service " + serviceName + " runs already");
+      return Optional.of("service " + serviceName + " is already running");
     }
     return startInPlaceOf(old);
   }
@@ -131,7 +131,7 @@ final class HostedServices implements ServiceHost {
               .order()
               .await(SWAP_WITHIN_S);
       if (refusal.isEmpty() && !configuration.withoutEffect().isEmpty()) {
-        made.log("declares no " + configuration.withoutEffect() + ": no effect");
+        made.log("does not declare " + configuration.withoutEffect() + " (they have no effect)");
       }
       return refusal;
     } catch (RuntimeException | LinkageError e) { // missing class, invalid variable, broken jar

@@ -176,9 +176,9 @@ public final class LaunchOptions {
   }
 
   /**
-   * Lets the embedded broker listen on any free port if it cannot listen on the configured one.
+   * Lets the embedded broker use any free port if the configured one is unavailable.
    *
-   * @param told called with the port, once the broker listens there
+   * @param told called with the port once the broker listens
    */
   public LaunchOptions anyPortIfTaken(IntConsumer told) {
     otherPort = Optional.of(told);

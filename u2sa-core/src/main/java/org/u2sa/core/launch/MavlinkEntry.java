@@ -7,7 +7,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 /**
  * A link to MAVLink ground stations in a system file: {@code <mavlink link="tcp:5760" as="px4"/>}.
  *
- * @param link the link with its options, as --mavlink has them
+ * @param link the link with its options, as in --mavlink
  * @param element its XML element, for error messages
  */
 public record MavlinkEntry(String link, XmlElement element) {

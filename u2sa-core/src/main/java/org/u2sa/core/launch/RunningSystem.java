@@ -99,8 +99,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Starts the Communication Manager. The attempt to listen decides whether a port is taken: a test
-   * in advance leaves time in which another program can take it.
+   * Starts the Communication Manager. The attempt to listen decides whether a port is taken: after
+   * a test in advance, another program could still take it.
    */
   private CommunicationManager startManager(XmlConfiguration communication) {
     try {
@@ -133,7 +133,7 @@ public final class RunningSystem implements AutoCloseable {
    */
   private static void requireFolder(Path logs) {
     if (Files.exists(logs) && !Files.isDirectory(logs)) {
-      throw new BadInputException(logs + ": is no folder, expected one for log files");
+      throw new BadInputException(logs + ": is not a folder, expected one for log files");
     }
   }
 

@@ -111,7 +111,7 @@ final class ActuationWatch implements Watch {
     state.flag(ARMED, armed).texts(REFUSING, values);
   }
 
-  /** A service that refused everything counts as refusing until it obeys or stops refusing. */
+  /** A service that refused all commands counts as refusing until it obeys or stops refusing. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     armed = state.flag(ARMED);

@@ -69,7 +69,7 @@ final class Fence {
   private static Polygon shrunk(Polygon area, double marginM) {
     if (!(area.buffer(-marginM) instanceof Polygon smaller) || smaller.isEmpty()) {
       throw new IllegalArgumentException(
-          "a margin of " + CauseText.metres(marginM) + " leaves no keep-in area in one piece");
+          "a margin of " + CauseText.metres(marginM) + " leaves no connected keep-in area");
     }
     return smaller;
   }
@@ -83,7 +83,7 @@ final class Fence {
     return keepIn.map(this::corners).orElse(List.of());
   }
 
-  /** The corners of each keep-out area; without corners on a local plane. */
+  /** The corners of each keep-out area; no corners on a local plane. */
   List<List<Geodetic>> keepOutCorners() {
     List<List<Geodetic>> areas = new ArrayList<>();
     keepOuts.forEach(area -> areas.add(corners(area)));

@@ -10,8 +10,8 @@ import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 
 /**
- * Carries out operators' orders about the fence and reports the results. Idempotent: a repeated
- * order is answered again but not executed again.
+ * Executes operators' fence orders and reports the results. Idempotent: a repeated order is
+ * answered again but not executed again.
  */
 final class FenceOrders {
   private static final int REMEMBERED = 64;
@@ -32,7 +32,7 @@ final class FenceOrders {
   }
 
   /**
-   * Carries out an order unless already done. Returns the answer in the name of the manager.
+   * Executes an order unless already done. Returns the answer in the name of the manager.
    *
    * @param armed whether the vehicle is armed: it must then be well within the new fence
    */
@@ -88,7 +88,7 @@ final class FenceOrders {
                 fence -> fence.rally().stream().filter(each -> fence.objection(each).isPresent()))
             .map(RallyPoint::name)
             .collect(Collectors.joining(", "));
-    return points.isEmpty() ? "" : "; outside of it, so not used: " + points;
+    return points.isEmpty() ? "" : "; outside it, so unused: " + points;
   }
 
   private void check(GivenFence given, boolean armed, long nowMicros) {
@@ -98,7 +98,7 @@ final class FenceOrders {
           .ifPresent(
               words -> {
                 throw new BadInputException(
-                    given.file() + ": the vehicle is armed, and to this fence it is: " + words);
+                    given.file() + ": the vehicle is armed and violates it: " + words);
               });
     }
   }
@@ -117,6 +117,6 @@ final class FenceOrders {
 
   private String remark(long nowMicros) {
     return unused()
-        + watch.objection(nowMicros).map(words -> "; not to be armed: " + words).orElse("");
+        + watch.objection(nowMicros).map(words -> "; arming is not possible: " + words).orElse("");
   }
 }

@@ -25,7 +25,7 @@ final class FenceReader {
   private static final int MIN_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
   private static final double INSIDE = 1.0; // corners on the circle
-  private static final double AROUND = 1.0 / Math.cos(Math.PI / CIRCLE_CORNERS); // edges on it
+  private static final double AROUND = 1.0 / Math.cos(Math.PI / CIRCLE_CORNERS); // edges touch it
 
   private final GeometryFactory geometry = new GeometryFactory();
   private final boolean onEarth;
@@ -108,7 +108,7 @@ final class FenceReader {
   }
 
   /**
-   * @param scale of a circle's radius to that of the corners
+   * @param scale ratio of a circle's radius to that of its corners
    */
   private Polygon area(XmlElement area, double scale) {
     return area.child("centre").isPresent() ? circle(area, scale) : polygon(area);

@@ -31,8 +31,8 @@ final class FenceWatch implements Watch {
   private final PositionWatch states;
   private GivenFence given; // null if none
   private volatile Fence fence; // null if none; written by the Safety Manager's thread
-  private boolean isOrdered; // by an operator, instead of the configured one
-  private int changes; // of the fence in force
+  private boolean isOrdered; // ordered by an operator, instead of the configured one
+  private int changes; // number of changes of the fence in force
   private boolean aboveFloor;
   private Point clear =
       Point.of(0.0, 0.0, 0.0); // position at which the distance to the fence was last computed
@@ -51,7 +51,7 @@ final class FenceWatch implements Watch {
     load();
   }
 
-  /** Compares states with another fence, in the same condition as another watch. */
+  /** Checks states against a different fence, starting with another watch's state. */
   private FenceWatch(FenceWatch other, Fence fence) {
     matrix = other.matrix;
     settings = other.settings;
@@ -66,7 +66,7 @@ final class FenceWatch implements Watch {
     use(file.load(settings.get()).orElse(null), false);
   }
 
-  /** Puts an ordered fence in force instead of the configured one; empty: none. */
+  /** Applies an ordered fence instead of the configured one; empty: no fence. */
   void order(Optional<GivenFence> ordered) {
     use(ordered.orElse(null), true);
     file.forget();
@@ -99,7 +99,7 @@ final class FenceWatch implements Watch {
     return file.read(settings.get());
   }
 
-  /** Trouble of the vehicle if another fence were in force; empty if none. */
+  /** Fault of the vehicle if another fence were in force; empty if none. */
   Optional<String> refusal(GivenFence other, long nowMicros) {
     return states.fresh(nowMicros).isEmpty()
         ? Optional.of("without a position to compare")
@@ -120,13 +120,13 @@ final class FenceWatch implements Watch {
     }
   }
 
-  /** The fence in force, to be published. */
+  /** The fence in force, for publication. */
   FenceState state() {
     double marginM = settings.get().fenceMargin();
     return given == null ? new FenceState().margin(marginM) : given.state(marginM);
   }
 
-  /** Number of changes of the fence in force: whether it must be published again. */
+  /** Number of changes of the fence in force; a new value means that it must be published again. */
   int changes() {
     return changes;
   }

@@ -36,19 +36,19 @@ record GivenFence(String file, String xml, Fence fence) {
 
   /**
    * Removes the XML declaration, whose encoding was the file's, but keeps its line break, so that
-   * errors name the file's lines.
+   * errors refer to the file's lines.
    */
   private static String withoutDeclaration(String text) {
     int end = text.startsWith("<?xml") ? text.indexOf("?>") : -1;
     return end < 0 ? text : text.substring(end + 2);
   }
 
-  /** Copy of the same fence with another margin; throws like {@link #of}. */
+  /** Copy with a different margin; throws like {@link #of}. */
   GivenFence drawnInBy(double marginM) {
     return of(file, xml, marginM);
   }
 
-  /** As it is published. */
+  /** The fence as published. */
   FenceState state(double marginM) {
     FenceState state = new FenceState().file(file).margin(marginM);
     state.rally(

@@ -43,7 +43,7 @@ final class HeartbeatWatch implements Watch {
                 "operator", settings.get().operatorRequired(), settings.get().operatorDeadline()));
   }
 
-  /** Watches for a longer loss of the link, which has an action of its own. */
+  /** Watches for a longer loss of the link, which has its own action. */
   static HeartbeatWatch ofLongLostOperators(Supplier<SafetyVariables> settings) {
     return ofOperators(
         Hazard.OPERATOR_FOR_LONG,
@@ -99,7 +99,7 @@ final class HeartbeatWatch implements Watch {
             });
   }
 
-  /** The time to hear an operator begins when he gives back. */
+  /** The time to hear an operator starts when the pilot gives back control. */
   @Override
   public void pilotFlies(long nowMicros) {
     if (ofOperators && heardMicros >= 0) {

@@ -7,7 +7,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * The previous Safety Manager of the same run, so that a restart in flight neither disarms the
- * vehicle nor drops a failsafe. Its demands are known from its saved state. Its last retained
+ * vehicle nor drops a failsafe. Its failsafes are known from its saved state. Its last retained
  * message only proves that it ran recently enough for a restart, because others could have
  * published it.
  */

@@ -5,10 +5,10 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.Waypoint;
 
 /**
- * A place to return to instead of the home if it is nearer.
+ * A place to return to instead of home if it is nearer.
  *
- * @param name "rally 1" is the first one of the fence
- * @param waypoint position; its threshold does not count
+ * @param name "rally 1" is the fence's first
+ * @param waypoint position; its threshold is ignored
  * @param place position in the fence's plane: x east, y north [m]
  */
 record RallyPoint(String name, Waypoint waypoint, Point place) {

@@ -33,7 +33,8 @@ import org.u2sa.service.handover.HandOver;
  * (arming). In: state, conditions, health, operator, power, actuators, goals, arming, manual-state,
  * emergency-stop, fence-orders. Out: failsafe, arming-state, emergency-stop, fence, fence-orders.
  *
- * <p>Failsafes act while it is armed, and no pilot flies by radio. The most severe cause wins.
+ * <p>Failsafes act only while the vehicle is armed and no pilot flies it. The most severe cause
+ * wins.
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
@@ -52,7 +53,7 @@ public final class SafetyManager extends PeriodicService {
   private final boolean isRestart;
   private final boolean isSwap;
   private boolean begun;
-  private String saved = ""; // part of the state that was saved last
+  private String saved = ""; // last saved part of the state
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
@@ -185,7 +186,7 @@ public final class SafetyManager extends PeriodicService {
       arming.startsLater(
           isRestart
               ? "it was restarted"
-              : "another Safety Manager of this system spoke shortly before");
+              : "another Safety Manager of this system was active shortly before");
     }
   }
 

@@ -8,22 +8,23 @@ import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.safety.ManualState;
 
 /**
- * Whether a pilot moves the actuators himself, by a radio and a multiplexer, whatever services
- * command. As long as he does, failsafes cannot help, and would surprise him when he gives back.
+ * Determines whether a pilot moves the actuators directly, by radio and multiplexer, whatever
+ * services command. Failsafes then have no effect, and would surprise the pilot when giving back
+ * control.
  *
- * <p>His radio's service must confirm it in its health reports, whose names the broker keeps for
- * their services: whoever may publish a manual-state must not suspend failsafes, and a radio whose
- * service has died no longer says who flies.
+ * <p>The radio's service must confirm it in its health reports, whose names the broker reserves: a
+ * mere publisher of manual-state must not suspend failsafes, and a dead radio service cannot report
+ * who flies.
  */
 final class SafetyPilot {
   private static final double MIN_FRESH_S = 1.0;
-  private static final double INTERVALS = 4.0; // of health reports
+  private static final double INTERVALS = 4.0; // interval of health reports
 
   private final Supplier<SafetyVariables> settings;
   private final Conditions conditions;
   private Optional<ManualState> newest = Optional.empty();
-  private boolean isConfirmed; // by the service's last health report
-  private long untilMicros = Long.MIN_VALUE; // time at which another health report is due
+  private boolean isConfirmed; // according to the service's last health report
+  private long untilMicros = Long.MIN_VALUE; // time at which the next health report is due
 
   SafetyPilot(Supplier<SafetyVariables> settings, Conditions conditions) {
     this.settings = settings;
@@ -45,7 +46,7 @@ final class SafetyPilot {
     }
   }
 
-  /** Whether he flies, as far as a service knows that works. */
+  /** Whether the pilot flies, according to a working service. */
   boolean flies(long nowMicros) {
     String service = settings.get().pilotService();
     return !service.isEmpty()

@@ -10,7 +10,7 @@ record SafetyVariables(
         double operatorDeadline,
     @Variable(unit = "s", min = 0, max = 86_400, ifAbsent = 0)
         @Description(
-            "Time without an operator's heartbeat after which ON LONG OPERATOR LOSS holds; 0: never.")
+            "Time without an operator's heartbeat after which ON LONG OPERATOR LOSS applies; 0: never.")
         double longOperatorDeadline,
     @Variable(ifAbsentText = "false")
         @Description(
@@ -78,7 +78,7 @@ record SafetyVariables(
         boolean resume,
     @Variable(ifAbsentText = "")
         @Description(
-            "Service whose manual-state says that a pilot moves the actuators himself, by a radio and a multiplexer: while he does, failsafes wait; empty: none.")
+            "Service whose manual-state reports that a pilot moves the actuators directly, by radio and multiplexer; failsafes are then suspended. Empty: none.")
         String pilotService,
     @Variable(ifAbsentText = "false")
         @Description("Whether to arm once in a run, as soon as all checks pass.")
@@ -87,7 +87,7 @@ record SafetyVariables(
         boolean missionRequired,
     @Variable(ifAbsentText = "")
         @Description(
-            "Actuators that must be announced before arming, separated by commas; empty: at least one, whichever it is.")
+            "Actuators that must be announced before arming, separated by commas; empty: at least one of any name.")
         String requiredActuators,
     @Variable(ifAbsentText = "")
         @Description("Geofence XML file, relative to this one; empty: none.")

@@ -35,7 +35,7 @@ interface Watch {
   /** Handles a message. */
   default void see(U2SAData message, long nowMicros) {}
 
-  /** Called as long as a pilot flies by radio, who counts as an operator. */
+  /** Called while a pilot, who counts as an operator, flies by radio. */
   default void pilotFlies(long nowMicros) {}
 
   /** Saves the watch's state for a successor, so that it detects the same faults. */

@@ -29,7 +29,7 @@ public record AccessRule(
     URGENT
   }
 
-  private static final int LONGEST_QUESTION = 4 * 1_024; // at most names a service
+  private static final int LONGEST_QUESTION = 4 * 1_024; // a question has at most a service name
   private static final int LONGEST_URGENT = 16 * 1_024;
   private static final int LONGEST_CHANGE = 64 * 1_024; // 256 variables, the maximum per change
 

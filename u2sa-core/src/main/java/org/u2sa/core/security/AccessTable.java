@@ -52,7 +52,9 @@ public final class AccessTable {
   private static final Set<AccessRole> SERVICES =
       EnumSet.of(SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY);
   private static final Set<AccessRole> ANSWERING =
-      EnumSet.of(SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY, OPERATOR); // its tools are services
+      EnumSet.of(
+          SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY,
+          OPERATOR); // for its tools, which are services
   private static final Set<AccessRole> ALL = EnumSet.allOf(AccessRole.class);
 
   private static final List<AccessRule> RULES =
@@ -95,7 +97,7 @@ public final class AccessTable {
           row(Channels.SERVICE_ORDERS, ServiceOrder.TYPE, ORDER, Set.of(MONITOR, OPERATOR)),
           row(Channels.SERVICE_ORDERS, ServiceOrderResult.TYPE, REPORT, Set.of(LAUNCHER)),
           // Actuators repeat a stop that a clear did not lift only within their own process: an
-          // account that can stop a vehicle in the air is one more to guard, and the Safety
+          // account that can stop a vehicle in the air would need guarding, and the Safety
           // Manager repeats it.
           row(Channels.EMERGENCY_STOP, URGENT, Set.of(SAFETY, OPERATOR)).asWill(),
           row(Channels.FAILSAFE, URGENT, Set.of(MONITOR, SAFETY)),

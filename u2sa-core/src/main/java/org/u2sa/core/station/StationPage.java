@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.u2sa.core.communication.web.WebSite;
 
-/** The files of the operator's page, from the resources of this module, which phones carry, too. */
+/** The files of the operator's page, from the resources of this module, which phones also carry. */
 public final class StationPage implements WebSite {
   private static final String PAGE = "index.html";
   private static final int PART_BYTES = 8_192;

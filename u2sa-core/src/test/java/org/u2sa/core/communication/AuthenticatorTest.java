@@ -132,7 +132,7 @@ class AuthenticatorTest {
     for (int i = 0; i < 50; i++) {
       check("user" + i, "guess", 1);
     }
-    assertThat(verdicts).contains(LoginApplication.Verdict.later("too many log in at once"));
+    assertThat(verdicts).contains(LoginApplication.Verdict.later("too many log-ins at once"));
     assertThat(verdicts).extracting(LoginApplication.Verdict::user).containsOnly(Optional.empty());
   }
 }

@@ -170,7 +170,7 @@ class BrokerAttackTest {
     RawClient first = broker.stranger();
     first.publish(ACTUATION, COMMAND, 0);
     assertThat(first.isPutOut()).isTrue();
-    broker.awaitLog("the first one is no CONNECT");
+    broker.awaitLog("the first packet is not a CONNECT");
     broker.servesOn();
   }
 

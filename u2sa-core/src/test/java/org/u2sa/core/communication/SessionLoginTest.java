@@ -138,7 +138,7 @@ class SessionLoginTest {
     client.send(MqttPacketBytes.connectAs("ann", PASSWORD, "hers", "u2sa/cessna/stop/StopCommand"));
     until(client, () -> client.taken().contains("CONNECT"));
     assertThat(client.log)
-        .anyMatch(line -> line.startsWith("will refused, StopCommand is no will"));
+        .anyMatch(line -> line.startsWith("will refused, StopCommand is not a will"));
   }
 
   @Test

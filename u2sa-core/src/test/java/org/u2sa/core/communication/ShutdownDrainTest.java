@@ -85,7 +85,7 @@ class ShutdownDrainTest {
       broker.manager().close();
 
       assertThat(broker.manager().dropped()).isPositive();
-      assertThat(broker.log).anyMatch(line -> line.contains("not taken by remote subscribers"));
+      assertThat(broker.log).anyMatch(line -> line.contains("undelivered to remote subscribers"));
     }
   }
 }

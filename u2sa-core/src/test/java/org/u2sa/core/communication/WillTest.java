@@ -49,7 +49,7 @@ class WillTest {
   @Test
   void refusalOfWill_commands_areRefused() {
     assertThat(refusal("u2sa/cessna/stop/StopCommand", new byte[0], false, false))
-        .contains("StopCommand is no will");
+        .contains("StopCommand is not a will");
   }
 
   @Test

@@ -229,7 +229,7 @@ class LauncherTest {
     ServiceOrderResult result = order("Bystander", ServiceAction.START);
 
     assertThat(result.accepted()).isFalse();
-    assertThat(result.reason()).contains("Bystander").contains("runs already");
+    assertThat(result.reason()).contains("Bystander").contains("is already running");
   }
 
   @Test

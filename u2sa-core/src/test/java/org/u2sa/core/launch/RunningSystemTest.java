@@ -245,6 +245,6 @@ class RunningSystemTest {
 
     assertThatThrownBy(() -> RunningSystem.start(system, new LaunchOptions().logDirectory(logs)))
         .isInstanceOf(BadInputException.class)
-        .hasMessage(logs + ": is no folder, expected one for log files");
+        .hasMessage(logs + ": is not a folder, expected one for log files");
   }
 }

@@ -109,7 +109,7 @@ class FenceOrdersTest extends WatchedVehicle {
 
     assertThat(result.accepted()).isFalse();
     assertThat(result.outcome())
-        .isEqualTo("new.xml: the vehicle is armed, and to this fence it is: outside");
+        .isEqualTo("new.xml: the vehicle is armed and violates it: outside");
     assertThat(fence().fence()).contains(square(-50, 50));
     live(1.0);
     assertThat(failsafe().action()).isEqualTo(FailsafeAction.CONTINUE);
@@ -123,7 +123,7 @@ class FenceOrdersTest extends WatchedVehicle {
     FenceOrderResult result = replace(square(10, 50));
 
     assertThat(result.accepted()).isTrue();
-    assertThat(result.outcome()).contains("not to be armed: outside the keep-in area");
+    assertThat(result.outcome()).contains("arming is not possible: outside the keep-in area");
     assertThat(arm(true).reasons())
         .contains("geofence: outside the keep-in area, or inside a keep-out one");
   }
@@ -283,7 +283,7 @@ class FenceOrdersTest extends WatchedVehicle {
 
     FenceOrderResult result = replace(withRally(square(-20, 20), "40 0", "5 0"));
 
-    assertThat(result.outcome()).endsWith("in force; outside of it, so not used: rally 1");
+    assertThat(result.outcome()).endsWith("in force; outside it, so unused: rally 1");
     assertThat(rally()).containsExactly("rally 2");
   }
 

@@ -66,7 +66,7 @@ class FenceReaderTest {
 
     assertThatThrownBy(() -> fence.drawnInBy(60.0))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("a margin of 60 m leaves no keep-in area in one piece");
+        .hasMessage("a margin of 60 m leaves no connected keep-in area");
   }
 
   @ParameterizedTest

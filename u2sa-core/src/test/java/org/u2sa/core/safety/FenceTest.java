@@ -90,7 +90,7 @@ class FenceTest {
 
     assertThat(fence.drawnInBy(4.0).floorM).isEmpty();
     assertThatThrownBy(() -> fence.drawnInBy(6.0))
-        .hasMessage("a margin of 6 m leaves no keep-in area in one piece");
+        .hasMessage("a margin of 6 m leaves no connected keep-in area");
   }
 
   @Test

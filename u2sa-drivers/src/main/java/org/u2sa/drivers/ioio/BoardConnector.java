@@ -37,8 +37,8 @@ final class BoardConnector implements AutoCloseable {
   /**
    * Idle until {@link #start}.
    *
-   * @param silentAfterS time without a byte, or without an answer to what it is sent, after which
-   *     the board counts as lost [s]
+   * @param silentAfterS time without a byte, or without an answer to a message, after which the
+   *     board counts as lost [s]
    */
   BoardConnector(BoardConnection connection, PinPlan plan, double silentAfterS) {
     this.connection = connection;

@@ -61,7 +61,7 @@ record IoioVariables(
         int ledPin,
     @Variable(unit = "s", min = 0.1, max = 60, ifAbsent = 1)
         @Description(
-            "Time without a byte from the board, or without an answer to what it is sent, after which it counts as lost.")
+            "Time without a byte from the board, or without an answer to a message, after which it counts as lost.")
         double boardSilentAfter) {
   /** An actuator and its pin. */
   record ActuatorPin(String name, int pin) {}

@@ -43,7 +43,7 @@ final class PortConnection implements IOIOConnection {
       throw new BadInputException(
           "IOIO: \""
               + address
-              + "\" is no address, serial:/dev/ttyACM0, tcp:host:port or tls:host:port expected: "
+              + "\" is not an address, serial:/dev/ttyACM0, tcp:host:port or tls:host:port expected: "
               + e.getMessage(),
           e);
     }

@@ -3,17 +3,17 @@ package org.u2sa.drivers.ioio;
 import java.util.Optional;
 
 /**
- * Whether the board has answered a question that it was asked after a stop: it executes what it
- * receives in order, so by then it has stopped. Until then the stop is commanded, but not
- * confirmed. Called on the service's thread.
+ * Determines whether the board has answered a question sent after a stop: it executes messages in
+ * order, so it has then stopped. Until then the stop is commanded but not confirmed. Called on the
+ * service's thread.
  */
 final class StopEcho {
-  private static final long FRESH_ANSWERS = 2; // the first may be of a question before the stop
+  private static final long FRESH_ANSWERS = 2; // the first may answer an earlier question
 
-  private Optional<BoardSession> stopped = Optional.empty(); // asked about the newest stop
+  private Optional<BoardSession> stopped = Optional.empty(); // question sent after the newest stop
   private long neededAnswers;
 
-  /** Call after the stop was sent. A board that is absent outputs nothing, and starts neutral. */
+  /** Call after the stop has been sent. An absent board outputs nothing and starts neutral. */
   void stop(Optional<BoardSession> session) {
     stopped = session.filter(board -> board.answers().isPresent());
     if (stopped.isPresent()) {
@@ -23,8 +23,8 @@ final class StopEcho {
   }
 
   /**
-   * Whether the newest stop is known to have arrived. A board that is lost before it has answered
-   * may output pulses by its last commands, so only its return confirms.
+   * Whether the newest stop is known to have arrived. A board lost before answering may still
+   * output pulses from its last commands, so only its return confirms.
    */
   boolean isTaken(Optional<BoardSession> session) {
     if (stopped.isEmpty()) {

@@ -138,7 +138,7 @@ public final class ByteLinks {
     double silenceS = address.option("silence", UDP_SILENCE_S, 0.0, LONGEST_SILENCE_S);
     String senders = address.option("senders");
     if (!Set.of("", "first", "all").contains(senders)) {
-      throw address.refused("option \"senders\": \"" + senders + "\" is neither first nor all");
+      throw address.refused("option \"senders\": \"" + senders + "\"; expected first or all");
     }
     return new ReconnectingLink(
         address.toString(),

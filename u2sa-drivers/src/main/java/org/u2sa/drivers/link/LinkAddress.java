@@ -136,8 +136,7 @@ final class LinkAddress {
 
   private BadInputException notANumber(String what, String value, String range, Throwable cause) {
     return new BadInputException(
-        "link address \"" + text + "\": " + what + ": \"" + value + "\" is no number in " + range,
-        cause);
+        "link address \"" + text + "\": " + what + ": \"" + value + "\"; expected " + range, cause);
   }
 
   @Override

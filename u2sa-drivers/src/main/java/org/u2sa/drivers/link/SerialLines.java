@@ -4,7 +4,7 @@ import org.u2sa.interfaces.communication.SerialLine;
 import org.u2sa.interfaces.communication.SerialLineProvider;
 import org.u2sa.interfaces.time.Clock;
 
-/** Serial ports as links to devices have them. */
+/** Serial ports, as used by links to devices. */
 public final class SerialLines implements SerialLineProvider {
   @Override
   public SerialLine open(String path, int baud, Clock clock) {
@@ -12,7 +12,7 @@ public final class SerialLines implements SerialLineProvider {
     return new SerialLine() {
       @Override
       public int read(byte[] buffer) {
-        link.connections(); // what is read need not be of one connection: packets have checksums
+        link.connections(); // data may span connections: packets have checksums
         return link.read(buffer);
       }
 

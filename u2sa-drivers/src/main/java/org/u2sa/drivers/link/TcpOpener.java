@@ -14,7 +14,7 @@ import org.u2sa.interfaces.mqtt.SecuredSocket;
 /** Connects to a device server over TCP. */
 final class TcpOpener implements Port.Opener {
   private static final int CONNECT_MS = 1_000;
-  private static final int LOGIN_MS = 25_000; // in all, however the bytes arrive
+  private static final int LOGIN_MS = 25_000; // total time, however the bytes arrive
 
   private final String host;
   private final int port;

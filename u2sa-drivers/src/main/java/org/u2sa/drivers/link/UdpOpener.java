@@ -62,7 +62,7 @@ final class UdpOpener implements Port.Opener {
     private final SocketAddress known; // null for the first sender
     private final Clock stopwatch = new SystemClock(); // hardware timeouts use real time
     private volatile SocketAddress peer;
-    private long heardMicros; // from the peer
+    private long heardMicros; // time of the last datagram from the peer
     private int taken; // bytes consumed of the packet
     private int length;
 

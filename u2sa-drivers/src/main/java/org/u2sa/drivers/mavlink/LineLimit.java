@@ -4,8 +4,8 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Rate limit of log lines caused by an autopilot, because the other end of the link controls the
- * rate of status texts and heartbeats.
+ * Limits the rate of log lines caused by an autopilot, which controls how often status texts and
+ * heartbeats arrive.
  */
 final class LineLimit {
   private static final int MAX_LINES = 10; // per second

@@ -15,8 +15,8 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * A marine radar that sends its tracked targets by NMEA 0183 (TTM). Targets being acquired are
- * ignored; lost targets, and those silent for a minute, are dropped, and of more than a thousand
- * the later ones.
+ * ignored; lost targets, and those silent for a minute, are dropped, and so are later targets
+ * beyond a thousand.
  */
 public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implements TrackingRadar {
   private static final double MAX_RANGE_M = 500_000.0;
@@ -32,7 +32,7 @@ public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implemen
   /** The targets of one radar. */
   private static final class Targets {
     private static final long FORGOTTEN_AFTER_MICROS = Clock.micros(60.0);
-    private static final int MOST = 1_000; // each sentence costs time for all
+    private static final int MOST = 1_000; // each sentence costs time for all targets
     private static final double SECONDS_PER_HOUR = 3_600.0;
 
     private final Map<String, Track> byId = new TreeMap<>();

@@ -29,7 +29,7 @@ final class VelodyneParser extends ByteParser<PointScanner.Cloud> {
   };
 
   private final Packets packets = new Packets();
-  private int lastAzimuth = -1; // of the latest block; negative before the first block
+  private int lastAzimuth = -1; // azimuth of the latest block; negative before the first
   private List<Point> points = new ArrayList<>();
   private boolean isWhole; // whether the revolution was received from its beginning
   private long nowMicros;

@@ -24,7 +24,7 @@ public final class CrsfReceiver extends LinkedDevice<RadioReceiver.Pulses>
   private static final int LONGEST = 64;
   private static final int SHORTEST = 4;
   private static final int POLYNOMIAL = 0xD5; // CRC-8/DVB-S2
-  private static final double CENTRE = 992.0; // of 172…1811 for 988…2012 µs
+  private static final double CENTRE = 992.0; // value range: 172…1811 for 988…2012 µs
   private static final double CENTRE_S = 1500.0e-6;
   private static final double STEP_S = 0.625e-6;
 

@@ -15,8 +15,8 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Says when a pilot has taken over by the switch of the radio control, and counts it. A multiplexer
- * that the same switch moves leads the pilot's channels to the servos. Out: manual-state.
+ * Reports and counts takeovers by a pilot with the radio's switch. A multiplexer operated by the
+ * same switch connects the pilot's channels to the servos. Out: manual-state.
  */
 public final class RadioSensor extends PeriodicService {
   private static final double RATE_HZ = 50.0;
@@ -36,9 +36,9 @@ public final class RadioSensor extends PeriodicService {
   private final RcSwitch radio = new RcSwitch(settings(RcSwitch.Variables.class).get());
   private final RadioReceiver receiver;
   private final DeviceReader<RadioReceiver.Pulses> reader;
-  private boolean wasAutomatic; // once: before that, nothing can be taken over
+  private boolean wasAutomatic; // once: before that, no takeover is possible
   private boolean isManual;
-  private boolean isTold; // a predecessor's last word may be manual
+  private boolean isTold; // a predecessor's last state may be manual
   private long takeovers;
 
   public RadioSensor(ServiceContext context) {

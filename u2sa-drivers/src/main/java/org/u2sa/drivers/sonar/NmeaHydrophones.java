@@ -12,11 +12,11 @@ import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
- * A hydrophone array whose processor sends a sentence for each ping, in the form of NMEA 0183:
- * {@code $YXPNG,frequency [Hz],azimuth clockwise from ahead [deg],elevation up [deg],sigma
- * [deg]*hh}; sigma may be empty. Or its arrival times: {@code $YXTOA,frequency [Hz],first
- * hydrophone [µs],second,…*hh}, from any common instant. The sentences are U2SA's own: arrays share
- * no protocol.
+ * A hydrophone array whose processor sends an NMEA 0183 sentence for each ping: {@code
+ * $YXPNG,frequency [Hz],azimuth clockwise from ahead [deg],elevation up [deg],sigma [deg]*hh};
+ * sigma may be empty. Or its arrival times: {@code $YXTOA,frequency [Hz],first hydrophone
+ * [µs],second,…*hh}, from any common instant. The sentences are U2SA's own, because there is no
+ * common protocol.
  */
 public final class NmeaHydrophones extends ParsedDevice<HydrophoneArray.Heard>
     implements HydrophoneArray {

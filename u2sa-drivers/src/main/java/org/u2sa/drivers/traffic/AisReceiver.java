@@ -10,9 +10,8 @@ import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
- * An AIS receiver that sends AIVDM sentences, at a serial port or on the network. Messages in
- * several sentences, which are no position reports, are passed over, and so is the own ship
- * (AIVDO).
+ * An AIS receiver that sends AIVDM sentences, at a serial port or on the network. Messages of
+ * several sentences, which are not position reports, and the own ship (AIVDO) are ignored.
  */
 public final class AisReceiver extends ParsedDevice<TrafficReceiver.Traffic>
     implements TrafficReceiver {
@@ -20,11 +19,11 @@ public final class AisReceiver extends ParsedDevice<TrafficReceiver.Traffic>
     super(link, new NmeaParser<>(new Vessels()::read));
   }
 
-  /** The vessels that one receiver hears. */
+  /** The vessels received by one receiver. */
   private static final class Vessels {
     private final TrafficPicture picture = new TrafficPicture();
 
-    // 1 number of sentences, 2 number of this one, 5 the message
+    // field 1: number of sentences, 2: number of this one, 5: message
     Optional<Traffic> read(NmeaSentence sentence, long nowMicros) {
       if (!sentence.is("VDM")) {
         return Optional.empty();

@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 final class AisReport {
   private static final int BITS = 168;
   private static final int BITS_PER_CHARACTER = 6;
-  private static final int CLASS_A_SPEED = 50; // first bit; the fields after it are in one order
+  private static final int CLASS_A_SPEED = 50; // first bit; later fields have the same order
   private static final int CLASS_B_SPEED = 46;
   private static final int NO_SPEED = 1023;
   private static final int NO_COURSE = 3600;
@@ -24,7 +24,7 @@ final class AisReport {
   private static final double MAX_LONGITUDE_DEG = 180.0; // 181 and 91: not available
   private static final double MAX_LATITUDE_DEG = 90.0;
 
-  /** Of a report with high accuracy: 10 m at 95 %. Others give no bound. */
+  /** Standard deviation of a report with high accuracy: 10 m at 95 %. Others give no bound. */
   private static final double ACCURATE_SIGMA_M = 10.0 / Math.sqrt(-2.0 * Math.log(0.05));
 
   private final String characters;
@@ -36,8 +36,8 @@ final class AisReport {
   /**
    * Target of a report; empty if it is another message or has no position.
    *
-   * @param characters of the whole message
-   * @throws IllegalArgumentException if it is too short or has other characters
+   * @param characters characters of the whole message
+   * @throws IllegalArgumentException if it is too short or has invalid characters
    */
   static Optional<TrafficTarget> target(String characters, long nowMicros) {
     AisReport report = new AisReport(characters);
@@ -100,7 +100,7 @@ final class AisReport {
     char character = index < characters.length() ? characters.charAt(index) : ' ';
     boolean isLow = character >= '0' && character <= 'W';
     if (!isLow && (character < '`' || character > 'w')) {
-      throw new IllegalArgumentException("\"" + character + "\" is no six-bit character");
+      throw new IllegalArgumentException("\"" + character + "\" is not a six-bit character");
     }
     return character - (isLow ? '0' : '8');
   }

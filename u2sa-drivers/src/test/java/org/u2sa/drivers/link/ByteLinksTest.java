@@ -16,7 +16,7 @@ class ByteLinksTest {
         "/dev/ttyUSB0 | expected serial:PATH?baud=N, tcp:HOST:PORT, udp:PORT, udp:HOST:PORT or replay:FILE",
         "serail:/dev/ttyUSB0 | unknown kind \"serail\"; expected serial:PATH?baud=N, tcp:HOST:PORT, udp:PORT, udp:HOST:PORT or replay:FILE",
         "serial: | expected serial:PATH?baud=N, tcp:HOST:PORT, udp:PORT, udp:HOST:PORT or replay:FILE",
-        "serial:COM3?baud=fast | option \"baud\": \"fast\" is no number in 1…4000000",
+        "serial:COM3?baud=fast | option \"baud\": \"fast\"; expected 1…4000000",
         "serial:COM3?baud=0 | option \"baud\": 0 is outside 1…4000000",
         "serial:COM3?bauds=9600 | unknown option \"bauds\"; known for serial: [baud, dtr, parity, record, stop]",
         "serial:COM3?baud | option \"baud\" is not NAME=VALUE",
@@ -24,7 +24,7 @@ class ByteLinksTest {
         "serial:COM3?parity=mark | option \"parity\": \"mark\" is not none, even or odd",
         "tcp:4001 | no host; expected tcp:HOST:PORT",
         "tcp:gps:70000 | port: 70000 is outside 1…65535",
-        "tcp:gps:nmea | port: \"nmea\" is no number in 1…65535",
+        "tcp:gps:nmea | port: \"nmea\"; expected 1…65535",
         "udp:0 | port: 0 is outside 1…65535",
         "udp:10110?silence=-1 | option \"silence\": -1 is outside 0.0…3600.0"
       })

@@ -104,7 +104,7 @@ class GroundPressureTest {
   void nobodyTells_altitudeUncertain_nothingIsConcluded() {
     fly(30.0, 15.0);
     assertThat(sensed().z().orElseThrow() - UP_M).isGreaterThan(80.0);
-    assertThat(remarks()).anyMatch(each -> each.contains("configured, no station told any"));
+    assertThat(remarks()).anyMatch(each -> each.contains("configured; no station sent one"));
   }
 
   @Test
@@ -125,9 +125,9 @@ class GroundPressureTest {
     old.timestamp(0L);
     kit.publish(Channels.GROUND_PRESSURE, old);
     kit.advance(1.0);
-    assertThat(remarks()).anyMatch(each -> each.contains("no station told any"));
+    assertThat(remarks()).anyMatch(each -> each.contains("no station sent one"));
     tell(60_000.0);
     kit.advance(1.0);
-    assertThat(remarks()).anyMatch(each -> each.contains("no station told any"));
+    assertThat(remarks()).anyMatch(each -> each.contains("no station sent one"));
   }
 }

@@ -234,9 +234,9 @@ final class Fuser {
   }
 
   /**
-   * Time over which the errors of a position or altitude are alike [s]. The weather's error of an
-   * aircraft's only altimeter lasts for hours, but without its changes an inertial altitude drifts
-   * away within seconds.
+   * Correlation time of a position or altitude error [s]. The weather error of an aircraft's only
+   * altimeter lasts for hours, but without following it an inertial altitude drifts away within
+   * seconds.
    */
   private double correlationS(FilterState s, Measurement m, int source, SensedQuantity quantity) {
     boolean isOnlyAltimeter =

@@ -15,7 +15,7 @@ final class InertialInput {
   private static final double MEAN_SHARE = 0.05;
   private static final double TYPICAL_INTERVAL_S = 0.02;
   private static final int SAMPLES_TO_LEVEL = 20;
-  private static final double LEVEL_SIGMA_RAD = 0.06; // as 0.6 m/s² mistaken for gravity
+  private static final double LEVEL_SIGMA_RAD = 0.06; // error if 0.6 m/s² is taken for gravity
   private static final double STEADY = 0.15; // relative deviation of |f| from gravity
   static final double UNAIDED_S = 5.0; // unaided dead reckoning is useless after this
 
@@ -45,9 +45,9 @@ final class InertialInput {
   }
 
   /**
-   * Whether the velocity may follow the specific force. In the air without a receiver it does as
-   * long as the tilt is measured: a multirotor that leans on a velocity that stands still leans
-   * ever further, and its specific force does not show the tilt.
+   * Whether the velocity may follow the specific force. In the air without a receiver, it does only
+   * while the tilt is measured: a multirotor that controls a frozen velocity would tilt ever
+   * further, and its specific force does not reveal the tilt.
    */
   private static boolean isIntegrable(FilterState s, MotionDomain domain) {
     boolean isTiltMeasured = s.tiltMicros > 0 && (s.micros - s.tiltMicros) * 1e-6 <= UNAIDED_S;

@@ -13,7 +13,7 @@ final class SpeedDoubt {
   private static final double UNLIKELY = 2.5; // standard deviations, after several rejections
   private static final double MIN_MPS = 0.5; // a receiver's error drifts more slowly
   private static final double MIN_SHARE = 0.5; // fraction of the speed
-  private static final double JUMP_SHARE = 0.7; // of a difference: a drift has no such step
+  private static final double JUMP_SHARE = 0.7; // fraction of a difference; drift has no jumps
   private static final double SAME_SPEED = 0.4; // relative difference of two speeds
   private static final double MEMORY_S = 6.0; // time constant of the mean that decides a doubt
   private static final double HEADING_SIGMA_RAD = 0.2;

@@ -148,7 +148,7 @@ public final class MeasurementReader {
   /** Reads speeds through the fluid; y points left in BODY, right in FRD. */
   private void readFluid(StateInformation s, Measurement to, double ySign) {
     if (!fluidSensors.isEmpty() && !fluidSensors.contains(s.sensorName())) {
-      return; // of another fluid
+      return; // speed through a different fluid
     }
     for (int i = 0; i < 3; i++) {
       OptionalDouble speed = s.number(FLUID[i]);
@@ -183,7 +183,7 @@ public final class MeasurementReader {
     ReferenceFrame frame = seen.referenceFrame();
     if (!isWhole || frame.isBody()) {
       throw new IllegalArgumentException(
-          "names no landmark with place on the earth or in a local frame, range and bearing");
+          "contains no landmark with a position on the earth or in a local frame, range and bearing");
     }
     to.sighting(
         seen.range().getAsDouble(),

@@ -92,7 +92,7 @@ public final class RemoteConfiguration {
     return new ArrayList<>(answers.values());
   }
 
-  /** Services that are there and did not answer the newest question. */
+  /** Running services that have not answered the latest request. */
   public List<String> silent() {
     return List.copyOf(silent);
   }

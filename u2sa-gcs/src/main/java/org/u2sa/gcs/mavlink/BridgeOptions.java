@@ -15,7 +15,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
  *
  * @param place link to the stations
  * @param systemId MAVLink system ID of the vehicle, 1…250
- * @param kind kind of the vehicle; empty: by its control service
+ * @param kind kind of the vehicle; empty: determined by its control service
  * @param key file with the passphrase of message signing; empty: unsigned
  * @param logs folder whose recordings stations may download; empty: none
  */
@@ -28,7 +28,7 @@ public record BridgeOptions(
     Optional<Path> logs) {
   private static final int MAX_SYSTEM_ID = 250;
   private static final int HIGHEST_PORT = 65_535;
-  private static final int USUAL_BAUD = 57_600; // of telemetry radios
+  private static final int USUAL_BAUD = 57_600; // default of telemetry radios
   private static final int FASTEST_BAUD = 4_000_000;
   private static final String FORM =
       "expected tcp:PORT, tcp:HOST:PORT, udp:HOST:PORT or serial:PATH, then baud=1…4000000 (serial), as=px4|ardupilot|generic, type=rover|boat|plane|copter|submarine|generic, id=1…250, key=FILE or logs=FOLDER, separated by commas";
@@ -100,7 +100,7 @@ public record BridgeOptions(
     try {
       return new InetSocketAddress(InetAddress.getByName(host), port);
     } catch (UnknownHostException e) {
-      throw wrong(text, "no host \"" + host + "\" is known");
+      throw wrong(text, "no host \"" + host + "\" found");
     }
   }
 

@@ -48,7 +48,7 @@ public final class MavlinkBridge implements AutoCloseable {
   /**
    * Starts a bridge.
    *
-   * @param link to the vehicle; the bridge closes it
+   * @param link link to the vehicle; the bridge closes it
    * @param console receives lines about the bridge
    * @throws BadInputException if the address is taken or the key cannot be read
    */
@@ -96,7 +96,7 @@ public final class MavlinkBridge implements AutoCloseable {
     SerialLine line =
         ServiceLoader.load(SerialLineProvider.class)
             .findFirst()
-            .orElseThrow(() -> new IOException("no serial ports without u2sa-drivers"))
+            .orElseThrow(() -> new IOException("serial ports need u2sa-drivers"))
             .open(serial.path(), serial.baud(), link.clock());
     return new SerialLink(line, serial.baud(), sessions.get());
   }
@@ -105,7 +105,7 @@ public final class MavlinkBridge implements AutoCloseable {
     try {
       List<String> lines = Files.readAllLines(file);
       if (lines.isEmpty() || lines.get(0).trim().isEmpty()) {
-        throw new BadInputException(file + ": expected the passphrase of MAVLink in line 1");
+        throw new BadInputException(file + ": expected the MAVLink passphrase in line 1");
       }
       return lines.get(0).trim();
     } catch (IOException e) {
@@ -120,7 +120,7 @@ public final class MavlinkBridge implements AutoCloseable {
         selector.selectedKeys().clear();
         turn(link.clock().micros());
       }
-    } catch (IOException | RuntimeException e) { // the vehicle goes on without it
+    } catch (IOException | RuntimeException e) { // the vehicle continues without it
       console.accept("the MAVLink bridge ended: " + e);
     }
   }

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.u2sa.gcs.mavlink.station.GroundStation;
 
-/** Whether a message is addressed to this vehicle; target 0 means everybody. */
+/** Decides whether a message is addressed to this vehicle; target 0 is a broadcast. */
 final class MessageTargets {
   private record Fields(Optional<Method> system, Optional<Method> component) {}
 
@@ -33,7 +33,7 @@ final class MessageTargets {
     try {
       return Optional.of(type.getMethod(name));
     } catch (NoSuchMethodException e) {
-      return Optional.empty(); // a message for everybody
+      return Optional.empty(); // a message without a target
     }
   }
 

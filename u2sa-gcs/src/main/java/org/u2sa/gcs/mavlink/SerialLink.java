@@ -8,7 +8,7 @@ import org.u2sa.interfaces.communication.SerialLine;
  * queued behind telemetry.
  */
 final class SerialLink implements StationLink {
-  private static final int BITS_PER_BYTE = 10; // with start and stop bit
+  private static final int BITS_PER_BYTE = 10; // bits per byte, including start and stop bit
   private static final double MICROS_PER_S = 1.0e6;
   private static final double BURST_S = 0.05;
   private static final double ROOM_S = 0.1;
@@ -20,7 +20,7 @@ final class SerialLink implements StationLink {
   private final StationSession session;
   private final double bytesPerS;
   private final byte[] buffer = new byte[CHUNK];
-  private double allowed; // bytes that may be sent; negative after a packet longer than that
+  private double allowed; // bytes that may be sent; negative after a longer packet
   private long filledMicros = Long.MIN_VALUE;
 
   SerialLink(SerialLine line, int baud, StationSession session) {
@@ -49,7 +49,7 @@ final class SerialLink implements StationLink {
 
   private void send() {
     for (byte[] packet = next(); packet != null; packet = next()) {
-      line.write(packet); // lost without a listener, as by radio: later packets are newer
+      line.write(packet); // dropped if nobody listens, as by radio: later packets are newer
       allowed -= packet.length;
     }
   }

@@ -7,7 +7,7 @@ sealed interface StationPlace {
   /**
    * Stations connect by TCP.
    *
-   * @param address to listen on
+   * @param address address to listen on
    */
   record Tcp(InetSocketAddress address) implements StationPlace {
     @Override
@@ -19,7 +19,7 @@ sealed interface StationPlace {
   /**
    * Packets go to one station by UDP.
    *
-   * @param address of the station
+   * @param address address of the station
    */
   record Udp(InetSocketAddress address) implements StationPlace {
     @Override

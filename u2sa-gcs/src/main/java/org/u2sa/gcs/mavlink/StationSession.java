@@ -94,7 +94,7 @@ final class StationSession implements GroundStation {
     return allowance.left(micros);
   }
 
-  /** Whether a packet came that counts: signed, if packets must be. */
+  /** Whether a valid packet has arrived (signed, if required). */
   boolean isHeard() {
     return isHeard;
   }

@@ -15,9 +15,8 @@ import java.util.function.Supplier;
 
 /**
  * Stations that connect by TCP. A station that floods is throttled; one that does not read is
- * disconnected. If all places are taken, a new station takes that of the oldest connection that has
- * sent no packet that counts: whoever holds the places in silence, or without the key, keeps no
- * operator out.
+ * disconnected. If all places are taken, a new station replaces the oldest connection that has sent
+ * no valid packet, so silent clients and clients without the key cannot lock operators out.
  */
 final class TcpLink implements StationLink {
   private static final int MAX_STATIONS = 16;
@@ -67,7 +66,7 @@ final class TcpLink implements StationLink {
       }
     }
     try {
-      accept(nowMicros); // last: what has come from those who are there counts first
+      accept(nowMicros); // last: packets of connected stations are handled first
     } catch (IOException e) {
       // No free file descriptor, or the station has already left; connected stations are
       // unaffected.
@@ -91,7 +90,7 @@ final class TcpLink implements StationLink {
 
   private boolean hasPlace() throws IOException {
     for (int i = 0; i < peers.size() && peers.size() >= MAX_STATIONS; i++) {
-      if (!peers.get(i).session.isHeard()) { // the oldest come first
+      if (!peers.get(i).session.isHeard()) { // oldest first
         peers.remove(i).channel.close();
       }
     }
@@ -146,7 +145,7 @@ final class TcpLink implements StationLink {
     return peers.stream().map(peer -> peer.session).toList();
   }
 
-  /** Port that it listens on. */
+  /** Port on which it listens. */
   int port() throws IOException {
     return ((InetSocketAddress) server.getLocalAddress()).getPort();
   }

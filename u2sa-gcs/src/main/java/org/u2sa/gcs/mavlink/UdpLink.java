@@ -8,7 +8,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.util.List;
 
-/** One station by UDP; datagrams of other addresses do not reach it. */
+/** One station by UDP; datagrams from other addresses are ignored. */
 final class UdpLink implements StationLink {
   private static final int LARGEST = 4096;
   private static final int PER_TURN = 64;
@@ -40,7 +40,7 @@ final class UdpLink implements StationLink {
       }
       send();
     } catch (IOException e) {
-      return; // no station listens there yet, or its network is away; it gets the next packets
+      return; // no station listens there yet, or its network is down; it will receive later packets
     }
   }
 

@@ -38,7 +38,7 @@ public final class FenceAreas {
     return areas;
   }
 
-  /** Places of an element {@code <fence>} to return to. */
+  /** Rally points of an element {@code <fence>}. */
   public static List<StationPlan.Place> rally(XmlElement root) {
     return root.children("rally").stream()
         .map(

@@ -198,7 +198,7 @@ public final class GoalItems {
           if (LINKS.contains(name)) {
             lose(goal, what);
           } else if (name.equals(NEXT_IF_DONE) && !isPlain) {
-            lose(goal, what + " besides");
+            lose(goal, what + " in addition");
           } else if (!SAID.contains(name) && !Boolean.FALSE.equals(value)) {
             detail(goal, what);
           }

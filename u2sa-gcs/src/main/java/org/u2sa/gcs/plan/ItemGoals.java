@@ -93,7 +93,7 @@ public final class ItemGoals {
         if (ItemPlaces.COMMANDS.contains(item.command())) {
           places.waypoint(item).ifPresent(this::take);
         } else if (!orders.take(item)) {
-          lose(item, "no goal says that");
+          lose(item, "no goal can express that");
         }
       }
     }
@@ -130,7 +130,7 @@ public final class ItemGoals {
 
   private void returning(PlanItem item) {
     if (goals.isEmpty() || !hasHome) {
-      lose(item, goals.isEmpty() ? "nothing comes before it" : "no home is known");
+      lose(item, goals.isEmpty() ? "nothing comes before it" : "home is unknown");
       return;
     }
     next.set(goals.size() - 1, List.of(HOME));

@@ -30,7 +30,7 @@ final class ItemOrders {
     this.details = details;
   }
 
-  /** Takes an order; false if the item is another command. */
+  /** Processes an order; false if the item is a different command. */
   boolean take(PlanItem item) {
     switch (item.command()) {
       case PlanItem.CHANGE_SPEED -> speed(item);
@@ -113,7 +113,7 @@ final class ItemOrders {
     isStated = false;
   }
 
-  /** Reports a jump to a goal for which other orders hold than at its origin. */
+  /** Reports a jump to a goal whose orders differ from those at its origin. */
   void jump(PlanItem item, Waypoint target, int index) {
     boolean isSame =
         speed == target.speed().orElse(WayOrders.VEHICLE_CHOOSES)
@@ -122,7 +122,7 @@ final class ItemOrders {
     if (!isSame && !stated.contains(index)) {
       details.add(
           item.title()
-              + ": jumps to an item at another speed or view, which an item before that must set");
+              + ": jumps to an item with a different speed or view, which an item before that must set");
     }
   }
 

@@ -71,7 +71,7 @@ final class ItemPlaces {
   }
 
   private static PlanItem withoutHeading(PlanItem item) {
-    return item.with(4, Double.NaN); // path to the next item
+    return item.with(4, Double.NaN); // style of the path to the next item
   }
 
   private static double stay(PlanItem item) {
@@ -146,7 +146,7 @@ final class ItemPlaces {
     double latitude = item.parameter(5);
     double longitude = item.parameter(6);
     if (!isPlace(item)) {
-      return lost(item, "latitude " + latitude + ", longitude " + longitude + " is no place");
+      return lost(item, "latitude " + latitude + ", longitude " + longitude + " is not a position");
     }
     goal.x(longitude).y(latitude);
     altitude(item).ifPresent(goal::z);

@@ -86,7 +86,7 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return of(id, command, MISSION, List.of(), first);
   }
 
-  /** An item at a place: latitude, longitude [deg], altitude [m]. */
+  /** An item at a position: latitude, longitude [deg], altitude [m]. */
   public static PlanItem at(int id, int command, int frame, List<Double> place, double... first) {
     return of(id, command, frame, place, first);
   }
@@ -107,7 +107,7 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return parameters.get(number - 1);
   }
 
-  /** A copy with another value of a parameter, which is counted from 1. */
+  /** Copy with a different value of a parameter, counted from 1. */
   public PlanItem with(int number, double value) {
     List<Double> changed = new ArrayList<>(parameters);
     changed.set(number - 1, value);
@@ -119,7 +119,7 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return ORDERS.contains(command);
   }
 
-  /** Whether its place is a point to look at rather than a destination. */
+  /** Whether its position is a point to look at rather than a destination. */
   public boolean isView() {
     return command == VIEW || command == ANY_VIEW;
   }

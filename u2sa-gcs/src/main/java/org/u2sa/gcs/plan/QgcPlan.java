@@ -145,7 +145,7 @@ public final class QgcPlan {
     double latitude = number(numbers.get(0), where);
     double longitude = number(numbers.get(1), where);
     if (!(Math.abs(latitude) <= 90.0 && Math.abs(longitude) <= 180.0)) {
-      throw wrong(where + ": " + latitude + ", " + longitude + " is no latitude and longitude");
+      throw wrong(where + ": " + latitude + ", " + longitude + " is not on the earth");
     }
     boolean hasAltitude = numbers.size() > 2 && numbers.get(2) instanceof Number;
     return new StationPlan.Place(

@@ -70,7 +70,7 @@ final class StationItems {
       double heading,
       Consumer<String> detail) {
     if (!Double.isNaN(heading)) {
-      detail.accept("has psi of " + heading + " deg besides");
+      detail.accept("has psi of " + heading + " deg in addition");
     }
     return PlanItem.at(
         id, command, PlanItem.GLOBAL, place, first, second, third, Double.NaN); // path to the next

@@ -20,7 +20,7 @@ public record StationPlan(
   }
 
   /**
-   * A place on the earth.
+   * A position on the earth.
    *
    * @param altitudeM above mean sea level [m]; empty if not given
    */

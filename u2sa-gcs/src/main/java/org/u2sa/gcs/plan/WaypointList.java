@@ -69,7 +69,7 @@ public final class WaypointList {
     }
     if (!(Math.abs(latitude) <= 90.0 && Math.abs(longitude) <= 180.0)) {
       throw new BadInputException(
-          origin + ": item 0: " + latitude + ", " + longitude + " is no latitude and longitude");
+          origin + ": item 0: " + latitude + ", " + longitude + " is not on the earth");
     }
     boolean hasAltitude = Double.isFinite(altitude);
     return Optional.of(

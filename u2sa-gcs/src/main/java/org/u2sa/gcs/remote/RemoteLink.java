@@ -86,7 +86,7 @@ public final class RemoteLink implements AutoCloseable {
     listeners.getOrDefault(channel.name(), new ArrayList<>()).remove(listener);
   }
 
-  /** Ends all listening to a channel, at the broker, too. */
+  /** Removes all listeners of a channel and unsubscribes from the broker. */
   public void unsubscribe(Channel<?> channel) {
     listeners.remove(channel.name());
     connection.unsubscribe(channel);

@@ -74,7 +74,7 @@ final class RosAccount {
     if (link != null) {
       throw new BadInputException(
           "auth: this connection already acts as "
-              + (user.isEmpty() ? "nobody in particular" : "\"" + user + "\"")
+              + (user.isEmpty() ? "an anonymous user" : "\"" + user + "\"")
               + "; log in first, or on a new connection");
     }
     user = name;
@@ -96,16 +96,16 @@ final class RosAccount {
     return link;
   }
 
-  /** Whether the broker has accepted its user, who is an operator. */
+  /** Whether the broker has accepted its user as an operator. */
   boolean operates() {
     return operates;
   }
 
   /**
-   * Requires that people may publish the type on the channel, and that this user may: the broker
+   * Requires that users may publish the type on the channel, and that this user may: the broker
    * drops unauthorised messages silently.
    *
-   * @throws BadInputException saying what is needed
+   * @throws BadInputException stating what is required
    */
   synchronized void requireRight(Channel<?> channel, MessageType<?> type) {
     Optional<AccessRule> rule = AccessTable.rule(channel.name(), type);
@@ -122,7 +122,7 @@ final class RosAccount {
               + type.name()
               + " on "
               + channel
-              + " is the vehicle's own word; ROS tools may send what an operator may");
+              + " is published by the vehicle only; ROS tools may send what an operator may");
     }
     if (rule.get().kind() != AccessRule.Kind.QUESTION && !isOperator()) {
       throw new BadInputException(

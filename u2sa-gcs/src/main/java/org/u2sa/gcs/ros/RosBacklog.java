@@ -3,13 +3,13 @@ package org.u2sa.gcs.ros;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Limits what waits for one client, or of it, in characters of JSON: a queue may hold maps of
- * megabytes for as long as the client requests, and operations wait while earlier ones are slow.
- * Thread-safe.
+ * Limits the messages waiting for one client, or its waiting operations, in characters of JSON: a
+ * client may request long queues of maps of several megabytes, and operations wait behind slow
+ * ones. Thread-safe.
  */
 final class RosBacklog {
   private static final long LARGEST = 4L << 20;
-  private static final long OUTGOING_PART = 128; // 16 clients together an eighth of the heap
+  private static final long OUTGOING_PART = 128; // 16 clients may use an eighth of the heap
   private static final long INCOMING_PART = 256;
 
   private final long most;
@@ -19,12 +19,12 @@ final class RosBacklog {
     this.most = most;
   }
 
-  /** The limit of messages for one of 16 clients on this heap. */
+  /** Limit of the messages for one client. */
   static RosBacklog outgoing() {
     return ofHeap(OUTGOING_PART);
   }
 
-  /** The limit of operations of one of 16 clients on this heap. */
+  /** Limit of the operations of one client. */
   static RosBacklog incoming() {
     return ofHeap(INCOMING_PART);
   }

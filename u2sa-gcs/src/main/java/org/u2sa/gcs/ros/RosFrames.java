@@ -12,15 +12,15 @@ import org.u2sa.recorder.foxglove.SceneFrame;
 
 /**
  * The frames of REP 105, east-north-up and forward-left-up: {@code map} at the first global
- * position heard by any client, {@code odom} for local frames, {@code base_link} for the vehicle.
- * Shared by all clients, so that their maps agree. Thread-safe.
+ * position received by any client, {@code odom} for local frames, {@code base_link} for the
+ * vehicle. Shared by all clients, so that their maps agree. Thread-safe.
  */
 final class RosFrames {
   static final String MAP = "map";
   static final String ODOM = "odom";
   static final String BASE = "base_link";
 
-  /** Exchanges forward-left-up and forward-right-down; its own inverse. */
+  /** Converts between forward-left-up and forward-right-down; its own inverse. */
   static final Rotation FLU_FROM_FRD = Rotation.nedFromFrd(Math.PI, 0.0, 0.0);
 
   private final SceneFrame scene = new SceneFrame(); // guarded by this
@@ -100,7 +100,7 @@ final class RosFrames {
 
   /**
    * Pose of the vehicle's parent in the map, given the vehicle's pose there: {@code odom} if the
-   * vehicle has a local state. A frame of ROS has one parent only.
+   * vehicle has a local state. A ROS frame has only one parent.
    */
   synchronized Optional<Pose> odomInMap(Pose inMap) {
     if (inOdom == null) {

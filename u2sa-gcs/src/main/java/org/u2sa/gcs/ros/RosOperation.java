@@ -9,11 +9,11 @@ import org.u2sa.report.message.JsonReader;
 /** One operation of a client, with checked access to its fields. */
 record RosOperation(Map<String, Object> fields) {
   private static final int LONGEST_NAME = 256;
-  private static final int MAX_VALUES = 2_000; // a change of 256 variables has 770
+  private static final int MAX_VALUES = 2_000; // a change of 256 variables needs 770
   private static final long MAX_COUNT = 3_600_000; // ms of an hour
 
   /**
-   * @throws BadInputException if it is no object of JSON with a text "op", or has too many values
+   * @throws BadInputException if it is not a JSON object with a text "op", or has too many values
    */
   static RosOperation parse(String text) {
     RosOperation operation = new RosOperation(JsonReader.object("operation", text, MAX_VALUES));
@@ -34,7 +34,7 @@ record RosOperation(Map<String, Object> fields) {
     return value != null && !(value instanceof Optional); // null counts as absent
   }
 
-  /** A short text. */
+  /** A short string. */
   String text(String name) {
     Object value = fields.get(name);
     if (value instanceof String text && !text.isEmpty() && text.length() <= LONGEST_NAME) {
@@ -67,7 +67,7 @@ record RosOperation(Map<String, Object> fields) {
   }
 
   /** An object; empty if absent, or an empty list. */
-  @SuppressWarnings("unchecked") // JsonReader only makes maps with text keys
+  @SuppressWarnings("unchecked") // JsonReader creates maps with text keys only
   Map<String, Object> object(String name) {
     Object value = fields.get(name);
     if (!has(name) || value instanceof List<?> list && list.isEmpty()) {

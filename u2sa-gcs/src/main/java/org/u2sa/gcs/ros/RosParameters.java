@@ -85,7 +85,7 @@ final class RosParameters {
    * Sets a parameter.
    *
    * @param json a number, boolean or text, which may have a unit: {@code "25 deg"}
-   * @throws BadInputException if there is no such parameter, or the value is none
+   * @throws BadInputException if the parameter is unknown or the value has an unsupported type
    * @throws org.u2sa.interfaces.RunFailedException if the service refuses, with its reason
    */
   void set(String name, String json) throws InterruptedException {

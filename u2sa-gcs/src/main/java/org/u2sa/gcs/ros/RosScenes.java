@@ -82,7 +82,7 @@ final class RosScenes {
                     .transform(RosStates.stamp(scan), RosStates.frameOf(scan.sensorName())))));
   }
 
-  /** {@code sensor_msgs/PointCloud2} of a scan's echoes or a cloud; empty if it has no place. */
+  /** {@code sensor_msgs/PointCloud2} of a scan's echoes or a cloud; empty without a position. */
   Optional<Object> points(U2SAData message) {
     if (message instanceof RangeScan scan) {
       return scan.referenceFrame().equals(ReferenceFrame.BODY)

@@ -100,7 +100,7 @@ final class RosServices {
                     .orElseThrow(
                         () ->
                             new BadInputException(
-                                "type \"" + call.text(TYPE) + "\" is not described here"))));
+                                "type \"" + call.text(TYPE) + "\" has no definition here"))));
     add(
         "get_time",
         "GetTime",
@@ -217,7 +217,7 @@ final class RosServices {
         "DeleteParam",
         call -> {
           throw new BadInputException(
-              "parameter \"" + call.text(NAME) + "\" belongs to its service: it can be set only");
+              "parameter \"" + call.text(NAME) + "\" belongs to its service; it can only be set");
         });
   }
 
@@ -225,7 +225,7 @@ final class RosServices {
    * Calls a service.
    *
    * @return its answer's fields
-   * @throws RuntimeException if there is none, or it refuses; the message is for the caller
+   * @throws RuntimeException if the service is unknown or refuses; the message is for the caller
    */
   Map<String, Object> call(String name, Map<?, ?> arguments, RosAccount account)
       throws InterruptedException {

@@ -52,8 +52,8 @@ enum RosSpelling {
   }
 
   /**
-   * A value as {@link JsonText} takes it. Numbers that JSON cannot represent become null, as in
-   * rosbridge's own server.
+   * A value in a form that {@link JsonText} accepts. Numbers that JSON cannot represent become
+   * null, as in rosbridge's own server.
    */
   Object json(Object value) {
     if (value instanceof Time time) {

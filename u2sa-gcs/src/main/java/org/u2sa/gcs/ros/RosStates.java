@@ -35,7 +35,7 @@ final class RosStates {
     return new RosSpelling.Time(message.timestamp().orElse(0) * NANOS_PER_MICRO);
   }
 
-  /** A frame's name made of a sensor's: letters, digits and underscores. */
+  /** A frame name derived from a sensor's: letters, digits and underscores. */
   static String frameOf(String sensorName) {
     return sensorName.isEmpty() ? RosFrames.BASE : sensorName.replaceAll("[^A-Za-z0-9_]", "_");
   }

@@ -15,7 +15,7 @@ import org.u2sa.interfaces.time.Clock;
  * Thread-safe.
  */
 final class RosSubscription {
-  /** Longest queue; a longer one is shortened. */
+  /** Maximum queue length; longer requests are reduced. */
   static final int LONGEST_QUEUE = 100;
 
   private static final long MICROS_PER_MS = 1_000L;
@@ -34,11 +34,11 @@ final class RosSubscription {
   private Future<?> turn; // task of the oldest waiting message, or null; guarded by this
 
   /**
-   * @param throttleMs least time between messages [ms]
-   * @param backlog of the client
-   * @param writer writes a message as text, in which form it waits, because its size is then known
-   * @param out sends a text, or does not ask for it
-   * @param later runs a task after a time [ms], unless it is cancelled before
+   * @param throttleMs minimum time between messages [ms]
+   * @param backlog backlog of the client
+   * @param writer serializes a message; it waits as text, because its size is then known
+   * @param out sends a text, or skips requesting it
+   * @param later runs a task after a time [ms], unless cancelled first
    */
   RosSubscription(
       RosTopic topic,
@@ -121,7 +121,7 @@ final class RosSubscription {
     }
   }
 
-  /** Ends it at once: a task that waits for its turn, up to an hour, would keep it in memory. */
+  /** Ends it now: a task that waits for its turn, up to an hour, would keep it in memory. */
   synchronized void end() {
     ended = true;
     while (!waiting.isEmpty()) {

@@ -24,9 +24,9 @@ import org.u2sa.report.message.MessageJson;
  *
  * @param name name with its slash
  * @param type type in the spelling of ROS 2
- * @param sources channels from which it is made
- * @param maker message as fields for {@link RosSpelling#json}; empty if the vehicle's message makes
- *     none
+ * @param sources channels from which it is derived
+ * @param maker converts a message to fields for {@link RosSpelling#json}; empty if the vehicle's
+ *     message yields none
  */
 record RosTopic(
     String name,
@@ -183,7 +183,7 @@ record RosTopic(
         (any, message) -> Optional.of(MessageJson.plain(message)));
   }
 
-  /** The channel of a native topic; empty for topics that are made. */
+  /** The channel of a native topic; empty for derived topics. */
   Optional<Channel<?>> nativeChannel() {
     return name.startsWith(NATIVE) ? Optional.of(sources.get(0)) : Optional.empty();
   }

@@ -10,7 +10,7 @@ import org.u2sa.messages.safety.ManualDrive;
 
 /** {@code geometry_msgs/Twist} as motion wanted by hand, and back. */
 final class RosTwist {
-  /** The topic of ROS tools that drive by hand. */
+  /** Topic on which ROS tools drive by hand. */
   static final String TOPIC = "/cmd_vel";
 
   private RosTwist() {}
@@ -19,13 +19,13 @@ final class RosTwist {
    * Reads a twist.
    *
    * @param operator name of the driver
-   * @throws BadInputException naming a component that is no number, or that a vehicle on the ground
-   *     or water does not have
+   * @throws BadInputException naming a component that is not a number, or that a vehicle on the
+   *     ground or water lacks
    */
   static ManualDrive drive(Map<?, ?> twist, String operator) {
     for (String none : new String[] {"linear.y", "linear.z", "angular.x", "angular.y"}) {
       if (component(twist, none) != 0.0) {
-        throw new BadInputException(none + ": expected 0; linear.x and angular.z are obeyed");
+        throw new BadInputException(none + ": expected 0; only linear.x and angular.z are obeyed");
       }
     }
     return new ManualDrive()

@@ -20,7 +20,7 @@ import java.util.regex.Pattern;
 
 /**
  * Definitions of the standard messages that the topics use, from ROS 2's interface files. Native
- * messages have none: their fields are optional, which those files cannot say.
+ * messages have none: their fields are optional, which those files cannot express.
  */
 final class RosTypes {
   private static final Pattern FIELD =
@@ -29,7 +29,7 @@ final class RosTypes {
   private static final int SCALAR = -1;
 
   /**
-   * @param length of an array; 0 if it varies, -1 if the field is not an array
+   * @param length array length; 0 if it varies, -1 if the field is not an array
    */
   record Field(String type, int length, String name) {}
 
@@ -55,7 +55,7 @@ final class RosTypes {
   private static Field field(String line) {
     Matcher field = FIELD.matcher(line);
     if (!field.matches()) {
-      throw new IllegalStateException("messages.txt: \"" + line + "\" is no field");
+      throw new IllegalStateException("messages.txt: \"" + line + "\" is not a field");
     }
     String length = field.group(3);
     return new Field(

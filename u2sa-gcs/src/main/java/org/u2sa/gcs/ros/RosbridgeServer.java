@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.MessageTypes;
 
 /** Serves clients of the rosbridge protocol beside the embedded broker. */
 final class RosbridgeServer implements ClientBridge {
-  private static final int MAX_CLIENTS = // each may take megabytes of the vehicle's heap
+  private static final int MAX_CLIENTS = // each may occupy megabytes of the vehicle's heap
       (int) Math.max(4, Math.min(16, Runtime.getRuntime().maxMemory() / (8 << 20)));
 
   private static final int MAX_WAITING = 256; // operations of a client
@@ -77,8 +77,8 @@ final class RosbridgeServer implements ClientBridge {
   }
 
   /**
-   * Held while messages are written for a client, so that all clients together take one core and
-   * the memory of one message: a map takes ten times its size while it is written.
+   * Held while messages are written for a client, so that all clients together use one core and the
+   * memory of one message: serializing a map takes ten times its size.
    */
   Lock writing() {
     return writing;
@@ -93,7 +93,7 @@ final class RosbridgeServer implements ClientBridge {
   }
 
   /**
-   * @throws BadInputException if there is no such topic
+   * @throws BadInputException if the topic does not exist
    */
   RosTopic topic(String name) {
     String rooted = name.startsWith("/") ? name : "/" + name;
@@ -184,10 +184,10 @@ final class RosbridgeServer implements ClientBridge {
     }
 
     private void tooMany(String what, String id) {
-      session.status("error", "too many " + what + " at once: this one is dropped", id);
+      session.status("error", "too many " + what + " at once; this one is dropped", id);
     }
 
-    /** Parses a text no sooner than it is wanted, because it then takes many times its length. */
+    /** Parses a text only when its turn comes, because it then takes many times its length. */
     private void take(String text) {
       boolean isCalled = false;
       try {
@@ -248,7 +248,7 @@ final class RosbridgeServer implements ClientBridge {
 
     @Override
     public void binary() {
-      session.status("error", "binary messages are not taken; expected JSON as text", "");
+      session.status("error", "binary messages are not accepted; expected JSON as text", "");
     }
 
     @Override

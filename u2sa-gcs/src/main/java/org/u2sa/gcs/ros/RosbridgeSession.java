@@ -28,7 +28,7 @@ import org.u2sa.report.message.MessageFromJson;
 final class RosbridgeSession {
   private static final int MAX_SUBSCRIPTIONS = 256;
   private static final int MAX_ADVERTISED = 256;
-  private static final long MAX_UNREAD = // answers, beyond what messages may take
+  private static final long MAX_UNREAD = // space for answers, beyond that for messages
       Runtime.getRuntime().maxMemory() / 256;
   private static final String TOPIC = "topic";
   private static final String TYPE = "type";
@@ -51,7 +51,7 @@ final class RosbridgeSession {
   }
 
   /**
-   * Takes one operation.
+   * Executes one operation.
    *
    * @throws RuntimeException if it is refused; the message says why
    */
@@ -76,7 +76,7 @@ final class RosbridgeSession {
   private void authenticate(RosOperation operation) {
     if (operation.has("mac")) {
       throw new BadInputException(
-          "auth: MACs of rosauth are not taken; expected \"user\" and \"password\"");
+          "auth: MACs of rosauth are not accepted; expected \"user\" and \"password\"");
     }
     account.as(operation.text("user"), operation.text("password"));
     account.link();
@@ -121,7 +121,7 @@ final class RosbridgeSession {
     }
   }
 
-  /** Subscribes again to a channel that is heard already, so that retained messages come again. */
+  /** Resubscribes to a channel, so that retained messages are delivered again. */
   private void listen(RemoteLink link, Channel<?> channel) {
     Consumer<U2SAData> before = listeners.get(channel.name());
     if (before != null && channel.isRetained()) {
@@ -219,7 +219,9 @@ final class RosbridgeSession {
         .orElseThrow(
             () ->
                 new BadInputException(
-                    "topic \"" + topic + "\" is the vehicle's own; orders go to /u2sa/… topics"));
+                    "topic \""
+                        + topic
+                        + "\" is published by the vehicle; orders go to /u2sa/… topics"));
   }
 
   private void publish(RosOperation operation) {
@@ -234,11 +236,11 @@ final class RosbridgeSession {
         reader.named("msg", fields, declared(operation.topic()).or(() -> only(channel)));
     if (!channel.carries(type)) {
       throw new BadInputException(
-          "a "
-              + type.name()
-              + " does not travel on \""
+          "\""
               + channel
-              + "\"; it carries "
+              + "\" does not carry a "
+              + type.name()
+              + "; it carries "
               + channel.carriedTypes().stream().map(MessageType::name).toList());
     }
     account.requireRight(channel, type);
@@ -287,7 +289,7 @@ final class RosbridgeSession {
     answer(answer);
   }
 
-  /** Sends what must not be dropped; a client that leaves too much of it unread is disconnected. */
+  /** Sends a message that must not be dropped; disconnects a client that leaves too many unread. */
   private void answer(JsonText text) {
     if (socket.backlog() > MAX_UNREAD) {
       socket.close();
@@ -296,7 +298,7 @@ final class RosbridgeSession {
     }
   }
 
-  /** Answers are spelled as in ROS 2, except that times have the names of ROS 1, too. */
+  /** Answers are spelled as in ROS 2, except that times also have ROS 1 names. */
   private static Object timesOfBoth(Map<String, Object> values) {
     if (values.get("time") instanceof RosSpelling.Time time) {
       long nanos = time.nanos();

@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.U2SAData;
  * obeys stops reports it as active.
  */
 public final class StopConfirmation {
-  /** Time in which a service with the default report period reports twice. */
+  /** Time for two reports of a service with the default report period. */
   private static final double LISTEN_S = 0.6;
 
   private final RemoteLink link;
@@ -123,8 +123,7 @@ public final class StopConfirmation {
     if (heard.isEmpty()) {
       missing.add("no service of system \"" + systemId + "\" is heard");
     } else if (holding.isEmpty()) {
-      missing.add(
-          "of its " + heard.size() + " services, none reports that it obeys emergency stops");
+      missing.add("of its " + heard.size() + " services, none reports obeying emergency stops");
     }
     holding.forEach(
         (service, held) -> {

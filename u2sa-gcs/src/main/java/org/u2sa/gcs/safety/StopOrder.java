@@ -81,7 +81,7 @@ public final class StopOrder {
   public void sendToAllHeard() throws InterruptedException {
     link.listen(Channels.ARMING_STATE, this::heard);
     link.await(this::isSent, Math.min(RETAINED_WITHIN_S, link.timeoutS()));
-    link.listen(Channels.HEALTH, this::heard); // of systems without a Safety Manager, too
+    link.listen(Channels.HEALTH, this::heard); // also for systems without a Safety Manager
   }
 
   private void heard(U2SAData message) {

@@ -9,8 +9,8 @@ import java.util.concurrent.TimeUnit;
 import org.u2sa.gcs.socket.WebSocketServer.Conversation;
 
 /**
- * Places of a server's clients, and as many of connections in their handshake: whoever holds all of
- * them and says nothing keeps nobody else out. For the server's thread only.
+ * Limits a server's clients and, separately, its connections in their handshake, so that silent
+ * connections cannot lock others out. For the server's thread only.
  */
 final class ClientPlaces {
   private static final int HANDSHAKE_WITHIN_S = 10;
@@ -43,8 +43,8 @@ final class ClientPlaces {
   }
 
   /**
-   * Whether a client may enter. If all places are taken, one that names a user comes instead of the
-   * oldest client that gives way.
+   * Whether a client is admitted. If all places are taken, a client that names a user replaces the
+   * oldest one that gives way.
    */
   boolean areOpenTo(ClientSocket client) {
     if (clients.size() < most) {
@@ -57,7 +57,7 @@ final class ClientPlaces {
                 .filter(each -> each.getValue().givesWay())
                 .map(Map.Entry::getKey)
                 .findFirst();
-    oldest.ifPresent(each -> each.close("too many clients: one that names a user comes instead"));
+    oldest.ifPresent(each -> each.close("too many clients; replaced by one that names a user"));
     return oldest.isPresent();
   }
 

@@ -64,7 +64,7 @@ public final class ClientSocket {
     channel.close();
   }
 
-  /** Disconnects with a reason, as a violation of the protocol. */
+  /** Disconnects because of a protocol violation, with a reason. */
   public void close(String why) {
     channel.writeAndFlush(new CloseWebSocketFrame(WebSocketCloseStatus.PROTOCOL_ERROR, why));
     channel.close();

@@ -43,12 +43,12 @@ public final class WebSocketServer implements AutoCloseable {
   private static final int LONGEST_MESSAGE = 1 << 17; // orders have at most 64 KiB
   private static final long LARGEST_BUFFER = 4 << 20; // unread bytes of a client
   private static final long HEAP_PART = 8; // of all clients' unread bytes together
-  private static final int RESUME_PART = 4; // of a full buffer, at which it takes more
+  private static final int RESUME_PART = 4; // level of a full buffer at which it accepts more
   private static final int END_MS = 500;
 
   /**
-   * What is incomplete lies on the heap, in chunks of 256 KiB, not of 4 MiB: beside a small heap
-   * there is as little memory for buffers, and without any the broker's network thread waits for
+   * Incomplete messages are kept on the heap in chunks of 256 KiB instead of 4 MiB: a small heap
+   * comes with equally little buffer memory, and without any the broker's network thread waits for
    * the garbage collector.
    */
   private static final ByteBufAllocator MEMORY =
@@ -57,11 +57,11 @@ public final class WebSocketServer implements AutoCloseable {
   /**
    * Settings of a server.
    *
-   * @param address where it listens
+   * @param address address on which it listens
    * @param subprotocols names, separated by commas; empty: none is agreed
    * @param origins web pages that may connect besides those of {@link OriginCheck}
-   * @param maxClients clients at a time; as many connections again may be in their handshake, of
-   *     which a newer one displaces the oldest
+   * @param maxClients clients at a time; as many more connections may be in their handshake; a
+   *     newer one displaces the oldest
    * @param security certificate and key; empty: no encryption
    */
   public record Offer(
@@ -75,12 +75,12 @@ public final class WebSocketServer implements AutoCloseable {
   public interface Conversation {
     void text(String text);
 
-    /** A binary message, whose content is dropped. */
+    /** Handles a binary message, whose content is dropped. */
     void binary();
 
     void ended();
 
-    /** Whether it gives way to a client that names a user, if there are too many. */
+    /** Whether this client gives way to one that names a user if there are too many. */
     boolean givesWay();
   }
 
@@ -96,8 +96,8 @@ public final class WebSocketServer implements AutoCloseable {
   /**
    * Starts listening.
    *
-   * @param welcome begins the conversation with a client that has connected
-   * @param remarks receives failures of connections
+   * @param welcome starts the session with a newly connected client
+   * @param remarks receives connection failures
    * @throws RunFailedException if the port is taken
    */
   public WebSocketServer(
@@ -248,7 +248,7 @@ public final class WebSocketServer implements AutoCloseable {
 
     @Override
     public void exceptionCaught(ChannelHandlerContext context, Throwable cause) {
-      if (Long.bitCount(++faults) == 1) { // 1, 2, 4, 8…: others choose how many there are
+      if (Long.bitCount(++faults) == 1) { // 1, 2, 4, 8…: clients determine how many there are
         remarks.accept(
             String.format(
                 "%s: %s (%d so far)",

@@ -35,8 +35,8 @@ public final class ViewFeed {
   }
 
   /**
-   * Processes a message. One that cannot be shown, such as a place beyond every projection, costs
-   * viewers that message only.
+   * Processes a message. A message that cannot be shown, such as a position beyond every
+   * projection, is only omitted.
    *
    * @param nanos time of receipt [ns]
    */

@@ -23,7 +23,7 @@ public final class ViewServer implements AutoCloseable {
   private static final String SUBPROTOCOLS = "foxglove.sdk.v1,foxglove.websocket.v1";
   private static final int MAX_VIEWERS = 32;
   private static final int MAX_CHANNELS = 2048; // of a running system
-  private static final int MAX_VALUES = 16_384; // of a request: subscriptions to all have 3 each
+  private static final int MAX_VALUES = 16_384; // in a request; each subscription needs 3
 
   private final String name;
   private final boolean tellsTime;
@@ -92,7 +92,7 @@ public final class ViewServer implements AutoCloseable {
     return false;
   }
 
-  /** Reports a message that cannot be shown; its sender chooses how many there are. */
+  /** Reports messages that cannot be shown, ever more rarely: senders determine the rate. */
   void notShown(String topic, RuntimeException why) {
     if (Long.bitCount(++notShown) == 1) { // 1, 2, 4, 8…
       remarks.accept("a message on " + topic + " cannot be shown, " + notShown + " so far: " + why);
@@ -161,7 +161,7 @@ public final class ViewServer implements AutoCloseable {
   private WebSocketServer.Conversation begin(ClientSocket socket) {
     ViewerSession viewer = new ViewerSession(socket);
     viewer.send(serverInfo());
-    viewers.add(viewer); // before reading the channels, lest one be missed
+    viewers.add(viewer); // before reading the channels, so that none is missed
     List<ViewChannel> known = channels.all();
     if (!known.isEmpty()) {
       viewer.send(advertise(known));
@@ -197,7 +197,7 @@ public final class ViewServer implements AutoCloseable {
 
     @Override
     public void binary() {
-      viewer.status(ViewerSession.Level.ERROR, "read-only: messages of viewers are not taken");
+      viewer.status(ViewerSession.Level.ERROR, "read-only: viewers' messages are ignored");
     }
 
     @Override

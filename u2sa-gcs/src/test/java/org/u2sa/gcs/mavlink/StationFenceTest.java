@@ -85,10 +85,10 @@ class StationFenceTest {
   void upload_refusedBySafetyManager_isAnErrorWithItsReason() {
     station.upload(field());
 
-    station.answer(false, "the vehicle is armed, and to this fence it is: outside");
+    station.answer(false, "the vehicle is armed and violates it: outside");
 
     assertThat(acknowledgement().type().entry()).isEqualTo(MavMissionResult.MAV_MISSION_ERROR);
-    assertThat(kit.texts()).contains("to this fence it is: outside");
+    assertThat(kit.texts()).contains("violates it: outside");
   }
 
   @Test
@@ -107,7 +107,8 @@ class StationFenceTest {
         List.of(item(0, IN, 3, 0, 0), item(1, IN, 3, 0, 1), item(2, CIRCLE_OUT, 3, 1, 1)));
     assertThat(acknowledgement().type().entry())
         .isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
-    assertThat(kit.texts()).contains("fence item 3: is not of the polygon that item 1 begins");
+    assertThat(kit.texts())
+        .contains("fence item 3: does not belong to the polygon that item 1 starts");
 
     station.upload(List.of(item(0, 5000, 0, 0, 0)));
     assertThat(acknowledgement().type().entry())

@@ -122,7 +122,7 @@ class StationMissionTest {
     upload(kit, List.of(item(0, 16, 0.001), item(1, 205, 0.001)));
     assertThat(result()).isEqualTo(MavMissionResult.MAV_MISSION_UNSUPPORTED);
     assertThat(kit.texts())
-        .contains("mission item 2 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that");
+        .contains("mission item 2 (MAV_CMD_DO_MOUNT_CONTROL): no goal can express that");
     assertThat(kit.orders(MissionOrder.class)).isEmpty();
   }
 

@@ -183,7 +183,7 @@ class PlanFormatsTest {
         .containsExactly(
             "goal \"1\": stays within horizontalThreshold 3.0 m",
             "goal \"1\": has turns and duration 5.0",
-            "goal \"1\": has psi of 28.64788975654116 deg besides");
+            "goal \"1\": has psi of 28.64788975654116 deg in addition");
   }
 
   @Test
@@ -236,7 +236,7 @@ class PlanFormatsTest {
 
   @ParameterizedTest
   @CsvSource({
-    "'205,2,0,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_MOUNT_CONTROL): no goal says that'",
+    "'205,2,0,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_MOUNT_CONTROL): no goal can express that'",
     "'21,0,10,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): an altitude to abort'",
     "'21,0,0,0,0,0,50,8,nan,1', 'item 1 (MAV_CMD_NAV_LAND): no altitude of the ground'",
     "'18,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LOITER_TURNS): 0.0 turns'",
@@ -247,7 +247,7 @@ class PlanFormatsTest {
     "'22,0,15,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_TAKEOFF): a pitch of 15.0 deg'",
     "'206,2,25,9,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): a shutter time of 9.0'",
     "'16,10,0,0,0,0,50,8,30,1', 'an altitude in frame 10'",
-    "'16,3,0,0,0,0,0,0,30,1', 'latitude 0.0, longitude 0.0 is no place'",
+    "'16,3,0,0,0,0,0,0,30,1', 'latitude 0.0, longitude 0.0 is not a position'",
     "'16,3,0,0,50,0,50,8,30,1', 'a radius of 50.0 m'",
     "'16,3,0,0,0,0,50,8,30,0', 'waits for an operator'",
     "'177,2,5,1,0,0,0,0,0,1', 'jumps to item 5.0, which no goal before it is'",
@@ -291,7 +291,7 @@ class PlanFormatsTest {
         "{} | a: fileType: expected \"Plan\"",
         "{'fileType':'Plan'} | a: mission: expected an object",
         "{'fileType':'Plan','mission':{'items':[{'type':'SimpleItem','params':[1]}]}} | a: mission.items[0].params: 1 numbers; expected 7",
-        "{'fileType':'Plan','mission':{'items':[],'plannedHomePosition':[95,8,0]}} | a: plannedHomePosition: 95.0, 8.0 is no latitude and longitude",
+        "{'fileType':'Plan','mission':{'items':[],'plannedHomePosition':[95,8,0]}} | a: plannedHomePosition: 95.0, 8.0 is not on the earth",
       })
   void read_brokenPlan_isRefusedWithTheField(String text, String message) {
     assertThatThrownBy(() -> QgcPlan.read("a", text.replace('\'', '"'), lost))

@@ -181,10 +181,10 @@ class RosbridgeServerTest {
         "{'op':'subscribe','topic':'/odom','throttle_rate':-1} | \"throttle_rate\": expected 0",
         "{'op':'subscribe'} | \"topic\": expected a text",
         "{'op':'fragment','id':'1'} | \"fragment\" is not served",
-        "{'op':'advertise','topic':'/odom','type':'nav_msgs/Odometry'} | the vehicle's own",
+        "{'op':'advertise','topic':'/odom','type':'nav_msgs/Odometry'} | published by the vehicle",
         "{'op':'publish','topic':'/u2sa/arming','msg':{'arms':true}} | has no field \"arms\"",
-        "{'op':'publish','topic':'/u2sa/stop','msg':{'type':'Waypoint','uid':'1'}} | does not travel",
-        "{'op':'auth','mac':'1','client':'a'} | MACs of rosauth are not taken",
+        "{'op':'publish','topic':'/u2sa/stop','msg':{'type':'Waypoint','uid':'1'}} | does not carry a Waypoint",
+        "{'op':'auth','mac':'1','client':'a'} | MACs of rosauth are not accepted",
         "{'topic':'/odom'} | \"op\": expected a text",
         "not JSON | operation, line 1",
       })
@@ -254,10 +254,10 @@ class RosbridgeServerTest {
     try (RosClient client = operator()) {
       client.send(
           "{'op':'publish','topic':'/u2sa/state','msg':{'type':'StateInformation','x':1.0}}");
-      assertThat(client.nextStatus()).contains("the vehicle's own word");
+      assertThat(client.nextStatus()).contains("published by the vehicle");
       client.send(
           "{'op':'publish','topic':'/u2sa/actuation','msg':{'type':'PercentageCommand','actuatorName':'a','percentage':100}}");
-      assertThat(client.nextStatus()).contains("the vehicle's own word");
+      assertThat(client.nextStatus()).contains("published by the vehicle");
     }
   }
 

@@ -209,7 +209,7 @@ public final class Channels {
   public static final Channel<ManualState> MANUAL_STATE =
       Channel.latest("manual-state", ManualState.TYPE, state -> "").retained();
 
-  /** Motion wanted by the person who drives by hand; to control. */
+  /** Motion commanded by the person who drives by hand; to control. */
   public static final Channel<ManualDrive> MANUAL_DRIVE =
       Channel.latest("manual-drive", ManualDrive.TYPE, ManualDrive::operator);
 

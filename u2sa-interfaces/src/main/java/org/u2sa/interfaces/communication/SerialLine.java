@@ -1,7 +1,7 @@
 package org.u2sa.interfaces.communication;
 
 /**
- * A serial port, for programs that may not depend on drivers. It reconnects by itself; no call
+ * A serial port, for modules that must not depend on drivers. It reconnects by itself; no call
  * blocks. Reads and writes belong to one thread.
  */
 public interface SerialLine extends AutoCloseable {

@@ -11,7 +11,7 @@ public interface SerialLineProvider {
    *
    * @param path device file, such as /dev/ttyUSB0
    * @param baud bits per second
-   * @throws BadInputException if path or rate cannot be
+   * @throws BadInputException if path or rate is invalid
    */
   SerialLine open(String path, int baud, Clock clock);
 }

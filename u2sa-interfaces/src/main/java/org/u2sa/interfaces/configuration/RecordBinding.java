@@ -163,7 +163,7 @@ final class RecordBinding<T> {
 
   private static int whole(String name, double value) {
     if (value != Math.rint(value) || Math.abs(value) > Integer.MAX_VALUE) {
-      throw wrong(name, "ifAbsent " + value + " is no whole number");
+      throw wrong(name, "ifAbsent " + value + " is not a whole number");
     }
     return (int) value;
   }

@@ -18,7 +18,7 @@ import org.u2sa.interfaces.BadInputException;
  * Folders in which programs of one account share files: {@code $XDG_RUNTIME_DIR/u2sa} and {@code
  * ~/.u2sa/run}. Files are written to and searched for in both, because the variable differs between
  * sessions of one account, and its folder is removed with the last session. {@value #VARIABLE}
- * names one folder that replaces both: tests use it, and so can an account with several separate
+ * names one folder that replaces both: for tests, and for accounts shared by several separate
  * users.
  */
 public final class AccountFolders {
@@ -110,7 +110,7 @@ public final class AccountFolders {
       }
     }
     if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
-      throw new IOException(folder + " is no folder");
+      throw new IOException(folder + " is not a folder");
     }
     if (!isOurs(folder)) {
       throw new IOException(folder + " belongs to another account");

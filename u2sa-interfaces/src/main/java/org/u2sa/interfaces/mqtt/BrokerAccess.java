@@ -56,7 +56,7 @@ public final class BrokerAccess {
   }
 
   /**
-   * Without a name, on behalf of somebody who has shown none: not even the account's token is used.
+   * Anonymous access for a client that gave no name: not even the account's token is used.
    *
    * @param caFile certificates (PEM) of the trusted authorities; empty: no encryption
    */
@@ -162,7 +162,7 @@ public final class BrokerAccess {
       throws GeneralSecurityException, IOException {
     Path path = path("CA FILE", caFile);
     SecretFiles.requireOwnersWord("CA FILE", path);
-    if (Files.exists(path) && !Files.isRegularFile(path)) { // a pipe might never answer
+    if (Files.exists(path) && !Files.isRegularFile(path)) { // reading a pipe might block forever
       throw new BadInputException("CA FILE \"" + caFile + "\" is not a regular file");
     }
     if (Files.exists(path) && Files.size(path) > LONGEST_CA_FILE) {
@@ -184,7 +184,8 @@ public final class BrokerAccess {
     try {
       return Paths.get(file);
     } catch (InvalidPathException e) {
-      throw new BadInputException(variable + " \"" + file + "\" is no path: " + e.getMessage(), e);
+      throw new BadInputException(
+          variable + " \"" + file + "\" is not a path: " + e.getMessage(), e);
     }
   }
 
@@ -196,7 +197,7 @@ public final class BrokerAccess {
     return tls != null;
   }
 
-  /** Whether the account's token names the user at a broker of this host. */
+  /** Whether the account's token identifies the user at a broker of this host. */
   boolean usesToken() {
     return usesToken;
   }

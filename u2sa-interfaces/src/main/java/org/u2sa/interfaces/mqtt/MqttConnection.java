@@ -25,7 +25,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class MqttConnection implements Connection, MqttSession.Owner {
   private static final int AT_LEAST_ONCE = 1;
   private static final int TOPICS_REMEMBERED = 1_024;
-  private static final int MAX_TOPIC_LENGTH = 1_024; // as the embedded broker takes
+  private static final int MAX_TOPIC_LENGTH = 1_024; // limit of the embedded broker
 
   private final String address;
   private final String systemId;
@@ -37,7 +37,7 @@ final class MqttConnection implements Connection, MqttSession.Owner {
   private final IncomingMessages incoming;
   private final RetainedTopics retained;
   private final MqttSubscriptions subscriptions;
-  private final boolean isService; // whose loss the broker reports
+  private final boolean isService; // a service, whose loss the broker reports
   private final TopicNames topics;
   private final Map<String, Topic> parsed = new ConcurrentHashMap<>(); // cache of parsed topics
   private final MqttLink link;

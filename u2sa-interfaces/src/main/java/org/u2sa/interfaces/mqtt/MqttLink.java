@@ -124,7 +124,7 @@ final class MqttLink {
       }
       owner.renew(session);
       current.set(session);
-      catchUp(session); // with requests since it was restored
+      catchUp(session); // sends requests made since it was restored
       if (session.isOver()) { // it may have ended before it was current, without notification
         throw new MqttException(MqttException.REASON_CODE_CONNECTION_LOST);
       }

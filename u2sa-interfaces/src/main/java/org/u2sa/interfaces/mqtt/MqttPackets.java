@@ -105,7 +105,7 @@ final class MqttPackets {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     if (bytes.length > LONGEST_TEXT) {
       throw new IllegalArgumentException(
-          "a text of " + bytes.length + " bytes: MQTT allows " + LONGEST_TEXT);
+          "text of " + bytes.length + " bytes; MQTT allows " + LONGEST_TEXT);
     }
     return bytes;
   }

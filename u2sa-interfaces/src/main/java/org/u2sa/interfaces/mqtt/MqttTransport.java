@@ -76,7 +76,7 @@ public record MqttTransport(
     return new MqttTransport(host, port, systemId, codec, access, patienceS, other, isService);
   }
 
-  /** Copy that logs in otherwise. */
+  /** Copy with a different log-in. */
   public MqttTransport as(BrokerAccess other) {
     return new MqttTransport(host, port, systemId, codec, other, patienceS, client, isService);
   }

@@ -18,7 +18,7 @@ import org.u2sa.interfaces.communication.Topic;
 
 /**
  * Retained messages of a connection: the last published on each topic, for brokers that lost them,
- * and the last received, so that a renewed subscription delivers none twice. Thread-safe.
+ * and the last received, so that a renewed subscription delivers no message twice. Thread-safe.
  */
 final class RetainedTopics {
   private static final long ANSWER_WITHIN_MS = 300;

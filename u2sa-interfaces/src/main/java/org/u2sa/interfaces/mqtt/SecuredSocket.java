@@ -24,8 +24,8 @@ public final class SecuredSocket {
 
   /**
    * Encrypts a connection, verifies the device's host name, and logs in. A device that sends a byte
-   * now and then never exceeds the socket's time-out, so handshake and log-in have one time limit
-   * together, at which {@code plain} is closed.
+   * now and then never exceeds the socket's time-out, so handshake and log-in share one time limit,
+   * at which {@code plain} is closed.
    *
    * @param access user and certificates
    * @param host host name that the certificate must contain
@@ -71,7 +71,7 @@ public final class SecuredSocket {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (IOException e) {
-      return; // closed by now
+      return; // closed in the meantime
     }
   }
 

@@ -24,7 +24,7 @@ final class TlsChannel implements BrokerChannel {
   private ByteBuffer plain; // decrypted, not yet read
   private ByteBuffer sending; // encrypted, not yet accepted by the network
   private boolean unread;
-  private volatile boolean owesAnswer; // of the TLS protocol, such as to a change of keys
+  private volatile boolean owesAnswer; // to a TLS message, such as a key update
 
   /**
    * @param socket connected and non-blocking

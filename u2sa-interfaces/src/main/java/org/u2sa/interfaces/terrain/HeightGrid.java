@@ -23,7 +23,7 @@ import org.u2sa.messages.frame.Geodetic;
 public final class HeightGrid {
   private static final int MAX_CELLS = 4_000_000;
   private static final int MAX_LINE = 1_000_000; // characters
-  private static final long MAX_BYTES = 100_000_000L; // in one line at worst
+  private static final long MAX_BYTES = 100_000_000L; // maximum per line
   private static final double FULL_TURN_DEG = 360.0;
   private static final Set<String> KEYS =
       Set.of(
@@ -99,11 +99,11 @@ public final class HeightGrid {
   /**
    * Reads a grid.
    *
-   * @throws BadInputException naming the file, if it is none
+   * @throws BadInputException naming the file, if it is invalid
    */
   public static HeightGrid read(Path file) {
     if (!Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": height map: there is no such regular file");
+      throw new BadInputException(file + ": height map: no such regular file");
     }
     try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.US_ASCII)) {
       if (Files.size(file) > MAX_BYTES) {
@@ -165,7 +165,7 @@ public final class HeightGrid {
 
   /** Altitude of the ground at a place [m], bilinear; empty outside the grid or where unknown. */
   public OptionalDouble altitudeM(Geodetic place) {
-    double eastDeg = (place.longitudeDeg() - westDeg) % FULL_TURN_DEG; // maps may go on beyond 180
+    double eastDeg = (place.longitudeDeg() - westDeg) % FULL_TURN_DEG; // maps may exceed 180°
     double x = (eastDeg < 0.0 ? eastDeg + FULL_TURN_DEG : eastDeg) / cellDeg;
     double y = rows - 1.0 - (place.latitudeDeg() - southDeg) / cellDeg;
     if (!(x >= 0.0 && y >= 0.0 && x <= columns - 1.0 && y <= rows - 1.0)) {

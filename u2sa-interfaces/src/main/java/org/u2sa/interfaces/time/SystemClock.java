@@ -149,7 +149,7 @@ public final class SystemClock implements Clock {
             return new TimeBase(Long.parseLong(parts[0]));
           }
         } catch (NumberFormatException e) {
-          return now(timeOfDayMillis, monotonicNanos); // of a different clock
+          return now(timeOfDayMillis, monotonicNanos); // belongs to a different clock
         }
       }
       return now(timeOfDayMillis, monotonicNanos);

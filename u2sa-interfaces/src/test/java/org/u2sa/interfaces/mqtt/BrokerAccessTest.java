@@ -106,7 +106,8 @@ class BrokerAccessTest {
         () -> BrokerAccess.of("ann", absent, false, ""),
         "PASSWORD FILE \"" + absent + "\" cannot be read: ");
     assertRefused(
-        () -> BrokerAccess.of("ann", "a\u0000b", false, ""), "PASSWORD FILE \"a b\" is no path: ");
+        () -> BrokerAccess.of("ann", "a\u0000b", false, ""),
+        "PASSWORD FILE \"a b\" is not a path: ");
     String open = passwordFile("secret");
     Files.setPosixFilePermissions(Path.of(open), PosixFilePermissions.fromString("rw-r--r--"));
     assertRefused(

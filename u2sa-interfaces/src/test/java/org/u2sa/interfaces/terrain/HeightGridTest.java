@@ -108,6 +108,6 @@ class HeightGridTest {
     assertThat(HeightGrid.named("", Path::of)).isEmpty();
     assertThatThrownBy(() -> HeightGrid.named("gone.asc", folder::resolve))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("gone.asc: height map: there is no such regular file");
+        .hasMessageContaining("gone.asc: height map: no such regular file");
   }
 }

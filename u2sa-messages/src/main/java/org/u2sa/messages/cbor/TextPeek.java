@@ -3,15 +3,15 @@ package org.u2sa.messages.cbor;
 import java.util.Optional;
 
 /**
- * Reads one text of an encoded message without decoding the rest. Since readers reject a message
- * that has a key twice, or is malformed behind it, no reader gets another text.
+ * Reads one text of an encoded message without decoding the rest. Because readers reject messages
+ * with duplicate keys or malformed remainders, no reader gets a different text.
  */
 public final class TextPeek {
   private TextPeek() {}
 
   /**
-   * The text of a field of the outermost map, in either wire form; empty if it is absent, is no
-   * text, or the bytes before it are malformed: readers then reject the message, or use the field's
+   * The text of a field of the outermost map, in either wire form; empty if it is absent, not a
+   * text, or preceded by malformed bytes: readers then reject the message or use the field's
    * default.
    */
   public static Optional<String> of(CborInput in, String field) {
@@ -26,7 +26,7 @@ public final class TextPeek {
         in.skip(Limits.DEPTH);
       }
       return Optional.empty();
-    } catch (RuntimeException e) { // as CborInput throws for malformed bytes
+    } catch (RuntimeException e) { // thrown by CborInput for malformed bytes
       return Optional.empty();
     }
   }

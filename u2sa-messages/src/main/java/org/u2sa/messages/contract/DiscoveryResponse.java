@@ -98,7 +98,7 @@ public final class DiscoveryResponse extends ServiceMessage<DiscoveryResponse> {
     return put(CLASS_NAME, value);
   }
 
-  /** Full names of the classes that its process knows for its role, to swap it for. */
+  /** Full names of the classes known to its process that can replace the service. */
   public List<String> choices() {
     List<String> some = get(CHOICES);
     return some == null ? List.of() : some;

@@ -97,7 +97,7 @@ public final class UtmGrid {
     if (!Double.isFinite(grid.x) || !Double.isFinite(grid.y)) {
       throw new IllegalArgumentException(
           String.format(
-              "longitude %s deg, latitude %s deg cannot be put on the grid of %s",
+              "longitude %s deg, latitude %s deg cannot be projected onto the grid of %s",
               longitudeDeg, latitudeDeg, frame));
     }
     return grid;

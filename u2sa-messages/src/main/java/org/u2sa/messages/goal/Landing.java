@@ -7,8 +7,8 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Landing of an aircraft at a position, the ground there at altitude {@link #z}: reached when it
- * stands. An aeroplane approaches in the direction {@link #psi}, or against the wind; a multirotor
+ * Landing of an aircraft at a position whose ground is at altitude {@link #z}; reached when it has
+ * stopped. An aeroplane approaches in the direction {@link #psi}, or against the wind; a multirotor
  * descends vertically above the position.
  */
 public class Landing extends Waypoint {

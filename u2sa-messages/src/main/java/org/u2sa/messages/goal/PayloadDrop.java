@@ -8,8 +8,9 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A payload to drop onto a position, the ground there at altitude {@link #z}: reached when it has
- * been released where wind and fall carry it to within the {@link #horizontalThreshold}.
+ * A payload drop onto a position whose ground is at altitude {@link #z}; reached when the payload
+ * has been released at a point from which it falls within the {@link #horizontalThreshold}, given
+ * the wind.
  */
 public class PayloadDrop extends Waypoint {
   private static final Schema<PayloadDrop> SCHEMA =
@@ -44,7 +45,7 @@ public class PayloadDrop extends Waypoint {
     return put(HEIGHT, metres);
   }
 
-  /** Speed at which its drag equals its weight [m/s]; empty: it falls without drag. */
+  /** Terminal speed of the payload [m/s]; empty: falls without drag. */
   public OptionalDouble terminalSpeed() {
     return get(TERMINAL_SPEED);
   }

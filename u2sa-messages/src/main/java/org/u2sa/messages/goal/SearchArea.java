@@ -12,11 +12,11 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * An area of which every part is to be seen from above at a ground resolution (thesis 4.4.1.3). The
- * World Modeler records what was seen, the Path Planner flies over what is missing.
+ * An area to be imaged completely from above at a ground resolution (thesis 4.4.1.3). The World
+ * Modeler records what was seen; the Path Planner flies over the remaining parts.
  */
 public class SearchArea extends GoalInformation {
-  /** Finest resolution that can be asked for [m]. */
+  /** Finest resolution that may be requested [m]. */
   public static final double MIN_RESOLUTION_M = 0.005;
 
   private static final int MAX_CORNERS = 200;
@@ -107,7 +107,7 @@ public class SearchArea extends GoalInformation {
     return put(SPEED, metresPerSecond);
   }
 
-  /** Share of the area that is enough, 0…1; empty: all of it. */
+  /** Share of the area that suffices, 0…1; empty: all of it. */
   public OptionalDouble share() {
     return get(SHARE);
   }
@@ -197,7 +197,7 @@ public class SearchArea extends GoalInformation {
         }
       }
       return twiceArea == 0.0
-          ? Optional.of("corners: they enclose nothing; expected an outline")
+          ? Optional.of("corners: enclose nothing; expected an outline")
           : Optional.empty();
     }
 

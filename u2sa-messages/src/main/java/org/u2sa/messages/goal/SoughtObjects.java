@@ -17,7 +17,7 @@ public final class SoughtObjects {
 
   private SoughtObjects() {}
 
-  /** Types that the current goals name; empty if there is none, or if one of them names no type. */
+  /** Types named by the current goals; empty without goals, or if any goal names none. */
   public static Set<String> of(GoalList goals) {
     Set<String> types = new TreeSet<>();
     for (GoalInformation goal : goals.goals()) {

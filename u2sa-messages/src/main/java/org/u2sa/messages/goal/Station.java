@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A position to keep, with a heading if {@link #psi} is given: station keeping, or a berth that is
+ * A position to keep, with a heading if {@link #psi} is given: for station keeping, or for a berth
  * entered along its axis. It is reached when the vehicle has stayed within both thresholds and on
  * its heading for the {@link #duration}. A vehicle that cannot stop circles around the position; it
  * is reached after duration and {@link #turns}, counted from its arrival on the circle at the
@@ -54,7 +54,7 @@ public class Station extends Waypoint {
     return put(APPROACH, metres);
   }
 
-  /** Whether the straight way is travelled in reverse, the stern ahead; defaults to false. */
+  /** Whether the straight way is travelled in reverse, stern first; defaults to false. */
   public boolean backwards() {
     return Boolean.TRUE.equals(get(BACKWARDS));
   }

@@ -147,7 +147,7 @@ public class Waypoint extends GoalInformation {
     return put(SPEED, value);
   }
 
-  /** Distance flown between two images on the way to the waypoint [m]; empty: no images. */
+  /** Distance travelled between images on the way to the waypoint [m]; empty: no images. */
   public OptionalDouble photoDistance() {
     return get(PHOTO_DISTANCE);
   }

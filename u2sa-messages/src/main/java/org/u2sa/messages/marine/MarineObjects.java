@@ -46,7 +46,7 @@ public final class MarineObjects {
     return new ObjectDescription();
   }
 
-  /** The colour of a name; null if it is none. */
+  /** The colour of a name; null if unknown. */
   private static Colour colour(String name) {
     for (Colour colour : Colour.values()) {
       if (colour.name().toLowerCase(Locale.ROOT).equals(name)) {

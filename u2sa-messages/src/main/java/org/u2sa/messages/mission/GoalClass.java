@@ -8,8 +8,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A class of goals that the Mission Manager reads, also one from a jar, so that a ground station
- * can make a form of its fields. Sent in answer to a {@link MissionRequest}.
+ * Describes a class of goals that the Mission Manager reads, possibly from a jar, so that a ground
+ * station can show a form for its fields. Sent in answer to a {@link MissionRequest}.
  */
 public final class GoalClass extends U2SAData {
   private static final Schema<GoalClass> SCHEMA =

@@ -1,6 +1,6 @@
 package org.u2sa.messages.mission;
 
-/** Operator's order to a mission. The sequence is part of the wire format. */
+/** Operator's order to a mission. The order is part of the wire format. */
 public enum MissionAction {
   /** Pursue a goal now; the mission continues from there. */
   GOTO,

@@ -6,7 +6,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
-/** Order to the Safety Manager to change the fence in force; it is answered. */
+/** Order to the Safety Manager to change the fence in force; answered by a result. */
 public final class FenceOrder extends U2SAData {
   private static final Schema<FenceOrder> SCHEMA =
       Schema.of(FenceOrder.class, FenceOrder::new, U2SAData.TYPE).since(3);

@@ -32,7 +32,7 @@ public final class FenceState extends U2SAData {
 
   /**
    * Fence XML as in a file of the Safety Manager's variable FENCE, without the margin; empty: no
-   * fence, or one that is longer than a text may be.
+   * fence, or one longer than the limit of texts.
    */
   public Optional<String> fence() {
     return Optional.ofNullable(get(FENCE));
@@ -42,7 +42,7 @@ public final class FenceState extends U2SAData {
     return put(FENCE, value);
   }
 
-  /** File of the fence, or the operator whose order brought it; empty: no fence is in force. */
+  /** File of the fence, or the operator who ordered it; empty: no fence is in force. */
   public Optional<String> file() {
     return Optional.ofNullable(get(FILE));
   }
@@ -62,7 +62,7 @@ public final class FenceState extends U2SAData {
 
   /**
    * Waypoints to which the vehicle returns instead of its home if one is nearer: those of the fence
-   * that are inside it. Their thresholds do not count.
+   * that are inside it. Their thresholds are ignored.
    */
   public List<GoalInformation> rally() {
     return require(RALLY);
@@ -73,8 +73,8 @@ public final class FenceState extends U2SAData {
   }
 
   /**
-   * Lowest altitude allowed, raised by the margin: above sea level, or up in the local frame of a
-   * fence in one [m]; empty: no limit.
+   * Minimum altitude, raised by the margin: above sea level, or up in the frame of a local fence
+   * [m]; empty: no limit.
    */
   public OptionalDouble lowest() {
     return get(LOWEST);
@@ -84,7 +84,7 @@ public final class FenceState extends U2SAData {
     return put(LOWEST, metres);
   }
 
-  /** Highest altitude allowed, lowered by the margin; as {@link #lowest} [m]. */
+  /** Maximum altitude, lowered by the margin; as {@link #lowest} [m]. */
   public OptionalDouble highest() {
     return get(HIGHEST);
   }

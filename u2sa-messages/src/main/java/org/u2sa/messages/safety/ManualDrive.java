@@ -8,8 +8,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Motion wanted by the person who drives a vehicle by hand: in physical units or as shares of what
- * the vehicle allows. It ages within half a second, so it is to be repeated.
+ * Motion commanded by the person who drives a vehicle by hand, in physical units or as shares of
+ * the vehicle's limits. It expires within half a second, so it must be repeated.
  */
 public final class ManualDrive extends U2SAData {
   private static final Schema<ManualDrive> SCHEMA =
@@ -30,7 +30,7 @@ public final class ManualDrive extends U2SAData {
     return TYPE;
   }
 
-  /** Who drives; counts only if named by the {@link ManualState}. */
+  /** Name of the driver; the command counts only if the {@link ManualState} names the same one. */
   public String operator() {
     return require(OPERATOR);
   }
@@ -57,7 +57,7 @@ public final class ManualDrive extends U2SAData {
     return put(TURN_RATE, value);
   }
 
-  /** Share of the highest speed by hand, −1…1, backward negative; empty: 0. */
+  /** Share of the maximum speed by hand, −1…1, backward negative; empty: 0. */
   public OptionalDouble speedShare() {
     return get(SPEED_SHARE);
   }
@@ -66,7 +66,7 @@ public final class ManualDrive extends U2SAData {
     return put(SPEED_SHARE, value);
   }
 
-  /** Share of the highest turn rate, −1…1, left positive; empty: 0. */
+  /** Share of the maximum turn rate by hand, −1…1, left positive; empty: 0. */
   public OptionalDouble turnShare() {
     return get(TURN_SHARE);
   }

@@ -9,8 +9,8 @@ import org.u2sa.messages.schema.ValueField;
 /** Whether the vehicle is driven by hand; also the answer to a {@link ManualOrder}. */
 public final class ManualState extends U2SAData {
   /**
-   * Part of the remark by which a pilot's radio confirms in its health reports that he flies: the
-   * Safety Manager believes a state of the service PILOT SERVICE only together with it.
+   * Prefix of the remark by which a pilot's radio confirms in its health reports that the pilot
+   * flies; the Safety Manager requires it to believe a state of the service PILOT SERVICE.
    */
   public static final String REMARK = "BY HAND";
 
@@ -57,7 +57,7 @@ public final class ManualState extends U2SAData {
     return put(REASON, value);
   }
 
-  /** ID of the order answered; empty: the state changed by itself. */
+  /** ID of the order answered; empty if the state changed without an order. */
   public Optional<String> requestId() {
     return Optional.ofNullable(get(REQUEST_ID));
   }

@@ -13,8 +13,8 @@ import org.u2sa.messages.schema.ValueField;
  * angle and the image of that view. Readers that do not know this class see the outline of the
  * area.
  *
- * <p>Cells lie in rows from west to east, the rows from south to north; cell (0, 0) has its
- * south-west corner at {@link #corner}. Cells outside the area have {@link #OUTSIDE} as angle.
+ * <p>Cells are in rows from west to east, rows from south to north; cell (0, 0) has its south-west
+ * corner at {@link #corner}. Cells outside the area have {@link #OUTSIDE} as angle.
  */
 public final class CoverageLedger extends Polygon {
   /** Ground resolution per step of a cell's byte [m]; 0 means not seen. */
@@ -74,7 +74,7 @@ public final class CoverageLedger extends Polygon {
     return require(ANGLES);
   }
 
-  /** Number of that image modulo 65,536, two bytes for each cell, the higher first. */
+  /** Number of that image modulo 65,536, two bytes per cell, big-endian. */
   public ByteString images() {
     return require(IMAGES);
   }
@@ -93,7 +93,7 @@ public final class CoverageLedger extends Polygon {
    *
    * @param resolutions in steps of {@link #RESOLUTION_STEP_M}
    * @param angles from the vertical [deg]
-   * @param images numbers of the images, modulo 65,536, two bytes each, the higher first
+   * @param images numbers of the images, modulo 65,536, two bytes each, big-endian
    */
   public CoverageLedger cells(
       Point corner, double cellM, int columns, byte[] resolutions, byte[] angles, byte[] images) {
@@ -113,7 +113,7 @@ public final class CoverageLedger extends Polygon {
       throw new IllegalStateException(
           String.format(
               "CoverageLedger: %d resolutions, %d angles, %d bytes of images in rows of %d; "
-                  + "expected as many, twice as many bytes, and full rows",
+                  + "expected equal numbers, twice as many bytes, and full rows",
               cells, require(ANGLES).length(), require(IMAGES).length(), columns()));
     }
   }

@@ -29,8 +29,8 @@ class SearchAreaTest {
       value = {
         "'' | corners: 0 of them; expected 3 to 200",
         "1 1; 2 2 | corners: 2 of them; expected 3 to 200",
-        "1 1; 2 2; 3 3 | corners: they enclose nothing; expected an outline",
-        "1 1; 1 1; 1 1 | corners: they enclose nothing; expected an outline",
+        "1 1; 2 2; 3 3 | corners: enclose nothing; expected an outline",
+        "1 1; 1 1; 1 1 | corners: enclose nothing; expected an outline",
         "0 0; 2 2; 2 0; 0 2 | corners: the edge after corner 1 crosses the one after corner 3; expected an outline",
         "0 0; 1 0; 1 95 | corners: 1.0 95.0; expected longitude and latitude"
       })

@@ -23,7 +23,7 @@ import org.u2sa.planning.seen.PlanarShape;
 public final class TangentGraph {
   private static final double FULL = 2.0 * Math.PI;
   private static final double ROUNDING_RAD = 1.0e-7;
-  private static final double TOUCHING = 1.0e-9; // of circles, relative to the squared distance
+  private static final double TOUCHING = 1.0e-9; // tolerance of touching circles
   private static final int MAX_CIRCLES = 300;
   private static final int MAX_EXPANSIONS = 4000;
   private static final double ARC_SAMPLE_RAD = Math.toRadians(6.0);
@@ -95,7 +95,7 @@ public final class TangentGraph {
     double apart = Math.hypot(north, east);
     double toFirst = first.radiusM() + radiusM;
     double toLast = last.radiusM() + radiusM;
-    // The centres form a triangle with these sides; its height above the line first to last:
+    // The three centres form a triangle; this is the foot and height of its apex on first–last:
     double along = (apart * apart + toFirst * toFirst - toLast * toLast) / (2.0 * apart);
     double square = toFirst * toFirst - along * along;
     if (!(square >= 0.0)) { // too far apart, or one inside the other
@@ -243,7 +243,7 @@ public final class TangentGraph {
       double heading = from + ring.sense() * turned * i / steps;
       double n = onRing(ring, heading, true);
       double e = onRing(ring, heading, false);
-      // the chord lies inside the ring; its own shape would appear touched
+      // the chord lies inside the ring and would seem to hit the ring's own shape
       double bulge = ring.radiusM() * (1.0 - Math.cos(0.5 * turned / steps));
       if (!keepOut.isFree(n, e, n, e)
           || (bulge > 0.5 && !keepOut.isFree(north, east, north, east))) {

@@ -53,7 +53,7 @@ public final class Avoidance {
   private final StraightFlight straight;
   private final DriftWatch drift;
   private PlanningPlane plane;
-  private Optional<GoalAttempt> attempt = Optional.empty(); // from the first step to a goal
+  private Optional<GoalAttempt> attempt = Optional.empty(); // set at the first step
   private Optional<ArcChoice> before = Optional.empty(); // last choice, on the plane
   private Optional<HeldChoice> held = Optional.empty();
 
@@ -117,7 +117,7 @@ public final class Avoidance {
     drift = new DriftWatch(settings);
   }
 
-  /** Learns the drift of the vehicle, whatever it pursues. */
+  /** Estimates the drift of the vehicle, whatever it pursues. */
   public void see(Vehicle vehicle) {
     drift.see(vehicle);
   }
@@ -130,7 +130,7 @@ public final class Avoidance {
     return world;
   }
 
-  /** Sees the fence in force: evasion upwards and downwards keeps away from its limits. */
+  /** Receives the fence in force: vertical evasion keeps away from its limits. */
   public void see(FenceState fence) {
     climbing.see(fence);
   }
@@ -144,7 +144,7 @@ public final class Avoidance {
     return routes.track().stream().mapToDouble(RouteTrack::remainingM).findAny();
   }
 
-  /** Vector to a place ahead on the route: north, east, down [m]; empty without one. */
+  /** Vector to a point ahead on the route: north, east, down [m]; empty without one. */
   public Optional<Point> ahead(Vehicle vehicle) {
     if (!isOn() || plane == null) {
       return Optional.empty();
@@ -176,8 +176,8 @@ public final class Avoidance {
   }
 
   /**
-   * Whether a static obstacle, as of the last update, is too near to a straight descent to a place
-   * on the ground. Near the ground as much distance is kept as the aircraft is high.
+   * Whether a static obstacle, as of the last update, is too close to a straight descent to a point
+   * on the ground. Near the ground, the required distance equals the aircraft's height.
    */
   public boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
     AvoidanceVariables now = settings.get();
@@ -186,9 +186,9 @@ public final class Avoidance {
   }
 
   /**
-   * Whether traffic comes near within the horizon if the vehicle flies straight on.
+   * Whether traffic comes close within the horizon if the vehicle flies straight on.
    *
-   * @param to place to which it climbs or descends
+   * @param to point to which it climbs or descends
    */
   public boolean comesTraffic(Vehicle vehicle, StateInformation state, Place to) {
     AvoidanceVariables now = settings.get();

@@ -104,7 +104,7 @@ public record AvoidanceVariables(
         boolean reverses,
     @Variable(ifAbsentText = "false")
         @Description(
-            "Whether wind and current carry the vehicle sideways, as a boat without sideways thrust: the planner then learns the drift and forecasts how the vehicle is steered against it.")
+            "Whether wind and current carry the vehicle sideways, like a boat without lateral thrust: the planner then estimates the drift and predicts how the vehicle is steered against it.")
         boolean drifts,
     @Variable(unit = "m", min = 0, ifAbsent = 0.3)
         @Description("Distance to keep from traffic, beyond its own radius and the vehicle's.")

@@ -6,9 +6,11 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.motion.Drift;
 import org.u2sa.service.motion.DriftFilter;
 
-/** Learns the drift of a vehicle that DRIFTS from its states. Confined to the planner's thread. */
+/**
+ * Estimates the drift of a vehicle that DRIFTS from its states. Confined to the planner's thread.
+ */
 final class DriftWatch {
-  private static final double LONGEST_S = 1.0; // between states that tell of the drift
+  private static final double LONGEST_S = 1.0; // maximum time between states used for the drift
 
   private final Supplier<AvoidanceVariables> settings;
   private final DriftFilter filter = new DriftFilter();

@@ -19,7 +19,7 @@ import org.u2sa.planning.local.RouteTrack;
  * thread.
  */
 final class GoalAttempt {
-  private static final int BACKING_SHARE = 3; // of STUCK AFTER, for which it backs out
+  private static final int BACKING_SHARE = 3; // divisor of STUCK AFTER: duration of backing out
 
   private final RouteKeeper routes;
   private final Passages passages;
@@ -86,7 +86,7 @@ final class GoalAttempt {
   }
 
   /**
-   * Judges the progress, and frees the vehicle if it is stuck.
+   * Evaluates the progress, and frees the vehicle if it is stuck.
    *
    * @param choice motion of this step
    * @param trafficNear whether traffic can reach the vehicle soon

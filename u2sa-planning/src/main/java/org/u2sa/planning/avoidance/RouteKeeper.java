@@ -21,7 +21,7 @@ final class RouteKeeper {
 
   private static final double TURN_MARGIN = 1.05; // routes turn wider than the vehicle can
 
-  private static final int MAX_DOUBLINGS = 4; // of the wait after failed searches
+  private static final int MAX_DOUBLINGS = 4; // doublings of the wait after failed searches
 
   private final SeenWorld world;
   private final VirtualObstacles obstacles;

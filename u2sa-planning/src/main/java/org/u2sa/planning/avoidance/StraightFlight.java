@@ -37,7 +37,7 @@ final class StraightFlight {
     double lengthM = Math.hypot(way.x(), way.y());
     double steps = Math.ceil(lengthM / Math.max(1.0, 0.5 * keptM));
     double stepM = lengthM / steps;
-    double last = Math.min(steps, Math.ceil(FARTHEST_M / stepM)); // NaN: it is there
+    double last = Math.min(steps, Math.ceil(FARTHEST_M / stepM)); // NaN: at its target altitude
     for (PlanarShape shape : world.shapes()) {
       double i = 0.0;
       do {
@@ -81,7 +81,7 @@ final class StraightFlight {
     return false;
   }
 
-  /** Whether traffic comes near within the horizon if the vehicle flies straight on. */
+  /** Whether traffic comes close within the horizon if the vehicle flies straight on. */
   boolean comesTraffic(Vehicle vehicle, Point at, BodyDiscs body, AvoidanceVariables now) {
     return TrafficHold.comesNear(
         world.movers(),

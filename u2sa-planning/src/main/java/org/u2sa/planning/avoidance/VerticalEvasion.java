@@ -18,17 +18,17 @@ import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
- * Tells how far the vehicle may climb and descend away from traffic, by corridors, terrain and the
- * fence, and that it does so. Confined to the planner's thread.
+ * Determines how far corridors, terrain and the fence let the vehicle climb and descend away from
+ * traffic, and reports evasions. Confined to the planner's thread.
  */
 final class VerticalEvasion {
-  private static final double SAME_M = 1.0; // it keeps its altitude
+  private static final double SAME_M = 1.0; // keeps its altitude
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Optional<HeightGrid> terrain;
   private final BiConsumer<String, Boolean> say;
   private Optional<FenceState> fence = Optional.empty();
-  private int direction; // of the last evasion: 1 up, −1 down
+  private int direction; // direction of the last evasion: 1 up, −1 down
   private long lastMicros = Long.MIN_VALUE / 2;
 
   VerticalEvasion(Optional<HeightGrid> terrain, BiConsumer<String, Boolean> say) {
@@ -36,7 +36,7 @@ final class VerticalEvasion {
     this.say = say;
   }
 
-  /** Sees the fence in force, whose altitude limits it keeps away from. */
+  /** Receives the fence in force, whose altitude limits it respects. */
   void see(FenceState inForce) {
     fence = Optional.of(inForce);
   }
@@ -68,7 +68,7 @@ final class VerticalEvasion {
     double below = groundDownM(plane, at.x(), at.y());
     double clearance = now.verticalClearance();
     double groundM = Double.isNaN(below) ? clearance : Math.min(clearance, below - at.z());
-    // Beyond the map there may be a hill: it keeps its altitude at least.
+    // Beyond the map there may be a hill: at least keep the altitude.
     double beyond = Double.isNaN(below) ? Double.NaN : at.z() + groundM;
     DoubleBinaryOperator ground =
         (north, east) -> {
@@ -113,7 +113,7 @@ final class VerticalEvasion {
     return plane.onEarth() ? plane.point(0.0, 0.0, 0.0).z() - altitudeM : -altitudeM;
   }
 
-  /** Remembers the direction, and reports an evasion that begins. */
+  /** Remembers the direction and reports the start of an evasion. */
   void chosen(ArcChoice choice, Point at, long micros) {
     boolean isOver = micros - lastMicros > LASTS_MICROS;
     if (Double.isNaN(choice.toDownM())) {

@@ -2,7 +2,7 @@ package org.u2sa.planning.guidance;
 
 import org.u2sa.interfaces.time.Clock;
 
-/** Watches whether a vehicle comes nearer to an altitude. Confined to the planner's thread. */
+/** Monitors whether a vehicle approaches an altitude. Confined to the planner's thread. */
 public final class AltitudeProgress {
   private static final double STEP_M = 0.05; // a smaller change is an estimation error
   private static final long PATIENCE_MICROS = 5 * Clock.MICROS_PER_SECOND;
@@ -10,13 +10,13 @@ public final class AltitudeProgress {
   private double leastM = Double.POSITIVE_INFINITY;
   private long cameNearerMicros;
 
-  /** Starts with another altitude. */
+  /** Starts with a new altitude. */
   public void begin() {
     leastM = Double.POSITIVE_INFINITY;
   }
 
   /**
-   * Whether it has come nearer within the last seconds.
+   * Whether it has come closer within the last seconds.
    *
    * @param offM distance from the altitude [m], not negative
    */

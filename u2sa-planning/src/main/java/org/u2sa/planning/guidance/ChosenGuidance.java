@@ -27,7 +27,7 @@ public final class ChosenGuidance implements WaypointGuidance {
 
   private record Integral(
       @Variable(unit = "m/s", min = 0, max = 10, ifAbsent = 0.1)
-          @Description("Gain of the integral of ILOS; about a quarter of the usual speed at most.")
+          @Description("Gain of the integral of ILOS; at most about a quarter of the usual speed.")
           double crossTrackGain) {}
 
   private final Supplier<String> name;
@@ -53,7 +53,7 @@ public final class ChosenGuidance implements WaypointGuidance {
             .oneOf(names.toArray(new String[0]))
             .ifAbsent(LINE)
             .describedAs(
-                "LINE follows the lines between waypoints; ILOS too, and learns the drift of a boat by wind and current; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); others are laws of extensions.");
+                "LINE follows the lines between waypoints; ILOS also compensates a boat's drift from wind and current; DIRECT heads straight for the waypoint and hands control unit vectors (thesis 4.5.2.4); others are laws of extensions.");
     name = () -> configuration.getVariable(guidance);
     name.get(); // an invalid value must fail before the vehicle moves
     lines = new LineGuidance(settings, new ChosenLaw());

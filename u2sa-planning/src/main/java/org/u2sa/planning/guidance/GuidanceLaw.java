@@ -17,11 +17,11 @@ public interface GuidanceLaw {
    */
   Point pointAhead(Leg leg, double lookAheadM);
 
-  /** Starts on another line: laws with a memory drop it. */
+  /** Starts a new line: laws with memory are reset. */
   default void begin() {}
 
   /**
-   * Lets time pass on a line, before {@link #pointAhead}.
+   * Advances time on a line, before {@link #pointAhead}.
    *
    * @param stepS time since the previous call on this line [s], above 0
    */

@@ -40,7 +40,7 @@ public final class LineGuidance implements WaypointGuidance {
   /** Longer gaps between states do not count for a law with a memory [s]. */
   private static final double LONGEST_STEP_S = 1.0;
 
-  /** A slower vehicle, moored, drifting or not armed, teaches such a law nothing [m/s]. */
+  /** Minimum speed for learning: a slower vehicle may be moored, drifting or disarmed [m/s]. */
   private static final double SLOWEST_MPS = 0.2;
 
   private final Supplier<LineSettings> settings;

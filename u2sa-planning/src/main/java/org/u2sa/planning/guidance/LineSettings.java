@@ -17,7 +17,7 @@ public record LineSettings(
 
   /** Altitude profile along a leg. */
   public enum AltitudeProfile {
-    /** At once to the altitude of the leg's end. */
+    /** Immediately to the altitude of the leg's end. */
     IMMEDIATE {
       @Override
       Slope along(Place start, Place end, Vehicle vehicle, double targetDownM) {

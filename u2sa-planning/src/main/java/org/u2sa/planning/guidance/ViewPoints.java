@@ -15,7 +15,7 @@ import org.u2sa.messages.goal.Waypoint;
 /** Adds {@link Waypoint#lookAt} to a goal's navigation points: for a gimbal, or as heading. */
 public final class ViewPoints {
   private static final String VEHICLE = "VEHICLE";
-  private static final double OVERHEAD_M = 1.0; // nearer, it is in no direction
+  private static final double OVERHEAD_M = 1.0; // closer points have no meaningful direction
 
   /** The subsystem that looks. */
   public record Variables(
@@ -30,7 +30,7 @@ public final class ViewPoints {
     this.settings = settings;
   }
 
-  /** The points, with the view that the goal asks for. */
+  /** The points, with the view requested by the goal. */
   public List<NavigationPoint> with(
       List<NavigationPoint> points, GoalInformation goal, StateInformation state) {
     Optional<Point> view = goal instanceof Waypoint at ? at.lookAt() : Optional.empty();

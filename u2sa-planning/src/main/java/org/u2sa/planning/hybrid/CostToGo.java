@@ -125,7 +125,7 @@ final class CostToGo {
     }
   }
 
-  /** Edges that are far from a goal outside do not begin with bucket 0. */
+  /** Edges far from a goal outside do not start with bucket 0. */
   private long firstBucket() {
     float least = Float.POSITIVE_INFINITY;
     for (float metres : toGo) {

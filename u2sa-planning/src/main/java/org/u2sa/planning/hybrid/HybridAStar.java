@@ -84,7 +84,7 @@ public final class HybridAStar {
     private Pose pose;
     private double cost; // [m]
     private Node parent; // null at the start
-    private int move; // from the parent: steering, or a curve to the goal
+    private int move; // move from the parent: steering, or a curve to the goal
     private boolean closed;
 
     Node reach(Pose to, double costM, Node from, int by) {

@@ -23,7 +23,7 @@ public record ArcChoice(
     FOLLOW,
     /** Off the route, around something. */
     EVADE,
-    /** Out of a corner too narrow to turn in; continues until there is room. */
+    /** Leaves a corner too narrow to turn in; continues until there is room. */
     MAKE_ROOM,
     /** Waits until traffic has passed or a route exists. */
     WAIT,

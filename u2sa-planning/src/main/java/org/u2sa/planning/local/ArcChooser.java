@@ -32,7 +32,7 @@ public final class ArcChooser {
   private final MotionForecast forecast;
   private final Evasion evasion;
   private final TurnRoom turnRoom;
-  private final Optional<SteeredChoice> drifting; // of a boat that wind and current carry
+  private final Optional<SteeredChoice> drifting; // drift of a boat carried by wind and current
 
   /**
    * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse

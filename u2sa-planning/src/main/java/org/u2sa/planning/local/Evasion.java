@@ -6,15 +6,15 @@ import org.u2sa.planning.local.MotionForecast.Outcome;
 
 /**
  * Chooses among evasive motions off the route: arcs to both sides, forward and reverse, at several
- * speeds, and turns in place; before these on the route at another altitude, and after them on arcs
- * there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision Avoidance, IEEE Robotics and
- * Automation Magazine 4, 1997, with arcs instead of velocities, which are equivalent at a given
- * speed). Not thread-safe.
+ * speeds, and turns in place; tried after motions along the route at another altitude, and before
+ * arcs there (Fox, Burgard, Thrun: The Dynamic Window Approach to Collision Avoidance, IEEE
+ * Robotics and Automation Magazine 4, 1997, with arcs instead of velocities, which are equivalent
+ * at a given speed). Not thread-safe.
  */
 final class Evasion {
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final int FAN = 10; // arcs to each side
-  private static final int DIRECTIONS = 24; // of turns in place
+  private static final int DIRECTIONS = 24; // number of directions for turns in place
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
   private static final double[] ENDS = {NEVER, 1.0, 0.5}; // in reaches
   private static final double DEAD_END = 10.0; // cost of a motion without escape, in reaches
@@ -24,9 +24,9 @@ final class Evasion {
 
   private final MotionForecast forecast;
   private final MotionLimits limits;
-  private final VerticalRoom room; // null: it does not climb to evade
+  private final VerticalRoom room; // null: does not climb to evade
   private final boolean amongTraffic;
-  private final double side; // to which it turns already: 1 right, -1 left, 0 neither
+  private final double side; // current turn: 1 right, -1 left, 0 neither
   private final Pose pose;
   private final double keptM; // clearance to static obstacles ahead
   private final double reachM;
@@ -35,7 +35,7 @@ final class Evasion {
   private Motion onRoute; // free of static obstacles, but too near to traffic
 
   private ArcChoice best;
-  private Motion bestMotion; // null: it stands
+  private Motion bestMotion; // null: at rest
   private double leastScore = NEVER;
   private ArcChoice widest; // best of those too near to traffic
   private double widestM = -NEVER;
@@ -124,7 +124,7 @@ final class Evasion {
     }
   }
 
-  /** Stays at its altitude, climbs or descends on an arc, or where it stands. */
+  /** Stays at its altitude, or climbs or descends on an arc or in place. */
   private void climb(ArcChoice stand) {
     for (double downM : room.altitudes(limits.horizonS())) {
       if (limits.stops()) {
@@ -144,9 +144,9 @@ final class Evasion {
   }
 
   /**
-   * Altitude, up or down, at which the best motion keeps its distance, too: a vehicle that cannot
-   * stop and turns away at one altitude from an aircraft of the same speed ends at the boundary.
-   * NaN if there is none: that of the goal.
+   * Altitude, up or down, at which the best motion also keeps its distance: a vehicle that cannot
+   * stop and turns away from an equally fast aircraft at the same altitude ends at the boundary.
+   * NaN if there is none: the goal's altitude.
    */
   private double apart() {
     double[] altitudes = room.altitudes(limits.horizonS());
@@ -159,7 +159,7 @@ final class Evasion {
     return Double.NaN;
   }
 
-  /** Whether no motion keeps the distance and leads on. */
+  /** Whether no motion both keeps the distance and makes progress. */
   private boolean isTrapped() {
     return best == null || leastScore >= DEAD_END * reachM;
   }

@@ -45,7 +45,7 @@ record Motion(
     return new Motion(turnRad, curvature, backwards, speedMps, arcM, metres, track, toDownM);
   }
 
-  /** The same at another altitude; NaN: that of the goal. */
+  /** Copy at a different altitude; NaN: the goal's. */
   Motion at(double downM) {
     return new Motion(turnRad, curvature, backwards, speedMps, arcM, endM, track, downM);
   }

@@ -16,7 +16,7 @@ final class MotionForecast {
   private final CostGrid costs;
   private final BodyDiscs body;
   private final TrafficForecast traffic;
-  private final VerticalRoom room; // null: it does not climb to evade
+  private final VerticalRoom room; // null: does not climb to evade
   private final MotionLimits limits;
   private final Pose start;
   private final double startMps;
@@ -236,7 +236,7 @@ final class MotionForecast {
     return false;
   }
 
-  /** Whether a climb or descent leads to what is at other altitudes. */
+  /** Whether a climb or descent leads to obstacles at other altitudes. */
   private boolean isBlockedElsewhere(Pose at, double downM, double toDownM) {
     return room != null && !Double.isNaN(toDownM) && room.isBlocked(at, downM);
   }

@@ -4,14 +4,14 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.local.SteeredForecast.Outcome;
 
 /**
- * Chooses the next target of a drifting boat, which neither stops nor turns in one place: the route
- * if the way there is free, otherwise the free direction that leads nearest to it, forwards or
- * astern. Not thread-safe.
+ * Chooses the next target of a drifting boat, which can neither stop nor turn in place: the route
+ * if the way there is free, otherwise the free direction that leads closest to it, ahead or astern.
+ * Not thread-safe.
  */
 final class SteeredChoice {
   private static final int DIRECTIONS = 24;
   private static final double ASTERN = 0.5; // cost, in reaches
-  private static final double SAME_M = 0.05; // of clearance
+  private static final double SAME_M = 0.05; // fraction of clearance
 
   private final SteeredForecast forecast;
   private final MotionLimits limits;
@@ -35,14 +35,14 @@ final class SteeredChoice {
     return evade(track.northAheadM(most), track.eastAheadM(most));
   }
 
-  /** Whether it may let itself be carried for now. */
+  /** Whether the boat may drift for now. */
   boolean waits() {
     Pose ahead = pose.along(limits.lookAheadM(), 0.0);
     return forecast.to(ahead.northM(), ahead.eastM(), 0.0, false).isFree();
   }
 
   /**
-   * The free direction that leads nearest to a place; otherwise the one that stays free longest.
+   * The free direction that leads closest to a point; otherwise the one that stays free longest.
    */
   ArcChoice evade(double northM, double eastM) {
     ArcChoice best = null;

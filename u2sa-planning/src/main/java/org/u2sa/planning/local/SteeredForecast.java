@@ -6,9 +6,9 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.service.motion.Drift;
 
 /**
- * Simulates how a drifting boat is steered to a place, to find how near obstacles come: it turns
- * its bow to the place and against the drift, and thrusts as far as the bow points there. Wind and
- * current carry it meanwhile. Not thread-safe.
+ * Simulates steering a drifting boat to a point, to predict how close obstacles come: it turns its
+ * bow to the point and against the drift, and thrusts in proportion to the alignment. Meanwhile
+ * wind and current carry it. Not thread-safe.
  */
 final class SteeredForecast {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -16,7 +16,7 @@ final class SteeredForecast {
   private static final double LASTS_S = 7.0; // time to turn round, and a length
   private static final double ARRIVED_M = 0.8;
   private static final double TURNS_S = 0.8; // turn rate: the angle to go in this time
-  private static final double LAG_S = 0.3; // of the turn rate
+  private static final double LAG_S = 0.3; // time constant of the turn rate
 
   private final CostGrid costs;
   private final BodyDiscs body;
@@ -31,8 +31,8 @@ final class SteeredForecast {
    * Predicted outcome.
    *
    * @param hitsS time of the first collision [s]; infinite if none
-   * @param leastM least clearance until then [m]
-   * @param end pose at the end, or when it arrived
+   * @param leastM minimum clearance until then [m]
+   * @param end pose at the end or on arrival
    */
   record Outcome(double hitsS, double leastM, Pose end) {
     boolean isFree() {
@@ -64,7 +64,7 @@ final class SteeredForecast {
   /**
    * Simulates a choice.
    *
-   * @param speedMps over ground; 0: it stops, and is carried off
+   * @param speedMps speed over ground; 0: stops and drifts
    */
   Outcome to(double northM, double eastM, double speedMps, boolean backwards) {
     Pose at = start;

@@ -9,8 +9,8 @@ import org.u2sa.planning.seen.PlanarShape;
  * Room to climb and descend away from traffic. Altitudes are down coordinates on the planning plane
  * [m]. Immutable.
  *
- * @param downM of the vehicle
- * @param goalDownM of its goal, to which it climbs or descends unless it evades
+ * @param downM altitude of the vehicle
+ * @param goalDownM altitude of its goal, to which it climbs or descends unless it evades
  * @param rateMps rate at which it climbs and descends [m/s], above 0
  * @param clearanceM distance to keep above and below [m], above 0
  * @param groundM distance to keep from the ground [m]
@@ -34,7 +34,7 @@ public record VerticalRoom(
     DoubleBinaryOperator ground,
     int before) {
 
-  /** Altitudes to evade to, in order of preference: its own, then those that it can reach. */
+  /** Altitudes to evade to, in order of preference: the current one, then reachable ones. */
   double[] altitudes(double horizonS) {
     double change = rateMps * horizonS;
     double up = Math.min(downM, Math.max(topDownM, downM - change));

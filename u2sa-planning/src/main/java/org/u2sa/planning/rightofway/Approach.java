@@ -49,7 +49,7 @@ record Approach(double northM, double eastM, double northMps, double eastMps) {
   double crossesAheadM(Target target, double withinS) {
     double north = Math.cos(target.courseRad());
     double east = Math.sin(target.courseRad());
-    double across = -(north * eastM - east * northM); // of the vehicle, to the target's starboard
+    double across = -(north * eastM - east * northM); // speed to the target's starboard
     double acrossMps = -(north * eastMps - east * northMps);
     double time = -across / acrossMps;
     if (!(time > 0.0 && time < withinS)) {

@@ -8,17 +8,17 @@ import java.util.function.DoublePredicate;
 /**
  * Chooses a course and speed among all encounters: the least alteration that is large enough to be
  * seen, to the side that the rules demand, and passes every vessel at the required distance. Course
- * is altered rather than speed; what cannot be safe is as safe as possible (rules 8 and 17(b)).
+ * is altered rather than speed; if nothing is safe, the safest choice is taken (rules 8 and 17(b)).
  */
 final class CourseChoice {
   private static final double STEP_RAD = Math.toRadians(5.0);
   private static final double[] SPEEDS = {1.0, 0.5, 0.0}; // changes large enough to be seen
-  private static final double ROOMIER = 1.25; // required distances of a new course
+  private static final double ROOMIER = 1.25; // clearance of a new course, in required distances
   private static final double RIGHT_ANGLE_RAD = 0.5 * Math.PI;
   private static final double FREE = 1.25;
   private static final double KEPT = 1.0;
   private static final double NEAR =
-      3.0; // required distances; the side of a passage farther off is free
+      3.0; // multiple of the required distance beyond which the side of passing is free
   private static final double SLOWER = 1.0; // costs; an alteration by 90° costs 1
   private static final double TO_PORT = 0.1;
   private static final double OTHER_COURSE = 0.5;
@@ -72,14 +72,14 @@ final class CourseChoice {
     double least = Double.POSITIVE_INFINITY;
     for (Target target : targets) {
       Approach approach = own.approach(target, courseRad, speedMps);
-      boolean opens = approach.closestS() <= 0.0; // whatever its distance, it gets larger
+      boolean opens = approach.closestS() <= 0.0; // already diverging, whatever its distance
       double share = share(target, approach, horizonS);
       least = Math.min(least, opens ? Math.max(1.0, share) : share);
     }
     return least;
   }
 
-  /** Whether a course passes astern of whom it must, and port to port. */
+  /** Whether a course passes astern of vessels where required, and port to port. */
   boolean passesByRule(double courseRad, double speedMps) {
     for (Encounter each : encounters) {
       Target target = each.target();
@@ -111,7 +111,7 @@ final class CourseChoice {
     return true;
   }
 
-  /** Whether a manoeuvre may go on: safe still, and past whom it passes on the right side. */
+  /** Whether a manoeuvre may continue: it is still safe and passes vessels on the right side. */
   boolean isKept(CourseOrder now) {
     double speed = now.speedShare() * own.speedMps();
     return leastShare(now.courseRad(), speed, horizonS()) >= KEPT
@@ -126,10 +126,10 @@ final class CourseChoice {
   }
 
   /**
-   * Chooses.
+   * Chooses a course and speed.
    *
-   * @param now manoeuvre under way; what replaces it should differ little
-   * @param reason of the result
+   * @param now current manoeuvre, from which the result should differ little
+   * @param reason reason given in the result
    */
   CourseOrder choose(Optional<CourseOrder> now, String reason) {
     double from = now.map(CourseOrder::fromRad).orElse(own.courseRad());

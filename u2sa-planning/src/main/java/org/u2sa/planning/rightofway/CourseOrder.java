@@ -3,7 +3,7 @@ package org.u2sa.planning.rightofway;
 import java.util.Locale;
 
 /**
- * Course and speed that right of way demands instead of those to the goal. Immutable.
+ * Course and speed required by right of way instead of those to the goal. Immutable.
  *
  * @param courseRad course over ground, clockwise from north [rad]
  * @param speedShare fraction of the wanted speed; 0: stop

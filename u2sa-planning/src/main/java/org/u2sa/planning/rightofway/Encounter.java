@@ -1,9 +1,9 @@
 package org.u2sa.planning.rightofway;
 
 /**
- * An encounter with one vessel, from the first risk of collision until it is past and clear. Its
- * rule is decided once: no later change of bearing makes the vehicle another party to it (rule
- * 13(d)).
+ * An encounter with one vessel, from the first risk of collision until the vessel is past and
+ * clear. Its rule is decided once: no later change of bearing makes the vehicle another party to it
+ * (rule 13(d)).
  */
 final class Encounter {
   private static final double MAX_DOUBT_RAD = Math.toRadians(5.0);
@@ -13,7 +13,7 @@ final class Encounter {
   private double courseRad; // of the vehicle when the rule was decided, or resumed later
   private Target target; // newest
   private double seenS; // time of the newest track
-  private boolean actsItself; // it stands on, but the other vessel does not give way
+  private boolean actsItself; // stands on, but the other vessel does not give way
   private final Lasting clear = new Lasting(5.0);
 
   private Encounter(Rule rule, double courseRad, Target target, double nowS) {

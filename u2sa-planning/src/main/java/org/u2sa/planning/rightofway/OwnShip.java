@@ -9,7 +9,7 @@ package org.u2sa.planning.rightofway;
  * @param eastMps eastward velocity over ground [m/s]
  * @param courseRad course to its goal or along its route, clockwise from north [rad]
  * @param speedMps speed over ground at which it wants to go there [m/s]
- * @param limits what it can do
+ * @param limits limits of its motion
  */
 public record OwnShip(
     double northM,

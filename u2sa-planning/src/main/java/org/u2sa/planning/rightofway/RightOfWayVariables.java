@@ -8,7 +8,7 @@ import org.u2sa.planning.PathPlanner;
 public record RightOfWayVariables(
     @Variable(ifAbsentText = "NONE")
         @Description(
-            "COLREGS gives way to other vessels, or stands on, by rules 8 and 13 to 17; NONE knows no right of way.")
+            "COLREGS gives way or stands on by rules 8 and 13 to 17; NONE ignores right of way.")
         Rules rightOfWay,
     @Variable(unit = "m", min = 0, minExcluded = true, max = 100_000, ifAbsent = 20)
         @Description(
@@ -20,7 +20,7 @@ public record RightOfWayVariables(
         double riskHorizon,
     @Variable(unit = "s", min = 0, minExcluded = true, max = 36_000, ifAbsent = 120)
         @Description(
-            "With RIGHT OF WAY: time to the closest point of approach at which the vehicle gives way at the latest.")
+            "With RIGHT OF WAY: time to the closest point of approach by which the vehicle must have given way.")
         double giveWayTime,
     @Variable(unit = "s", min = 0, minExcluded = true, max = 36_000, ifAbsent = 60)
         @Description(
@@ -28,7 +28,7 @@ public record RightOfWayVariables(
         double standOnTime,
     @Variable(unit = "deg", min = 5, max = 90, ifAbsent = 35)
         @Description(
-            "With RIGHT OF WAY: least alteration of course, large enough to be seen (rule 8).")
+            "With RIGHT OF WAY: minimum alteration of course, large enough to be seen (rule 8).")
         double minAlteration) {
   /** Rules of right of way. */
   public enum Rules {

@@ -20,13 +20,13 @@ import org.u2sa.planning.seen.PlanningPlane;
 import org.u2sa.planning.seen.SeenWorld;
 
 /**
- * Keeps right of way for a planner: reads other vessels from the world as it sees it, and converts
- * decisions to places to go to. Confined to the planner's thread.
+ * Keeps right of way for a planner: reads other vessels from the perceived world, and converts
+ * decisions to positions to go to. Confined to the planner's thread.
  */
 public final class RightOfWayWatch {
   private static final String PLANNER = "RIGHT OF WAY";
   private static final double AHEAD_S = 900.0; // distance of the place to go to
-  private static final double NEAR_SHARE = 0.5; // of that, at which another place is set
+  private static final double NEAR_SHARE = 0.5; // fraction left when a new point is set
   private static final double ON_MAP = 0.35; // fraction of the map, if routes are planned on one
   private static final double OPEN = 0.2; // fraction of the map that has to be free on a course
 
@@ -42,9 +42,9 @@ public final class RightOfWayWatch {
   private Optional<PlannedPath> news = Optional.empty();
 
   /**
-   * A place to go to instead of the goal.
+   * A position to go to instead of the goal.
    *
-   * @param place far ahead on the course
+   * @param place point far ahead on the course
    * @param speedMps speed [m/s]; 0: stop
    * @param isNew whether it differs from the last order
    */

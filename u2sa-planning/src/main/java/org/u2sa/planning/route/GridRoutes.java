@@ -77,7 +77,7 @@ final class GridRoutes implements RoutePlanner {
       GridPath path, RouteRequest request, double goalNorth, double goalEast) {
     List<Route.Point> points = new ArrayList<>();
     points.add(new Route.Point(request.start().northM(), request.start().eastM(), false));
-    // The first corner is the centre of the vehicle's own cell: do not drive back to it.
+    // The first corner is the centre of the vehicle's own cell; do not drive back to it.
     List<GridPath.Corner> corners = path.corners();
     boolean escapes =
         request.start().distanceM(corners.get(0).northM(), corners.get(0).eastM())

@@ -13,7 +13,7 @@ import java.util.List;
  */
 final class LaneLayout {
   private static final int DIRECTIONS = 18;
-  private static final double CRAWLS = 0.2; // of the airspeed; lanes into more wind are hopeless
+  private static final double CRAWLS = 0.2; // minimum ground speed, as a share of the airspeed
 
   /**
    * Cells to be seen, on the planning plane.

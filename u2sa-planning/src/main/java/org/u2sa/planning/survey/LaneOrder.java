@@ -17,7 +17,7 @@ final class LaneOrder {
 
   private final List<Lane> both = new ArrayList<>(); // lane i in its directions: 2 i, 2 i + 1
   private final double[][] wayM; // from the end of one to the entry of another
-  private final double[] firstM; // from the vehicle
+  private final double[] firstM; // measured from the vehicle
 
   private LaneOrder(List<Lane> lanes, Pose start, double radiusM, double leadInM) {
     for (Lane lane : lanes) {

@@ -151,7 +151,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
     return new ExecutionStart(moreTexts, moreFiles);
   }
 
-  /** Whether a variable may name a file to record: XML, or a height map; no passwords or keys. */
+  /** Whether a variable may name a file to record: XML or a height map, not passwords or keys. */
   public static boolean isRecorded(String value) {
     return value.endsWith(".xml") || value.endsWith(".asc");
   }
@@ -222,7 +222,7 @@ public record ExecutionStart(Map<String, String> texts, Map<String, byte[]> file
       return Long.parseLong(text(name));
     } catch (NumberFormatException e) {
       throw new McapException(
-          name + " of " + service() + ": \"" + text(name) + "\" is no whole number", e);
+          name + " of " + service() + ": \"" + text(name) + "\" is not a whole number", e);
     }
   }
 

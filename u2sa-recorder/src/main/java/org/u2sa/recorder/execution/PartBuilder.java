@@ -24,7 +24,7 @@ final class PartBuilder {
   private long beganMicros;
   private long baseMicros; // reference of the next reading
   private long readingMicros;
-  private long readings; // with the same time, not yet written
+  private long readings; // readings of the same time, not yet written
   private boolean isLarge; // pass on once the entry's message was added
 
   PartBuilder(Clock clock, Consumer<ExecutionPart> parts) {

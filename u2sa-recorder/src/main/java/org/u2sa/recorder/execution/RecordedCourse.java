@@ -44,7 +44,7 @@ final class RecordedCourse {
      * @param micros publication time [µs of the run's clock]
      * @param recorded recorded message; null if published only now
      * @param now new message; null if only in the recording
-     * @throws IOException if the recorded one cannot be read
+     * @throws IOException if the recorded message cannot be read
      */
     void published(long micros, Channel<?> channel, RecordedMessage recorded, U2SAData now)
         throws IOException;
@@ -306,9 +306,9 @@ final class RecordedCourse {
   }
 
   /**
-   * Reports the remaining recorded outputs after a service ended early.
+   * Reports the remaining recorded outputs after a service ended early. * *
    *
-   * @throws IOException if it cannot be read
+   * @throws IOException if the recording cannot be read
    */
   void finish() throws IOException {
     for (Optional<Next> next = recorded.peek(); next.isPresent(); next = recorded.peek()) {

@@ -56,7 +56,7 @@ public final class Playback {
     /** Receives the position, 20 times a second and after each command. */
     void at(Position position);
 
-    /** Told before the first message from a new position: the start, a seek, a loop. */
+    /** Called before the first message from a new position: the start, a seek, a loop. */
     default void sought(long nanos) throws IOException {
       // most destinations need no preparation
     }

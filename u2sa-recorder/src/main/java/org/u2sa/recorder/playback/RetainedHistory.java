@@ -12,8 +12,8 @@ import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.mcap.record.McapMessage;
 
 /**
- * The retained messages of a recording, so that a playback that begins in the middle can give what
- * a late subscriber would have received there. Holds their times only, as maps among them may be
+ * The retained messages of a recording, so that a playback that starts in the middle can deliver
+ * what a late subscriber would have received there. Stores only their times, because maps may be
  * large. Immutable.
  */
 public final class RetainedHistory {
@@ -34,7 +34,7 @@ public final class RetainedHistory {
       int found = Arrays.binarySearch(nanos, 0, count, time);
       int index = found < 0 ? -found - 1 : found;
       while (index > 0 && nanos[index - 1] == time) {
-        index--; // equal ones may be found in the middle
+        index--; // binary search may hit any of several equal times
       }
       return index == 0 ? Optional.empty() : Optional.of(nanos[index - 1]);
     }

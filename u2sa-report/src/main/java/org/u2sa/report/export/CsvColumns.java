@@ -65,8 +65,8 @@ final class CsvColumns {
   }
 
   /**
-   * Text that spreadsheets do not evaluate: texts come from services and recordings of others.
-   * Their apostrophe marks a text and is not shown.
+   * Prevents spreadsheets from evaluating a text, which may come from other people's services and
+   * recordings. The leading apostrophe marks it as text and is not shown.
    */
   private static String noFormula(String text) {
     boolean isFormula = !text.isEmpty() && BEGINS_FORMULA.indexOf(text.charAt(0)) >= 0;

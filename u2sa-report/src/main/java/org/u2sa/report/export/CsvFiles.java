@@ -40,7 +40,7 @@ final class CsvFiles implements AutoCloseable {
   }
 
   /**
-   * Appends text to a file, which is created or truncated before the first.
+   * Appends text to a file, which is created or truncated at the first call.
    *
    * @throws RunFailedException if a file cannot be written
    */
@@ -82,7 +82,7 @@ final class CsvFiles implements AutoCloseable {
     }
   }
 
-  /** Closes all files, and reports the last that could not be written. */
+  /** Closes all files; reports the last one that could not be written. */
   @Override
   public void close() {
     RunFailedException failure = null;

@@ -24,7 +24,7 @@ import org.u2sa.report.ReportFile;
 
 /**
  * Exports the numbers of a recording as ULog, for pyulog, PlotJuggler and Flight Review. Each
- * channel and type is a kind of messages, each source an instance of it; flags are 0 or 1, enums
+ * channel and type is a message format, each source an instance of it; flags are 0 or 1, enums
  * their position, points three numbers; texts and lists are left out. Reads the recording twice:
  * first to determine the fields.
  */
@@ -33,7 +33,7 @@ public final class UlogRecording {
   private static final int MAX_SOURCES = 1 << 16;
   private static final double MICROS_PER_S = 1e6;
 
-  /** A kind of messages: its fields, and its sources with their numbers. */
+  /** A message format: its fields, and its sources with their numbers. */
   private static final class Format {
     private final Set<String> fields = new LinkedHashSet<>();
     private final Map<String, Integer> sources = new LinkedHashMap<>();
@@ -129,7 +129,7 @@ public final class UlogRecording {
         });
   }
 
-  /** The channel, and the type where the channel has several. */
+  /** The channel name, with the type if the channel has several. */
   private static String name(Topic topic) {
     List<String> chain = topic.typeChain();
     String channel = topic.channel();

@@ -24,7 +24,7 @@ final class UlogWriter {
     message('B', new byte[FLAG_BYTES]);
   }
 
-  /** States something about the log. */
+  /** Writes an information message about the log. */
   void info(String name, String value) throws IOException {
     byte[] text = value.getBytes(StandardCharsets.UTF_8);
     byte[] key = ("char[" + text.length + "] " + name).getBytes(StandardCharsets.UTF_8);
@@ -32,7 +32,7 @@ final class UlogWriter {
     message('I', body.put((byte) key.length).put(key).put(text).array());
   }
 
-  /** Defines a kind of messages of a time and numbers. All definitions come before the data. */
+  /** Defines a message format of a time and numbers. All definitions precede the data. */
   void format(String name, Collection<String> numbers) throws IOException {
     StringBuilder text = new StringBuilder(name).append(":uint64_t timestamp;");
     numbers.forEach(number -> text.append("double ").append(number).append(';'));

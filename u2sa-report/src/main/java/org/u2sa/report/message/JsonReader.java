@@ -26,7 +26,7 @@ public final class JsonReader {
 
   private final JsonParser parser;
   private final String origin;
-  private int left; // values that it still takes
+  private int left; // remaining number of values
 
   private JsonReader(JsonParser parser, String origin, int most) {
     this.parser = parser;
@@ -35,7 +35,7 @@ public final class JsonReader {
   }
 
   /**
-   * Parses one object of a file or of one's own.
+   * Parses one object from a file or another trusted source.
    *
    * @param origin description of the text, for errors
    * @throws BadInputException if it is not JSON, not an object, contains duplicate keys or is
@@ -46,10 +46,10 @@ public final class JsonReader {
   }
 
   /**
-   * Parses one object of somebody on a network. Values, not characters, take memory: an empty
-   * object has two characters and takes fifty bytes.
+   * Parses one object from a network client. Memory depends on values, not characters: an empty
+   * object has two characters but takes fifty bytes.
    *
-   * @param most values that it may have in all, objects and lists included
+   * @param most maximum number of values, including objects and lists
    * @throws BadInputException as {@link #object(String, String)}, or if there are more values
    */
   public static Map<String, Object> object(String origin, String text, int most) {
@@ -64,7 +64,7 @@ public final class JsonReader {
       }
       return object;
     } catch (JsonProcessingException e) {
-      JsonLocation at = e.getLocation(); // null where a limit of the parser is exceeded
+      JsonLocation at = e.getLocation(); // null if a limit of the parser was exceeded
       String where =
           at == null
               ? origin

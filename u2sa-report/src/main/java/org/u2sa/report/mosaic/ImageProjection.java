@@ -3,15 +3,15 @@ package org.u2sa.report.mosaic;
 import java.util.Optional;
 
 /**
- * Projective map from level ground to the pixels of one image, by the places of its four corner
- * pixels (Heckbert, Fundamentals of Texture Mapping and Image Warping, 1989, section 2.2.3). Exact
- * for a pinhole camera.
+ * Projective map from level ground to the pixels of one image, from the positions of its four
+ * corner pixels (Heckbert, Fundamentals of Texture Mapping and Image Warping, 1989, section 2.2.3).
+ * Exact for a pinhole camera.
  */
 final class ImageProjection {
   private static final double MIN_AREA_M2 = 1e-4;
 
   private final double[] h = new double[9]; // from ground to pixels, by rows
-  private final double originX; // near the image, against rounding
+  private final double originX; // tolerance around the image for rounding
   private final double originY;
 
   private ImageProjection(double[] xs, double[] ys, int width, int height) {
@@ -55,7 +55,7 @@ final class ImageProjection {
   }
 
   /**
-   * Creates the map; empty if the corners are no convex quadrilateral.
+   * Creates the map; empty if the corners do not form a convex quadrilateral.
    *
    * @param xs eastings of the corner pixels' middles: upper left, upper right, lower right, lower
    *     left [m]
@@ -76,10 +76,10 @@ final class ImageProjection {
   }
 
   /**
-   * Projects a place.
+   * Projects a point.
    *
    * @param out receives column, row, and the ground resolution in the worse direction [m per pixel]
-   * @return false if the place is beyond the horizon
+   * @return false if the point is beyond the horizon
    */
   boolean project(double eastM, double northM, double[] out) {
     double x = eastM - originX;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /** The picture: each pixel from the image that shows its ground at the finest resolution. */
 final class MosaicCanvas {
-  private static final int MAX_SAMPLES = 4; // of an image, per pixel and side
+  private static final int MAX_SAMPLES = 4; // maximum samples of an image, per pixel and side
   private static final int OPAQUE = 0xFF000000;
 
   private final MosaicGrid grid;
@@ -112,7 +112,7 @@ final class MosaicCanvas {
     }
   }
 
-  /** Number of pixels that were seen. */
+  /** Number of pixels seen. */
   long seen() {
     long count = 0;
     for (float each : resolutions) {

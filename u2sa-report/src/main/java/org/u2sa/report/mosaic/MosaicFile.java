@@ -53,7 +53,7 @@ public final class MosaicFile {
   /**
    * Checks the kind of a file.
    *
-   * @throws BadInputException if it is neither PNG nor TIFF by its name
+   * @throws BadInputException if its name is neither a PNG's nor a TIFF's
    */
   public static void requireKind(Path file) {
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);

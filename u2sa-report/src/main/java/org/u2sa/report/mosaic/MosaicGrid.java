@@ -23,13 +23,13 @@ public record MosaicGrid(
   private static final double MIN_PIXEL_M = 0.005;
   private static final double MAX_PIXEL_M = 100.0;
   private static final long MAX_PIXELS = 40_000_000L; // 8 bytes of memory each
-  private static final double MAX_SPAN_M = 20_000.0; // UTM far from its zone distorts
+  private static final double MAX_SPAN_M = 20_000.0; // UTM is distorted far from its zone
 
   /**
-   * A grid that covers places.
+   * Creates a grid that covers positions.
    *
-   * @param places at least one
-   * @param marginM on all sides
+   * @param places positions, at least one
+   * @param marginM margin on all sides
    * @throws BadInputException if the pixels are too small or too many
    */
   public static MosaicGrid around(Collection<Geodetic> places, double pixelM, double marginM) {

@@ -19,7 +19,7 @@ import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.recorder.playback.RecordedSpan;
 
-/** Makes the mosaic of a recording: of its search areas, else of all that was seen. */
+/** Makes the mosaic of a recording: of its search areas or, without any, of everything seen. */
 public final class RecordedMosaic {
   private static final double MARGIN_M = 10.0;
 
@@ -45,7 +45,7 @@ public final class RecordedMosaic {
         (topic, message, nanos) -> ground.take(message));
     if (ground.footprints.isEmpty()) {
       throw new BadInputException(
-          file + ": has no footprints of images; expected those of a SurveyCamera");
+          file + ": contains no image footprints; expected those of a SurveyCamera");
     }
     SurveyMosaic mosaic =
         new SurveyMosaic(
@@ -58,7 +58,7 @@ public final class RecordedMosaic {
     if (mosaic.used() == 0) {
       throw new BadInputException(
           file
-              + ": has no image with a footprint; expected those of a SurveyCamera with IMAGE EVERY above 0");
+              + ": contains no image with a footprint; expected those of a SurveyCamera with IMAGE EVERY above 0");
     }
     return mosaic;
   }

@@ -21,7 +21,7 @@ import org.u2sa.messages.shape.ImageFootprint;
 
 /**
  * Joins images and their footprints, by sensor and time of exposure, to a mosaic. The ground within
- * an image counts as a plane. Not thread-safe.
+ * an image is assumed to be a plane. Not thread-safe.
  */
 public final class SurveyMosaic {
   private static final int MAX_WAITING = 32; // images or footprints without the other
@@ -54,7 +54,7 @@ public final class SurveyMosaic {
         && footprint.angle() <= MAX_ANGLE_RAD;
   }
 
-  /** Takes an image or a footprint; other messages are ignored. */
+  /** Processes an image or a footprint; ignores other messages. */
   public void take(U2SAData message) {
     if (message instanceof CameraImage image) {
       pair(image.sensorName() + " " + image.timestamp(), message);
@@ -101,12 +101,12 @@ public final class SurveyMosaic {
         return;
       }
     } catch (IOException e) {
-      // counted like an image that shows no ground: one damaged image must not cost the mosaic
+      // counted like an image that shows no ground: one damaged image must not spoil the mosaic
     }
     refused++;
   }
 
-  /** Whether a place is so far away that the zone's projection does not hold. */
+  /** Whether a position is too far away for the zone's projection. */
   private boolean isFar(Point place) {
     double eastDeg = Math.IEEEremainder(place.x() - middle.longitudeDeg(), 360.0);
     return !(Math.abs(eastDeg) < MAX_AWAY_DEG
@@ -144,22 +144,22 @@ public final class SurveyMosaic {
     return canvas.picture();
   }
 
-  /** Images in it. */
+  /** Number of images used. */
   public int used() {
     return used;
   }
 
-  /** Images that were damaged, or whose footprint is no quadrilateral. */
+  /** Number of images that were damaged or whose footprint is not a quadrilateral. */
   public int refused() {
     return refused;
   }
 
-  /** Ground that it shows [m²]. */
+  /** Ground area shown [m²]. */
   public double areaM2() {
     return canvas.seen() * grid.pixelM() * grid.pixelM();
   }
 
-  /** Place of the middle of a pixel. */
+  /** Position of the middle of a pixel. */
   public Geodetic place(int column, int row) {
     return utm.place(Point.of(grid.eastM(column), grid.northM(row), 0.0));
   }

@@ -14,11 +14,11 @@ public enum Domain {
    */
   GROUND(3.0, 10.0, "driven"),
   /**
-   * A boat, over tens of metres. Without wheels it drifts outwards in turns and needs some lengths
-   * of two metres to settle.
+   * A boat, over tens of metres. Without wheels it drifts outwards in turns and needs several boat
+   * lengths (2 m each) to settle.
    */
   WATER(10.0, 20.0, "sailed"),
-  /** A submarine, over tens of metres: as {@link #WATER}, with its depth. */
+  /** A submarine, over tens of metres: like {@link #WATER}, with depth. */
   UNDERWATER(10.0, 20.0, "dived"),
   /** A multirotor or a small aeroplane, over tens or hundreds of metres. */
   SMALL_AIRCRAFT(20.0, 30.0, "flown");

@@ -7,8 +7,8 @@ final class FenceBreaches {
   private FenceBreaches() {}
 
   /**
-   * Counts the times the track leaves the keep-in area or enters a keep-out area, or begins so.
-   * Altitudes do not count.
+   * Counts the times the track leaves the keep-in area or enters a keep-out area, including a start
+   * outside or inside one, respectively. Altitudes are ignored.
    */
   static int count(RunPlan plan, List<TrackSample> track) {
     int breaches = 0;

@@ -25,10 +25,10 @@ public record RunOutcome(
   /** Number of goals without a position, which are scored by completion. */
   public static final String GOALS_WITHOUT_PLACE = "goalsWithoutPlace";
 
-  /** Number of tasks by the rules. */
+  /** Number of tasks in the rules. */
   public static final String TASKS = "tasks";
 
-  /** Number of those that were done. */
+  /** Number of completed tasks. */
   public static final String TASKS_DONE = "tasksDone";
 
   public RunOutcome {

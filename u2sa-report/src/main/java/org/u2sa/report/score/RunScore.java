@@ -39,7 +39,7 @@ public record RunScore(
     return (int) waypoints.stream().filter(WaypointResult::captured).count();
   }
 
-  /** The result in words: tasks done, if there are any by the rules, and waypoints. */
+  /** The result in words: completed tasks, if the rules define any, and waypoints. */
   public String verdict() {
     Map<String, Integer> counts = outcome.counts();
     String tasks =

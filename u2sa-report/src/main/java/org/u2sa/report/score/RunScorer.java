@@ -81,7 +81,7 @@ public final class RunScorer {
     double sin = end.eastM() / end.distanceM();
     double cos = end.northM() / end.distanceM();
     int last = -1;
-    boolean onLine = false; // not after a goal without a place, which leads away from the line
+    boolean onLine = false; // not after a goal without a position, which leads away from the line
     for (int i = 0; i + 1 < track.size(); i++) {
       int now = track.get(i).leg();
       onLine = now == last ? onLine : last == leg - 1;

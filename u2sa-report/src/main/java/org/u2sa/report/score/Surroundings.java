@@ -19,7 +19,7 @@ import org.u2sa.messages.shape.Polygon;
  */
 public record Surroundings(List<ObjectDescription> objects, double reachM, List<Area> areas) {
   /**
-   * An area of the judge's.
+   * An area defined by the judge.
    *
    * @param outline its unique identifier is the area's name
    * @param isForbidden whether the vehicle must stay out of it
@@ -65,7 +65,7 @@ public record Surroundings(List<ObjectDescription> objects, double reachM, List<
         : there;
   }
 
-  /** Object at a time of the run [s], without its further way. */
+  /** Object at a time of the run [s], without its further path. */
   public static ObjectDescription after(ObjectDescription object, double seconds) {
     if (!moves(object)) {
       return object;

@@ -57,7 +57,7 @@ public record WaypointResult(
       double lengthSquared = dx * dx + dy * dy;
       boolean isVertical = lengthSquared == 0.0;
       double foot = isVertical ? 0.0 : -(a.eastM() * dx + a.northM() * dy) / lengthSquared;
-      // closest point, as a fraction of the way from a to b
+      // closest point, as a fraction of the segment from a to b
       double share = isVertical ? vertically(from.altitudeM(), to.altitudeM()) : clamp(foot);
       double distance = a.towards(b, share).distanceM();
       double height = between(from.altitudeM(), to.altitudeM(), share);

@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Converts a BARN world to U2SA's world and mission files, scaled for a vehicle of another width.
+ * Converts a BARN world to U2SA's world and mission files, scaled to a vehicle's width.
  *
  * @param scale metres here per metre of the challenge
  */

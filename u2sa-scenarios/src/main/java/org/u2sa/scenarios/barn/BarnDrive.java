@@ -14,7 +14,7 @@ import org.u2sa.cli.Main;
 import org.u2sa.interfaces.RunFailedException;
 import org.u2sa.messages.frame.Geodetic;
 
-/** Drives one course with {@code demo ugv} in lockstep, in this process, and scores it by truth. */
+/** Drives one course with {@code demo ugv} in this process and scores it by ground truth. */
 final class BarnDrive {
   private static final double STARTED_M = 0.1;
   private static final Pattern CONTACTS = Pattern.compile("\"contacts\"\\s*:\\s*(\\d+)");

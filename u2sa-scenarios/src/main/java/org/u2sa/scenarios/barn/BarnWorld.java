@@ -60,7 +60,7 @@ record BarnWorld(int number, List<Place> pillars, double pathM) {
           new Place(Double.parseDouble(found.group(1)), Double.parseDouble(found.group(2))));
     }
     if (pillars.isEmpty()) {
-      throw new BadInputException(world + ": no unit_cylinder; expected a world of BARN");
+      throw new BadInputException(world + ": no unit_cylinder; expected a BARN world");
     }
     return new BarnWorld(
         number, List.copyOf(pillars), pathM(folder.resolve("path_files/path_" + number + ".npy")));

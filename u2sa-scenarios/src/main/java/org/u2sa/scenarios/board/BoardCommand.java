@@ -149,7 +149,7 @@ final class BoardCommand implements Callable<Integer> {
           "--listen "
               + listen
               + " opens the board to a network, but it has neither users nor encryption: "
-              + "./u2sa security init makes both, in the folder security, which --security is to name; "
+              + "./u2sa security init makes both in the folder security; name it with --security; "
               + "or say --allow-insecure-network");
     }
     VehicleFile vehicle = changes.load(vehicleFile);
@@ -355,7 +355,7 @@ final class BoardCommand implements Callable<Integer> {
         host);
   }
 
-  /** Somebody asked for the end. */
+  /** Set when termination is requested. */
   private static final class Ended extends RuntimeException {
     private static final long serialVersionUID = 1L;
   }

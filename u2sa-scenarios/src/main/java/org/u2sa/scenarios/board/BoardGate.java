@@ -20,13 +20,13 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.ioio.Hosts;
 
 /**
- * Admits hosts to a served board, one at a time: the others are refused at once. Log-ins run on
- * threads of their own, of which there are few, and end after a time whatever the host sends.
+ * Admits hosts to a served board, one at a time: the others are refused at once. Log-ins run on a
+ * few threads of their own and time out whatever the host sends.
  */
 final class BoardGate implements Hosts {
   private static final int BACKLOG = 16;
   private static final int MAX_CANDIDATES = 16;
-  private static final int MAX_PER_ADDRESS = 4; // so that one cannot keep the others out
+  private static final int MAX_PER_ADDRESS = 4; // so that one host cannot lock out the others
   private static final int LOOK_EVERY_MS = 500;
   private static final long LOGIN_WITHIN_MICROS = 30 * Clock.MICROS_PER_SECOND;
   private static final int SEND_BUFFER = 1 << 14;
@@ -49,8 +49,8 @@ final class BoardGate implements Hosts {
    * @param users empty: everyone who reaches the address is admitted, unencrypted
    * @param silentAfterS time without a byte after which a host's session ends [s]; 0: never
    * @param log lines for the operator
-   * @param end told why the board cannot go on
-   * @throws UncheckedIOException if the address cannot be listened at
+   * @param end receives the reason if the board cannot continue
+   * @throws UncheckedIOException if it cannot listen at the address
    */
   BoardGate(
       InetSocketAddress address,
@@ -78,7 +78,7 @@ final class BoardGate implements Hosts {
     door.start();
   }
 
-  /** Where it listens. */
+  /** Address at which it listens. */
   InetSocketAddress address() {
     return (InetSocketAddress) server.getLocalSocketAddress();
   }
@@ -111,7 +111,7 @@ final class BoardGate implements Hosts {
     }
   }
 
-  /** Ends log-ins that take too long, and the session of a user who is one no more. */
+  /** Ends log-ins that take too long, and the session of a user who has been removed. */
   private void look() {
     long now = clock.micros();
     for (Iterator<Map.Entry<Socket, Long>> each = candidates.entrySet().iterator();
@@ -142,7 +142,7 @@ final class BoardGate implements Hosts {
     } else if (users.isEmpty()) {
       admit(socket, name);
     } else if (candidates.size() >= MAX_CANDIDATES || candidatesAt(socket) >= MAX_PER_ADDRESS) {
-      refuse(socket, name, "too many log in at once");
+      refuse(socket, name, "too many log-ins at once");
     } else {
       candidates.put(socket, clock.micros() + LOGIN_WITHIN_MICROS);
       Thread login = new Thread(() -> admit(socket, name), "u2sa-board-login");
@@ -186,7 +186,7 @@ final class BoardGate implements Hosts {
       }
     } catch (IOException | RuntimeException e) {
       boolean isOverdue = users.isPresent() && !candidates.containsKey(socket);
-      String why = isOverdue ? "it took too long" : String.valueOf(e.getMessage());
+      String why = isOverdue ? "log-in took too long" : String.valueOf(e.getMessage());
       refusals.add("host refused at its log-in", name + ": " + OneLine.of(why));
       closeQuietly(socket);
     } finally {
@@ -259,7 +259,7 @@ final class BoardGate implements Hosts {
     try {
       socket.close();
     } catch (IOException e) {
-      return; // nobody uses it any more
+      return; // no longer used by anyone
     }
   }
 

@@ -117,7 +117,7 @@ final class BoardUsers implements AutoCloseable {
     if (user.isEmpty()) {
       String why =
           verdict.user().isPresent() ? "the user lacks the role control" : verdict.reason();
-      // who guesses must not learn which names exist
+      // must not reveal which names exist
       tell(socket, "REFUSED " + (verdict.isFinal() ? "user, password or role" : why));
       throw new IOException(why);
     }
@@ -128,7 +128,7 @@ final class BoardUsers implements AutoCloseable {
     return user.roles().contains(AccessRole.CONTROL);
   }
 
-  /** Tells a host what became of its log-in. */
+  /** Tells a host whether its log-in succeeded. */
   static void tell(SSLSocket socket, String answer) throws IOException {
     OutputStream out = socket.getOutputStream();
     out.write((answer + '\n').getBytes(StandardCharsets.UTF_8));
@@ -139,7 +139,7 @@ final class BoardUsers implements AutoCloseable {
     ByteArrayOutputStream line = new ByteArrayOutputStream();
     for (int octet = in.read(); octet != '\n'; octet = in.read()) {
       if (octet < 0) {
-        throw new EOFException("it left before its log-in");
+        throw new EOFException("it disconnected before logging in");
       }
       if (line.size() == LONGEST_LINE) {
         throw new IOException("its log-in is longer than " + LONGEST_LINE + " bytes");
@@ -164,7 +164,7 @@ final class BoardUsers implements AutoCloseable {
         answer::offer);
     try {
       Verdict verdict = answer.poll(ANSWER_WITHIN_S, TimeUnit.SECONDS);
-      return verdict == null ? Verdict.later("too many log in at once") : verdict;
+      return verdict == null ? Verdict.later("too many log-ins at once") : verdict;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IOException("interrupted", e);

@@ -18,16 +18,16 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
 /**
- * A vehicle at the pins of a board. Thread-safe but for the pins.
+ * A vehicle connected to the pins of a board. Thread-safe except for the pins.
  *
  * @param pins the board's side
  * @param run the vehicle
- * @param commands what its actuators get, by name; NaN for no signal
- * @param wiring the actuators and their pins, for people
+ * @param commands commands that its actuators receive, by name; NaN for no signal
+ * @param wiring actuators and their pins, as text
  */
 record BoardedVehicle(
     Pins pins, RunningVehicle run, Supplier<Map<String, Double>> commands, String wiring) {
-  /** A time at which nothing advances [µs]. */
+  /** Duration for which the vehicle does not advance after a start [µs]. */
   static final long BEFORE_THE_START = 0;
 
   /** Places a vehicle at the origin of its world, behind the board of its file or the usual one. */
@@ -55,7 +55,7 @@ record BoardedVehicle(
     return new BoardedVehicle(pins, run, pins::commands, wiring);
   }
 
-  /** Its state; only the board advances it, which has begun. */
+  /** Current state; only the running board advances the vehicle. */
   VehicleTruth truth() {
     return run.at(BEFORE_THE_START);
   }
@@ -64,7 +64,7 @@ record BoardedVehicle(
     return commands.get();
   }
 
-  /** Where it truly is. */
+  /** True position. */
   Geodetic place(VehicleTruth truth) {
     Point at = truth.position();
     return run.vehicle().world().plane().at(at.x(), at.y(), at.z());

@@ -3,14 +3,14 @@ package org.u2sa.scenarios.board;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
-/** Keeps hosts that come and go in a flood from filling the log. Thread-safe. */
+/** Limits log lines, so that hosts that reconnect rapidly cannot flood the log. Thread-safe. */
 final class PacedLog implements Consumer<String> {
   private static final int AT_ONCE = 20;
   private static final long MICROS_A_LINE = Clock.MICROS_PER_SECOND;
 
   private final Clock clock;
   private final Consumer<String> lines;
-  private long spentMicros; // time up to which lines are accounted for
+  private long spentMicros; // time up to which the allowance has been used
   private int left; // number of lines left out since the last one
 
   PacedLog(Clock clock, Consumer<String> lines) {

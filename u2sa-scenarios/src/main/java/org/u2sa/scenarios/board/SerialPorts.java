@@ -21,10 +21,10 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.sim.device.SerialInstrument;
 
 /**
- * A vehicle's serial devices as pseudo terminals in a folder, made by socat, since Java makes none.
- * A program that opens one is joined to the device by a Unix socket that only this account reaches;
- * what it does not read in time is lost, as at a serial port. The baud rate does not matter. One
- * thread.
+ * A vehicle's serial devices as pseudo terminals in a folder, made by socat, because Java cannot
+ * create them. A program that opens one is connected to the device through a Unix socket that only
+ * this account can open; data that it does not read in time are lost, as on a serial port. The baud
+ * rate does not matter. Uses one thread.
  */
 final class SerialPorts implements AutoCloseable {
   private static final long PAUSE_MS = 5;
@@ -39,7 +39,7 @@ final class SerialPorts implements AutoCloseable {
   private final Thread thread = new Thread(this::work, "u2sa-board-serial");
   private volatile boolean closed;
 
-  /** One device, its port and who has opened it. */
+  /** One device, its port and the program that has opened it. */
   private final class Line {
     private final SerialInstrument device;
     private final Path link;
@@ -47,7 +47,7 @@ final class SerialPorts implements AutoCloseable {
     private final ByteBuffer buffer = ByteBuffer.allocate(BUFFER);
     private final byte[] bytes = new byte[BUFFER];
     private Process socat;
-    private SocketChannel opened; // null while nobody has opened the port
+    private SocketChannel opened; // null while the port is not open
     private long retryMicros;
     private long beforeMicros;
 
@@ -126,7 +126,7 @@ final class SerialPorts implements AutoCloseable {
   }
 
   /**
-   * @param folder where the ports go, each under its device's name
+   * @param folder for the ports, each named after its device
    * @param nowMicros time since the start [µs]
    * @throws BadInputException if there is no socat, or a file is in the way
    */
@@ -151,7 +151,7 @@ final class SerialPorts implements AutoCloseable {
         Files.delete(link); // left by a program that was killed
       } else if (Files.exists(link)) {
         throw new BadInputException(
-            "--serial: " + link + " exists already; expected a folder without it");
+            "--serial: " + link + " already exists; expected a folder without it");
       }
       lines.add(new Line(name, each.getValue(), folder));
     }
@@ -165,7 +165,7 @@ final class SerialPorts implements AutoCloseable {
       version.getInputStream().readAllBytes();
     } catch (IOException e) {
       throw new BadInputException(
-          "--serial: found no socat, which makes the serial ports (Debian: apt install socat)", e);
+          "--serial: serial ports need socat, which was not found (Debian: apt install socat)", e);
     }
   }
 

@@ -35,7 +35,7 @@ final class CameraPicture {
       throws IOException {
     BufferedImage image = ImageIO.read(in);
     if (image == null) {
-      throw new BadInputException(origin + ": is no PNG, JPEG, BMP or GIF picture");
+      throw new BadInputException(origin + ": is not a PNG, JPEG, BMP or GIF picture");
     }
     int width = image.getWidth();
     int height = image.getHeight();

@@ -46,7 +46,7 @@ final class LookCommand implements Callable<Integer> {
       names = "--configuration",
       paramLabel = "FILE",
       description =
-          "Configuration file of a CourseCamera: its mounting, calibration and what it looks for.")
+          "Configuration file of a CourseCamera: its mounting, calibration and object types.")
   private Path configuration;
 
   @Option(names = "--live", description = "Take a picture with its camera.")

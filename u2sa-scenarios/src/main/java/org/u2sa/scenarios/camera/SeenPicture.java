@@ -36,7 +36,7 @@ public final class SeenPicture {
   private final BufferedImage image;
   private final Graphics2D pen;
   private final int left; // first column of the bird's-eye view
-  private final double scale; // of that view, pixels per cell
+  private final double scale; // scale of that view: pixels per cell
 
   private SeenPicture(CameraFrame frame, Seen seen, CourseSight sight) {
     this.seen = seen;

@@ -114,7 +114,7 @@ final class CampaignOptions {
     for (String text : texts) {
       Sweep sweep = Sweep.of(text);
       if (sweeps.stream().anyMatch(earlier -> earlier.name().equals(sweep.name()))) {
-        throw refused("--sweep \"" + text + "\": " + sweep.name() + " is swept already");
+        throw refused("--sweep \"" + text + "\": " + sweep.name() + " is already swept");
       }
       sweeps.add(sweep);
     }
@@ -178,7 +178,7 @@ final class CampaignOptions {
     }
     if (jobs.isPresent()) {
       throw refused(
-          "--jobs goes without --master; Spark's cores are local["
+          "--jobs cannot be combined with --master; set Spark's cores with local["
               + jobs.getAsInt()
               + "], or all cores of the cluster");
     }

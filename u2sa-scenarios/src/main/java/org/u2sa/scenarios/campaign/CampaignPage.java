@@ -84,7 +84,7 @@ final class CampaignPage {
         .append("</code>. The command repeats the run, with pictures.</p>\n<table>")
         .append("<tr><th>run</th><th>")
         .append(EscapedXml.of(results.ranking()))
-        .append("</th><th class=\"text\">came to</th><th class=\"text\">command</th></tr>\n");
+        .append("</th><th class=\"text\">result</th><th class=\"text\">command</th></tr>\n");
     for (Outcome outcome : results.worst(most)) {
       page.append("<tr><td>")
           .append(outcome.experiment().number())

@@ -42,7 +42,7 @@ final class WorkerMain {
     List<String> arguments = new ArrayList<>(order.arguments());
     arguments.addAll(List.of("--out", order.out().toString()));
     try {
-      FolderArchive.delete(order.out()); // of an interrupted or lost try of the same run
+      FolderArchive.delete(order.out()); // left by an interrupted or lost attempt at the same run
     } catch (IOException e) {
       return RunLine.answered(failure(order, e), NO_FILES);
     }

@@ -20,7 +20,7 @@ import org.u2sa.service.ServiceRole;
 import org.u2sa.service.U2SAService;
 
 /**
- * Records the ground truth of a flight for score and screen. In: truth, goals, goal-reports,
+ * Records the ground truth of a flight for scoring and display. In: truth, goals, goal-reports,
  * control-status. Out: nothing.
  */
 final class FlightObserver extends EventDrivenService implements RunObserver {

@@ -42,7 +42,7 @@ final class EncounterScore {
   private double actionS = Double.NaN;
   private boolean actsToPort;
   private double
-      turnRad; // largest change of course to the side of the first action, positive to starboard
+      turnRad; // largest course change in the direction of the first action, positive to starboard
   private double slowest = 1.0; // share of the speed
 
   /** Record of passing one vessel. */
@@ -155,7 +155,7 @@ final class EncounterScore {
       all.add("the boat turned to port");
     }
     if (standsOnOnly() && actedEarly()) {
-      all.add("the boat acted before it had to stand on no longer");
+      all.add("the boat acted while it still had to stand on");
     }
     return all;
   }

@@ -16,7 +16,7 @@ final class CourseGenerator {
   private static final int REDRAWS = 10;
   private static final int TRIES = 40;
   private static final double CALMER = 8.0; // drafts until the sway is halved
-  private static final double START_M = 1.2; // from the start of the lines to the vehicle
+  private static final double START_M = 1.2; // distance from the start of the lines to the vehicle
   private static final double CLEAR_M = 16.0; // no obstacles on the timed 44 ft
   private static final double PASSAGE_M = 1.65; // the rules require 5 ft
   private static final double DECOY_M = 1.1;

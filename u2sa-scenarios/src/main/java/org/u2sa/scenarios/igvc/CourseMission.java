@@ -16,7 +16,7 @@ import org.u2sa.sim.world.LocalPlane;
  */
 final class CourseMission {
   /**
-   * Lets the vehicle aim for the centre of a waypoint, regardless of the size of the judge's
+   * Makes the vehicle aim for the centre of a waypoint, regardless of the size of the judge's
    * circle.
    */
   private static final double THRESHOLD_M = 0.9;

@@ -139,7 +139,7 @@ final class Judge {
       violation(truth, String.format(Locale.ROOT, "faster than 5 mph: %.2f m/s", truth.speedMps()));
     }
     if (restS > REST_S) {
-      end(truth, "stands for more than a minute");
+      end(truth, "stood still for more than a minute");
     } else if (goneS > runS) {
       end(truth, String.format(Locale.ROOT, "the %.0f minutes are over", runS / 60.0));
     }

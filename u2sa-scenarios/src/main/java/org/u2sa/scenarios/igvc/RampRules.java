@@ -19,7 +19,7 @@ final class RampRules {
   private static final double MIN_WIDTH_M = 2.438; // 8 ft
   private static final double BEFORE_M = 1.5; // straight and free before each foot
   private static final double STRAIGHT = 0.12; // tolerance between line and ramp direction [rad]
-  private static final double PAINT_M = 0.1; // from a boundary to its paint
+  private static final double PAINT_M = 0.1; // distance from a boundary to its paint
   private static final double STEP_M = 0.1;
 
   private final Course course;
@@ -58,7 +58,7 @@ final class RampRules {
     for (ObjectDescription object : course.objects()) {
       boolean isSpot = !(object instanceof PolyLine) && !object.objectType().equals(Course.START);
       if (isSpot && isNear(object.center(), 0.5)) {
-        fault(" has %s on it, or beside it", object.uid());
+        fault(" has %s on or beside it", object.uid());
       }
     }
     Course.Start start = course.start();
@@ -70,7 +70,7 @@ final class RampRules {
       over += leadsOver(line) ? 1 : 0;
     }
     if (over != 2) {
-      fault(" has %d lines that lead over it", over);
+      fault(" has %d lines across it", over);
     }
     for (ObjectDescription end : course.of(Course.END)) {
       if (((PolyLine) end).points().stream().anyMatch(point -> isNear(point, 0.0))) {

@@ -85,7 +85,7 @@ final class RunSnapshots {
     pen.drawImage(sight, 0, 0, null);
     pen.drawImage(map, 0, sight.getHeight(), null);
     pen.dispose();
-    directory.toFile().mkdirs(); // a failure is reported by the next line
+    directory.toFile().mkdirs(); // the next line reports a failure
     ReportFile.write(
         directory.resolve(String.format(Locale.ROOT, "%03.0f.png", nowS)),
         out -> {

@@ -19,7 +19,7 @@ record VehicleOutline(double frontM, double rearM, double widthM) {
   private static final double TYRES_M = 0.06; // half a tyre on each side
   private static final double MAPPED_M = 0.14; // obstacle inflation in the grid, both sides
 
-  /** Copy with another width [m]. */
+  /** Copy with a different width [m]. */
   VehicleOutline wide(double newWidthM) {
     return new VehicleOutline(frontM, rearM, newWidthM);
   }

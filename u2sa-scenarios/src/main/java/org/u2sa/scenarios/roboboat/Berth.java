@@ -3,9 +3,9 @@ package org.u2sa.scenarios.roboboat;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** The bay of a dock, by the truth. Lengths are along the way into it and across. */
+/** The bay of a dock, by ground truth. Lengths are along the direction of entry and across it. */
 final class Berth {
-  /** From the place of a boat's centre, when it is docked, to the back wall [m]. */
+  /** Distance from the centre of a docked boat to the back wall [m]. */
   static final double WALL_M = 0.75;
 
   /** Length of the fingers from the back wall [m]. */
@@ -27,7 +27,7 @@ final class Berth {
     wall = TaskSite.at(dock.station(), headingRad, TaskSite.DOCK_WAY_M + WALL_M, 0.0);
   }
 
-  /** Whether the boat is docked: its bow came close to the wall, and is not gone since. */
+  /** Whether the boat is docked: its bow has come close to the wall and not left since. */
   boolean isDocked(VehicleTruth boat) {
     Point bow = bow(boat);
     isDocked = isInside(bow) && bow.x() > (isDocked ? -GONE_M : -CLOSE_M);
@@ -43,7 +43,7 @@ final class Berth {
     return bow.x() > -FINGERS_M && Math.abs(bow.y()) < WIDTH_M / 2.0;
   }
 
-  /** Ahead of the wall, which is negative outside, and right of the middle [m]. */
+  /** Distance beyond the wall, negative in front of it, and to the right of the middle [m]. */
   private Point bow(VehicleTruth boat) {
     double north = boat.position().y() + BOW_M * Math.cos(boat.headingRad()) - wall.x();
     double east = boat.position().x() + BOW_M * Math.sin(boat.headingRad()) - wall.y();

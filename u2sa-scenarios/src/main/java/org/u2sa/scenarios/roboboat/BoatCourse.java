@@ -19,14 +19,14 @@ import org.u2sa.sim.world.World;
 
 /**
  * A course: two speed gates ahead of the start, a channel of gates that ends at a blue buoy, and
- * the weather. Places are north and east of the start, which faces north [m].
+ * the weather. Positions are north and east of the start, which faces north [m].
  *
- * @param start place of the boat at the start
- * @param headingRad its heading there
- * @param speedGates to be passed first
+ * @param start initial position of the boat
+ * @param headingRad initial heading
+ * @param speedGates speed gates, passed first
  * @param channel gates of the channel, in order
- * @param end the blue buoy behind it
- * @param sites of the optional tasks
+ * @param end the blue buoy behind the channel
+ * @param sites sites of the optional tasks
  */
 record BoatCourse(
     Point start,
@@ -65,7 +65,7 @@ record BoatCourse(
    * @param currentNorthMps northward current
    * @param waveM significant height of the waves; 0: none
    * @param wavePeriodS their peak period
-   * @param seed of gusts and waves
+   * @param seed seed of gusts and waves
    */
   record Weather(
       double windMps,
@@ -76,7 +76,7 @@ record BoatCourse(
       double wavePeriodS,
       long seed) {}
 
-  /** The same course with the last gate only, and the boat before it. */
+  /** The same course with the last gate only and the boat in front of it. */
   BoatCourse tasksOnly() {
     Gate last = channel.get(channel.size() - 1);
     double heading = Math.atan2(last.way().y(), last.way().x());
@@ -139,7 +139,7 @@ record BoatCourse(
         .with(Wind.gusty(weather.windFromRad(), weather.windMps(), weather.seed()));
   }
 
-  /** Where a run ends: north, east [m]. */
+  /** Position at which a run ends: north, east [m]. */
   Point home() {
     return TaskSite.at(start(), headingRad(), -HOME_BEHIND_M, 0.0);
   }

@@ -18,7 +18,7 @@ final class BoatCourseGenerator {
   private static final double MAX_WIND_MPS = 6.0;
   private static final double MAX_CURRENT_MPS = 0.5;
   private static final double MAX_WAVE_M = 0.12;
-  private static final double END_M = 10.0; // of the blue buoy behind the last gate
+  private static final double END_M = 10.0; // distance of the blue buoy behind the last gate
   private static final double END_ASIDE_M = 1.5;
 
   private final Random random;

@@ -21,7 +21,7 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores a run by the truth: speed gates, channel out and back in order, each in its direction;
+ * Scores a run by ground truth: speed gates, channel out and back in order, each in its direction;
  * contacts; the optional tasks; and the time limit.
  */
 final class BoatJudge implements TruthObserver.Scorer {
@@ -63,7 +63,7 @@ final class BoatJudge implements TruthObserver.Scorer {
       return passed == gates.size();
     }
 
-    /** Returns a line for the log if the move leads through the next gate; else null. */
+    /** Returns a line for the log if the move passes through the next gate, otherwise null. */
     String move(Point from, Point to, double headingRad, double timeS) {
       if (isDone() || !gates.get(passed).isPassed(from, to)) {
         return null;

@@ -13,18 +13,18 @@ import org.u2sa.scenarios.roboboat.subvehicle.QuadrotorOnDeck;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * What a team is told of a course: where each task is, roughly, and the colours. After the channel
- * and after each task, all other tasks and the return are current; the planner chooses (OPTIONS is
- * ANY).
+ * Information given to a team: the approximate position of each task, and the colours. After the
+ * channel and after each task, all other tasks and the return are current; the planner chooses
+ * (OPTIONS is ANY).
  */
 final class BoatMission {
   /** Name of the sub-vehicle's goal. */
   static final String FETCH = "fetch";
 
-  private static final double BEFORE_M = 4.0; // of a channel's entrance before its first gate
-  private static final double HOMEWARD_MPS = 0.6; // for the time to get home
+  private static final double BEFORE_M = 4.0; // from a channel's entrance to its first gate
+  private static final double HOMEWARD_MPS = 0.6; // assumed speed on the way home
   private static final double RESERVE_S = 60.0;
-  private static final double GRIP_M = 0.25; // of the quadrotor above the deck, at the puck
+  private static final double GRIP_M = 0.25; // height of the quadrotor above the deck, at the puck
 
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
   private final BoatCourse course;
@@ -39,8 +39,8 @@ final class BoatMission {
   /**
    * Writes the mission of a course.
    *
-   * @param gatesOnly whether it has no optional tasks, and tells the number of gates in place of
-   *     the buoy at the end
+   * @param gatesOnly whether to omit the optional tasks and give the number of gates instead of the
+   *     buoy at the end
    */
   static Mission write(BoatCourse course, boolean gatesOnly, Path file) {
     String text = new BoatMission(course, gatesOnly).text();
@@ -112,7 +112,7 @@ final class BoatMission {
     }
   }
 
-  /** Only once the boat is docked: the sub-vehicle's task, and then out of the dock. */
+  /** The sub-vehicle's task, then undocking; both only once the boat is docked. */
   private void fetch(TaskSite dock) {
     Point at = TaskSite.at(dock.station(), dock.headingRad(), TaskSite.DOCK_WAY_M + 1.0, 0.0);
     text.append("  <fetchGoal>").append(name(FETCH)).append(place(at));
@@ -146,7 +146,7 @@ final class BoatMission {
     return String.join(", ", names);
   }
 
-  /** Time by which the boat has to set out for home from a place [s of the run]. */
+  /** Time by which the boat must leave a position to get home [s of the run]. */
   private double endByS(Point from) {
     double metres = 0.0;
     Point at = from;

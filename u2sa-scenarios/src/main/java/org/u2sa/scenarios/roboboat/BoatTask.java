@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
-/** A task near a place that is known roughly, and the objects that it needs (thesis 4.2.1.3). */
+/** A task near an approximately known position, and the objects that it needs (thesis 4.2.1.3). */
 public class BoatTask extends GoalInformation {
   private static final Schema<BoatTask> SCHEMA =
       Schema.of(BoatTask.class, BoatTask::new, GoalInformation.TYPE);
@@ -51,7 +51,7 @@ public class BoatTask extends GoalInformation {
     return put(X, longitudeDeg).put(Y, latitudeDeg);
   }
 
-  /** Time that the task usually takes at its station [s]; 0 if unknown. */
+  /** Usual duration of the task at its station [s]; 0 if unknown. */
   public double expectedTime() {
     return get(EXPECTED_TIME).orElse(0.0);
   }
@@ -67,14 +67,14 @@ public class BoatTask extends GoalInformation {
   }
 
   /**
-   * Time since the start of the mission by which the task has to be finished, so that there is time
-   * to get home [s]; empty: any.
+   * Mission time by which the task must be finished to leave enough time to get home [s]; empty:
+   * any.
    */
   public OptionalDouble endBy() {
     return get(END_BY);
   }
 
-  /** Whether it is chosen only if no other current goal can be finished in time. */
+  /** Whether the task is chosen only if no other current goal can be finished in time. */
   public boolean fallback() {
     return Boolean.TRUE.equals(get(FALLBACK));
   }

@@ -41,7 +41,7 @@ public final class BuoyChannel extends BoatTask {
     return require(RIGHT);
   }
 
-  /** Whether the channel ends at a buoy of a colour of its own. */
+  /** Whether the channel ends at a buoy of a distinct colour. */
   public boolean endsAtBuoy() {
     return get(END) != null;
   }

@@ -23,30 +23,30 @@ import org.u2sa.scenarios.roboboat.gate.GateSequence;
 import org.u2sa.scenarios.roboboat.gate.SailingPath;
 
 /**
- * Passes the gates of a {@link BuoyChannel} in order: always the nearest one ahead that has not
- * been passed. Far from it, it goes around obstacles to a place before the gate; otherwise it
- * follows the line through the middles of the gates.
+ * Passes the gates of a {@link BuoyChannel} in order: always the nearest gate ahead that has not
+ * been passed. Far from it, the boat goes around obstacles to a point in front of the gate;
+ * otherwise it follows the line through the middles of the gates.
  */
 final class ChannelState extends TaskState {
   private static final double BEFORE_M = 4.0; // beyond a gate without a known next one
   private static final double FULL_SPEED_M =
       8.0; // distance of a point at which control does not slow down
-  private static final double AHEAD_M = 2.2; // of the point on the line to steer to
-  private static final double FIRST_M = 8.0; // from the entrance to the first gate
+  private static final double AHEAD_M = 2.2; // look-ahead along the line
+  private static final double FIRST_M = 8.0; // maximum distance from the entrance to the first gate
   private static final double AT_ENTRANCE_M = 3.0;
-  private static final double LOOK_S = 30.0; // at the entrance, for the first gate
+  private static final double LOOK_S = 30.0; // time to search for the first gate at the entrance
   private static final double BLIND_M =
       10.0; // straight on without a gate in sight, which is farther than the next gate
-  private static final double AT_END_M = 8.0; // from the buoy at the end
+  private static final double AT_END_M = 8.0; // distance from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
-  private static final double APPROACH_MPS = 1.2; // to a gate's axis, and to the buoy at the end
-  private static final double MOVED_M = 0.8; // of the start of the run: the way is planned again
-  private static final double OFF_M = 1.2; // from the planned way: it is planned again
+  private static final double APPROACH_MPS = 1.2; // speed to a gate's axis and the end buoy
+  private static final double MOVED_M = 0.8; // shift of the start of the run that causes replanning
+  private static final double OFF_M = 1.2; // deviation from the planned path that causes replanning
   private static final double RETRY_M = 0.5; // between two attempts to plan
-  private static final double ARRIVED_M = 1.5; // from a place before the gate
+  private static final double ARRIVED_M = 1.5; // distance from the point in front of the gate
   private static final int DIRECTIONS = 8; // tried there
-  private static final double DECIDE_M = 3.0; // before a gate: the last place to break off
-  private static final double STEEPEST = 0.25; // of the way back to the line, aside per metre
+  private static final double DECIDE_M = 3.0; // last point in front of a gate at which to break off
+  private static final double STEEPEST = 0.25; // slope of the way back to the line
   private static final double TWICE_M = 2.5; // between buoys of a colour: the same one
   private static final double UNKNOWN_SIGMA_M = 10.0;
   private static final int MAX_BREAK_OFFS = 3;
@@ -54,9 +54,9 @@ final class ChannelState extends TaskState {
   private final GateSequence gates = new GateSequence();
   private Optional<Point> lineFrom = Optional.empty(); // start of the line to the next gate
   private Optional<GateApproach> approach = Optional.empty(); // while not on that line
-  private Optional<Point> triedAt = Optional.empty(); // place of the last planning
-  private OptionalDouble arrivedS = OptionalDouble.empty(); // at the entrance, without a gate
-  private double turnsS; // time of the next plan that begins with a turn
+  private Optional<Point> triedAt = Optional.empty(); // position at the last planning
+  private OptionalDouble arrivedS = OptionalDouble.empty(); // arrival at the entrance
+  private double turnsS; // time of the next plan starting with a turn
   private int breakOffs;
 
   ChannelState(PlannerView surroundings) {
@@ -123,11 +123,11 @@ final class ChannelState extends TaskState {
   }
 
   /**
-   * Places of the buoys of a colour. A buoy that is on the map twice, as sightings from afar missed
-   * it, is where it is known best: gates are 4 m apart or more, so two of a colour are never that
-   * near.
+   * Positions of the buoys of a colour. A buoy mapped twice, because distant sightings were
+   * inaccurate, counts once, at its most certain position: gates are at least 4 m apart, so two
+   * buoys of a colour are never that close.
    *
-   * @param places the best known first
+   * @param places most certain first
    */
   static List<Point> known(Stream<Point> places) {
     List<Point> known = new ArrayList<>();
@@ -137,7 +137,7 @@ final class ChannelState extends TaskState {
     return known;
   }
 
-  /** Outlines of all objects but those of buoys that are on the map once more. */
+  /** Outlines of all objects except duplicates of buoys. */
   private List<PlanarShape> obstacles(Pursuit pursuit) {
     BuoyChannel goal = (BuoyChannel) pursuit.goal();
     StateInformation state = pursuit.state();
@@ -196,7 +196,7 @@ final class ChannelState extends TaskState {
     return steer(pursuit, here, line.ahead(here, AHEAD_M), now.speed(), now);
   }
 
-  /** Whether the boat comes too far from the axis of the first gate to pass it. */
+  /** Whether the boat drifts too far from the axis of the first gate to pass it. */
   private boolean mustBreakOff(Gate gate, GateLine line, Point here) {
     double ahead = gate.aheadM(here);
     return gates.last().isEmpty()
@@ -206,7 +206,7 @@ final class ChannelState extends TaskState {
         && Math.abs(line.asideM(here)) > STEEPEST * ahead;
   }
 
-  /** Along planned arcs to the start of a straight run; while there are none, around objects. */
+  /** Follows planned arcs to the start of a straight run; without a plan, goes around objects. */
   private Plan approach(Gate gate, Point here, Pursuit pursuit, BuoyChannel now) {
     StateInformation state = pursuit.state();
     boolean isOff =
@@ -232,7 +232,7 @@ final class ChannelState extends TaskState {
     return steer(pursuit, here, path.ahead(AHEAD_M), APPROACH_MPS, now);
   }
 
-  /** Plans, each second, a way that begins in any direction: there is room to turn on the spot. */
+  /** Plans once a second, starting in any direction, because there is room to turn on the spot. */
   private boolean planTurning(Gate gate, Point here, Pursuit pursuit) {
     if (pursuit.missionS() < turnsS) {
       return false;
@@ -260,7 +260,7 @@ final class ChannelState extends TaskState {
     return Plan.underWay(List.of(point.speed(speedMps))).changing(now);
   }
 
-  /** To the entrance; from there, or from the last gate, straight on until a gate is seen. */
+  /** Goes to the entrance; from there, or from the last gate, straight on until a gate is seen. */
   private Plan search(Pursuit pursuit, Point here, BuoyChannel now) {
     if (gates.last().isEmpty()) {
       Point entrance = station(now, pursuit.state());

@@ -33,7 +33,7 @@ public record Dart(Point from, Point velocity) {
         boat.position().plus(muzzle.axesExchanged()), boat.velocity().plus(way.axesExchanged()));
   }
 
-  /** Whether it flies through an upright hoop in LOCAL_ENU. */
+  /** Whether the dart flies through an upright hoop in LOCAL_ENU. */
   public boolean passes(Hoop hoop) {
     double east = Math.cos(hoop.psi());
     double north = Math.sin(hoop.psi());

@@ -6,8 +6,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A dock to be entered bow first along a straight way, or left backwards (thesis 4.2). The station
- * is the start of the way, psi its direction.
+ * A dock to be entered bow first along a straight line, or left in reverse (thesis 4.2). The
+ * station is the start of the line, psi its direction.
  */
 public final class DockBoat extends BoatTask {
   private static final Schema<DockBoat> SCHEMA =

@@ -12,27 +12,27 @@ import org.u2sa.planning.Pursuit;
 import org.u2sa.scenarios.roboboat.gate.GateLine;
 
 /**
- * {@link DockBoat}: along the line to the berth until the boat lies still at the wall; another
- * attempt if it is off the line before the entrance.
+ * {@link DockBoat}: follows the line to the berth until the boat lies still at the wall; tries
+ * again if it is off the line in front of the entrance.
  */
 final class DockState extends StationTaskState {
   private static final double ALIGNED_RAD = Math.toRadians(30.0);
-  private static final double AHEAD_M = 1.5; // of the point on the line to steer to
+  private static final double AHEAD_M = 1.5; // look-ahead along the line
   private static final double ENTER_MPS =
       1.1; // slower, a current from the side would turn the bow off the line too far
   private static final double INSIDE_M = 0.9; // before the berth: the bow is between the fingers
   private static final double TOUCH_MPS = 0.5;
-  private static final double FULL_SPEED_M = 3.0; // of a point at which control keeps that speed
-  private static final double ENTRANCE_M = 2.5; // before the berth: last place to break off
-  private static final double OFF_M = 0.6; // from the line
-  private static final double BACK_M = 2.0; // from the station, to try again
-  private static final double IN_M = 0.6; // from the berth
-  private static final double STILL_S = 5.0; // in one place, where the quadrotor will look for it
-  private static final double SLIDES_M = 0.15; // more than waves move it to and fro
+  private static final double FULL_SPEED_M = 3.0; // distance to a point passed at that speed
+  private static final double ENTRANCE_M = 2.5; // last distance to break off the approach
+  private static final double OFF_M = 0.6; // cross-track distance
+  private static final double BACK_M = 2.0; // distance from the station to try again
+  private static final double IN_M = 0.6; // distance from the berth
+  private static final double STILL_S = 5.0; // at rest, so the quadrotor finds the boat there
+  private static final double SLIDES_M = 0.15; // more than the motion caused by waves
   private static final double TURNS_RAD = Math.toRadians(8.0);
-  private static final double LEFT_M = 3.5; // from the berth
+  private static final double LEFT_M = 3.5; // distance from the berth
   private static final double BACK_MPS = 0.7;
-  private static final double LEAVE_MPS = 1.6; // before a current carries it to the fingers
+  private static final double LEAVE_MPS = 1.6; // fast, lest the current push it aside
 
   private enum Phase {
     ALIGN,
@@ -42,7 +42,7 @@ final class DockState extends StationTaskState {
   }
 
   private Phase phase = Phase.ALIGN;
-  private long stillMicros; // since when, in the dock; Long.MIN_VALUE: not
+  private long stillMicros; // at rest in the dock since; Long.MIN_VALUE: not at rest
   private Point lay = Point.ORIGIN; // place from the station then: north, east
   private double layPsi;
 
@@ -102,7 +102,7 @@ final class DockState extends StationTaskState {
     };
   }
 
-  /** Towards a place on the line, without slowing down for it. */
+  /** Goes towards a point on the line without slowing down for it. */
   private NavigationPoint in(StateInformation state, Point place, double toGoM) {
     Point here = surroundings.here(state);
     double share = FULL_SPEED_M / Math.max(AHEAD_M, here.flatDistanceTo(place));

@@ -6,8 +6,8 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Darts to be shot through a hoop on the shore, whose type is in objectTypes: over after a number
- * of shots or a time at the station (thesis 4.2.1.3).
+ * Shoots darts through a hoop on the shore, whose type is in objectTypes; ends after a number of
+ * shots or a time at the station (thesis 4.2.1.3).
  */
 public final class HulaHoop extends BoatTask {
   private static final Schema<HulaHoop> SCHEMA =
@@ -25,12 +25,12 @@ public final class HulaHoop extends BoatTask {
     return TYPE;
   }
 
-  /** Shots after which the task is over; 6 if unset. */
+  /** Shots after which the task ends; defaults to 6. */
   public long maxShots() {
     return optionalCount(MAX_SHOTS).orElse(6L);
   }
 
-  /** Time at the station after which the task is over [s]; 90 if unset. */
+  /** Time at the station after which the task ends [s]; defaults to 90. */
   public double maxSeconds() {
     return get(MAX_SECONDS).orElse(90.0);
   }

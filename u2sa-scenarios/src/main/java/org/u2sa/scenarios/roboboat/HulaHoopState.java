@@ -13,8 +13,8 @@ import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
 /**
- * {@link HulaHoop}: turns the bow, on which the gun is fixed, to the hoop and fires while it points
- * there. A navigation point of the subsystem DART GUN is the order to fire.
+ * {@link HulaHoop}: turns the bow, where the gun is mounted, to the hoop and fires while it points
+ * there. A navigation point of the subsystem DART GUN triggers the gun.
  */
 final class HulaHoopState extends StationTaskState {
   /** Subsystem of the gun, and its actuator. */
@@ -24,12 +24,12 @@ final class HulaHoopState extends StationTaskState {
   private static final double STEADY_S = 0.3; // aimed before a shot
   private static final double ORDER_S = 0.6; // longer than the gun's interlock holds
   private static final double RELOAD_S = 3.0;
-  private static final double UNSEEN_S = 45.0; // at the station, until it is given up
+  private static final double UNSEEN_S = 45.0; // time at the station before giving up
   private static final double NEAREST_M = 2.0; // range of the shots
   private static final double FARTHEST_M = 6.5;
 
   private long shots;
-  private long aimedMicros; // since when; Long.MIN_VALUE: not
+  private long aimedMicros; // start time; Long.MIN_VALUE: not started
   private long firedMicros; // last order; Long.MIN_VALUE: none
 
   HulaHoopState(PlannerView surroundings) {

@@ -4,8 +4,8 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Of two buttons above the water, press the one beside a submerged buoy with the bow; objectTypes
- * names the buttons and then the buoy (thesis 4.2).
+ * Presses with the bow the one of two buttons above the water that is beside a submerged buoy;
+ * objectTypes names the buttons, then the buoy (thesis 4.2).
  */
 public final class PressButton extends BoatTask {
   private static final Schema<PressButton> SCHEMA =

@@ -14,12 +14,12 @@ import org.u2sa.planning.Pursuit;
  * and backs off.
  */
 final class PressButtonState extends StationTaskState {
-  private static final double BESIDE_M = 1.2; // from the button to its buoy
+  private static final double BESIDE_M = 1.2; // maximum distance from the button to its buoy
   private static final double PRESSED_M = 0.55; // from the boat's centre: inside of the bow
   private static final double BEAM_M = 0.5; // beside the boat's centre
   private static final double PRESS_MPS = 0.8;
   private static final double BACK_MPS = 1.6;
-  private static final double OFF_M = 3.5; // from the button, backed off
+  private static final double OFF_M = 3.5; // distance from the button after backing off
   private static final double BESIDE_BOW_RAD = Math.toRadians(70.0); // the button was missed
   private static final double GIVE_UP_S = 45.0;
 
@@ -61,9 +61,7 @@ final class PressButtonState extends StationTaskState {
       button = find(task, state).or(() -> button);
     }
     if (button.isEmpty()) {
-      return sinceS > GIVE_UP_S
-          ? givenUp("no button beside a buoy was seen")
-          : lookOut(task, state);
+      return sinceS > GIVE_UP_S ? givenUp("saw no button beside a buoy") : lookOut(task, state);
     }
     Point here = surroundings.here(state);
     double away = here.flatDistanceTo(button.get());
@@ -73,7 +71,7 @@ final class PressButtonState extends StationTaskState {
       phase = Phase.PRESS;
     }
     if (phase == Phase.PRESS && away < PRESSED_M + BEAM_M && Math.abs(off) > BESIDE_BOW_RAD) {
-      phase = Phase.BACK_OFF; // passed it: once more
+      phase = Phase.BACK_OFF; // missed: try again
     } else if (phase == Phase.PRESS && away < PRESSED_M) {
       isPressed = true;
       phase = Phase.BACK_OFF;
@@ -96,7 +94,7 @@ final class PressButtonState extends StationTaskState {
     return Plan.underWay(List.of());
   }
 
-  /** The button that is nearest to the buoy. */
+  /** The button nearest to the buoy. */
   private Optional<Point> find(BoatTask task, StateInformation state) {
     if (task.objectTypes().size() != 2) {
       return Optional.empty();

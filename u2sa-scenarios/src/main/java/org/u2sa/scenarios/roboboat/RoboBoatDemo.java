@@ -48,7 +48,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--radio-fails",
-      description = "Nothing is heard of the quadrotor: the boat has to leave the dock without it.")
+      description = "Suppress the quadrotor's reports: the boat must leave the dock without it.")
   private boolean radioFails;
 
   @Option(

@@ -22,7 +22,7 @@ abstract class StationTaskState extends TaskState {
   private static final double CARRIED_OFF_M = 2.5;
   private static final double WAY_MPS = 1.2;
   private static final double NEAR_M = 10.0; // objects of a station
-  private static final double LIMIT_S = 200.0; // after which it is left, with the way there
+  private static final double LIMIT_S = 200.0; // timeout of a task, including the approach
 
   private long enteredMicros; // Long.MIN_VALUE: not yet
   private boolean isThere;
@@ -32,7 +32,7 @@ abstract class StationTaskState extends TaskState {
     super(surroundings);
   }
 
-  /** Resets what the state remembers, for a task that begins. */
+  /** Resets the state for a new task. */
   abstract void begin(BoatTask task);
 
   /**
@@ -95,7 +95,7 @@ abstract class StationTaskState extends TaskState {
     return new Plan(List.of(), Plan.Progress.ABANDONED, "given up: " + reason);
   }
 
-  /** The object of a type that is nearest to a place, within the surroundings of the station. */
+  /** The object of a type nearest to a point, among those near the station. */
   final Optional<ObjectDescription> nearest(
       String type, Point to, BoatTask task, StateInformation state) {
     Point station = station(task, state);
@@ -115,7 +115,7 @@ abstract class StationTaskState extends TaskState {
         .turn(Math.IEEEremainder(turn, 2.0 * Math.PI));
   }
 
-  /** Back to the station, stern first, also against wind and current from the side. */
+  /** Returns to the station stern first, even against wind and current from the side. */
   final Plan back(BoatTask task, StateInformation state, double speedMps) {
     NavigationPoint point = surroundings.straight(state, station(task, state));
     return Plan.underWay(List.of(point.backwards(true).speed(speedMps)));

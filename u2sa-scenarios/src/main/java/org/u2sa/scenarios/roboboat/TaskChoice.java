@@ -1,20 +1,20 @@
 package org.u2sa.scenarios.roboboat;
 
 /**
- * Cost of a task, by which the planner chooses among those that are current (thesis 4.2.1.3): the
- * time that it is expected to take, over its probability of success. A task that would leave too
- * little time to get home costs infinitely much.
+ * Cost by which the planner chooses among the current tasks (thesis 4.2.1.3): expected duration
+ * divided by the probability of success. A task that would leave too little time to get home has
+ * infinite cost.
  */
 final class TaskChoice {
-  private static final double CRUISE_MPS = 0.8; // on the way, with turns and detours
-  private static final double LAST_S = 1.0e6; // of a fallback: more than any task costs
+  private static final double CRUISE_MPS = 0.8; // mean speed, including turns and detours
+  private static final double LAST_S = 1.0e6; // cost of a fallback: more than any task's
 
   private TaskChoice() {}
 
   /**
    * Returns the cost [s].
    *
-   * @param wayM distance of the station [m]
+   * @param wayM distance to the station [m]
    * @param missionS time since the start of the mission [s]
    */
   static double costS(BoatTask task, double wayM, double missionS) {

@@ -24,9 +24,9 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Scores the optional tasks by the truth: darts through the right hoop, the right button pressed,
- * the reported place of the hot target, and the puck fetched from the dock. Confined to the judge's
- * thread.
+ * Scores the optional tasks by ground truth: darts through the right hoop, the right button
+ * pressed, the reported position of the hot target, and the puck fetched from the dock. Confined to
+ * the judge's thread.
  */
 final class TaskJudge {
   /** Largest error of a reported target that counts [m]. */
@@ -54,7 +54,7 @@ final class TaskJudge {
     this.log = log;
   }
 
-  /** Judges the trigger of the dart gun: it fires as it is pulled. */
+  /** Judges a shot when the dart gun's trigger is pulled. */
   void trigger(boolean isPulled, VehicleTruth boat) {
     if (isPulled && !wasPulled) {
       fired++;

@@ -5,11 +5,11 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Place of an optional task (thesis 4.2) and its objects.
+ * Site of an optional task (thesis 4.2) and its objects.
  *
  * @param station where a boat stops for it: north, east of the course's origin [m]
- * @param headingRad from the station to the objects, clockwise from north
- * @param sought type of the object that the task is about
+ * @param headingRad heading from the station to the objects, clockwise from north
+ * @param sought type of the task's target object
  * @param objects all objects, in LOCAL_ENU of the origin
  */
 record TaskSite(
@@ -24,7 +24,7 @@ record TaskSite(
     BUTTON(new Outlook(30.0, 0.8)),
     /** Enter a dock, and have the sub-vehicle fetch the puck from it. */
     DOCK(new Outlook(110.0, 0.7)),
-    /** Report where the target is that is hotter than the others. */
+    /** Report the position of the hottest target. */
     TARGET(new Outlook(12.0, 0.95));
 
     private final Outlook outlook;
@@ -39,10 +39,10 @@ record TaskSite(
   }
 
   /**
-   * What a team expects of a task.
+   * A team's expectation of a task.
    *
    * @param expectedS time at the station
-   * @param probability of success, 0…1
+   * @param probability probability of success, 0…1
    */
   record Outlook(double expectedS, double probability) {}
 

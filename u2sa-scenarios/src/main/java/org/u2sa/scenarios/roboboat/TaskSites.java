@@ -28,11 +28,11 @@ final class TaskSites {
   private static final double HOOP_APART_M = 1.6;
   private static final double HOOP_RADIUS_M = 0.45;
   private static final double HOOP_TUBE_M = 0.03;
-  private static final double SHORE_HEIGHT_M = 1.0; // of hoops and targets above the water
+  private static final double SHORE_HEIGHT_M = 1.0; // height of hoops and targets above the water
   private static final double BUTTON_AHEAD_M = 4.0;
   private static final double BUTTON_ASIDE_M = 1.5;
   private static final double BUTTON_M = 0.4; // width, height
-  private static final double BUTTON_HEIGHT_M = 0.3; // of its centre above the water
+  private static final double BUTTON_HEIGHT_M = 0.3; // height of its centre above the water
   private static final double BUOY_BEHIND_M = 0.5; // the submerged buoy, of its button
   private static final double BUOY_DEPTH_M = 0.6;
   private static final double BUOY_RADIUS_M = 0.15;
@@ -43,7 +43,7 @@ final class TaskSites {
   private static final double DOCK_WALL_M = 0.3;
   private static final double PUCK_RADIUS_M = 0.0381;
   private static final double PUCK_HEIGHT_M = 0.0254;
-  private static final double THICKNESS_M = 0.1; // of buttons and targets
+  private static final double THICKNESS_M = 0.1; // thickness of buttons and targets
 
   private final Random random;
 

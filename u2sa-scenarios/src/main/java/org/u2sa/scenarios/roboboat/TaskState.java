@@ -11,7 +11,7 @@ import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
-/** What all tasks at a station have in common: finding it, and its objects. */
+/** Common part of all tasks at a station: finding the station and its objects. */
 abstract class TaskState implements PlannerState {
   final PlannerView surroundings;
 

@@ -7,7 +7,7 @@ import org.u2sa.planning.Plan;
 
 /** {@link BumpBuoy}: straight into a buoy. */
 final class BuoyState extends SightState {
-  private static final double TOUCHED_M = 0.25; // from centre to centre, inside of both hulls
+  private static final double TOUCHED_M = 0.25; // distance of centres when hulls overlap
 
   BuoyState(TaskSight sight) {
     super(sight);

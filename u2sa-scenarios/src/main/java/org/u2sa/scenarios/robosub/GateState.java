@@ -13,7 +13,7 @@ final class GateState extends SightState {
       2.0; // distance of the place on the gate's axis to approach first
   private static final double ON_AXIS_M = 0.3;
   private static final double BEYOND_M = 1.0;
-  private static final double AHEAD_M = 1.2; // of the point on the axis to steer to
+  private static final double AHEAD_M = 1.2; // look-ahead along the axis
 
   private Optional<Point> axis = Optional.empty(); // level unit vector through the gate
   private boolean isThrough;

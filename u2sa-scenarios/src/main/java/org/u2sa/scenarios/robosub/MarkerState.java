@@ -7,13 +7,13 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
-/** {@link FollowMarker}: above a path marker, then along it, onwards. */
+/** {@link FollowMarker}: goes above a path marker, then follows its direction. */
 final class MarkerState extends SightState {
   private static final double ABOVE_M = 0.3; // level distance from the marker
   private static final double ALONG_M =
-      1.2; // distance along it after which the direction counts as followed
+      1.2; // distance along the marker after which its direction counts as followed
   private static final double FACING_RAD = 0.2;
-  private static final double AHEAD_M = 1.0; // of the point on the axis to steer to
+  private static final double AHEAD_M = 1.0; // look-ahead along the axis
 
   private Optional<Point> came = Optional.empty(); // level way to the marker when first seen
   private Optional<Point> axis = Optional.empty(); // level unit vector, once above it

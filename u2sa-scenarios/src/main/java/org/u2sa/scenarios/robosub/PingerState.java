@@ -9,14 +9,14 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
 /**
- * {@link HomeOnPinger}: up a little, then level until the pinger is straight below. Only its
- * direction is needed, not its distance.
+ * {@link HomeOnPinger}: rises a little, then moves horizontally until the pinger is straight below.
+ * Only its direction is needed, not its distance.
  */
 final class PingerState extends SightState {
   private static final double CLIMB_S = 4.0; // initial climb, to clear obstacles
   private static final double CLIMB_M = 2.0; // far enough for full speed
-  private static final double ABOVE_M = 0.3; // level distance that counts as above it
-  private static final double SLOPE = 0.12; // or the level distance per height: 7 degrees
+  private static final double ABOVE_M = 0.3; // horizontal distance that counts as above the pinger
+  private static final double SLOPE = 0.12; // or horizontal distance per height: 7 degrees
 
   private long enteredMicros;
   private Optional<Double> downM = Optional.empty(); // depth to keep, on the planner's plane
@@ -50,7 +50,7 @@ final class PingerState extends SightState {
     if (levelM < Math.max(ABOVE_M, SLOPE * way.z())) {
       double slopeRad = Math.atan2(levelM, way.z());
       return completed(
-          String.format(Locale.ROOT, "above it, within %.1f deg", Math.toDegrees(slopeRad)));
+          String.format(Locale.ROOT, "above pinger, within %.1f deg", Math.toDegrees(slopeRad)));
     }
     return to(task, state, Point.of(way.x(), way.y(), keptM - hereM));
   }

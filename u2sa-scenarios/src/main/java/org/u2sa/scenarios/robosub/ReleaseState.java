@@ -19,7 +19,7 @@ abstract class ReleaseState extends SightState {
   private long shotMicros;
 
   /**
-   * @param actuator name of the release, and of its subsystem
+   * @param actuator name of the release and of its subsystem
    */
   ReleaseState(TaskSight sight, String actuator) {
     super(sight);

@@ -8,11 +8,11 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
-/** {@link SurfaceInRing}: below the middle of a floating ring well under it, then up. */
+/** {@link SurfaceInRing}: goes well below the middle of a floating ring, then surfaces. */
 final class RingState extends SightState {
   private static final double BELOW_M = 0.25; // level distance from the middle
   private static final double DEPTH_M = 1.5; // below the ring on the way there
-  private static final double CLIMB_M = 0.3; // deeper by more than this, it climbs in place
+  private static final double CLIMB_M = 0.3; // climbs vertically if deeper than this
   private static final double ABOVE_M =
       1.0; // the ring's height is known only roughly: rise until the depth stops changing
   private static final double STEP_M = 0.05; // smaller rises are ignored

@@ -20,15 +20,15 @@ import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
 /**
- * Approaches a place defined by objects of the world model, up to the task's distance. Searches
+ * Approaches a position defined by objects of the world model, up to the task's distance. Searches
  * ahead and then around while the objects are unknown, and gives up after a while.
  */
 abstract class SightState implements PlannerState {
-  private static final double UNKNOWN_M = 1.0e6; // distance of a task whose objects are unseen
+  private static final double UNKNOWN_M = 1.0e6; // assumed if a task's objects are unseen
   private static final double GIVE_UP_S = 60.0; // without sight of the objects
   private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
   private static final double AROUND_S = 15.0;
-  private static final double BLIND_S = 40.0; // without any sight: it looks around only
+  private static final double BLIND_S = 40.0; // without any sighting, only looks around
   private static final double AROUND_RAD = 0.3; // heading ahead of the vehicle's, to keep turning
   private static final double FACED_M =
       0.7; // nearer places are approached without turning toward them
@@ -179,10 +179,7 @@ abstract class SightState implements PlannerState {
     return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
-  /**
-   * Moves straight, heading toward it, to a place at this vector from the vehicle: north, east,
-   * down [m].
-   */
+  /** Moves straight to a point, facing it; vector from the vehicle: north, east, down [m]. */
   final Plan to(SubTask task, StateInformation state, Point way) {
     Point place = surroundings.here(state).plus(way);
     NavigationPoint point = surroundings.straight(state, place).speed(task.speed());

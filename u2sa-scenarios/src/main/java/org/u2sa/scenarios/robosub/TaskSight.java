@@ -2,7 +2,7 @@ package org.u2sa.scenarios.robosub;
 
 import org.u2sa.planning.PlannerView;
 
-/** What the states of all goals see, and when one of them last saw what it goes to. */
+/** The objects that all goal states see, and the time of the last sighting of a target. */
 final class TaskSight {
   final PlannerView surroundings;
   private long lastMicros = Long.MIN_VALUE; // until the first step

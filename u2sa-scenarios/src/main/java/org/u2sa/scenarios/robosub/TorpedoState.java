@@ -34,7 +34,7 @@ final class TorpedoState extends ReleaseState {
 
   @Override
   Plan approach(SubTask task, StateInformation state, Point way) {
-    Point side = normal.orElse(way); // keeps to the side from which it came
+    Point side = normal.orElse(way); // stays on the side of the approach
     normal = axis(task, state).map(along -> towards(along, side)).or(() -> normal);
     Point place = way.minus(normal.orElse(way).times(BEFORE_M));
     isThere |= place.distance() < THERE_M;

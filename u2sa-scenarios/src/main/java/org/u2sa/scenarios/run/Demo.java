@@ -17,7 +17,7 @@ public interface Demo {
   /**
    * Constant properties of a demo.
    *
-   * @param name name in reports and of its folders in {@code config} and {@code missions}
+   * @param name name in reports, and of its folders in {@code config} and {@code missions}
    * @param directory default output directory of its runs: {@code out/<directory>-…}
    * @param missionFile the default mission
    * @param domain the vehicle's domain

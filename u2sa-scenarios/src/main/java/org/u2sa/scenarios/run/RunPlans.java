@@ -47,7 +47,7 @@ public final class RunPlans {
   }
 
   /**
-   * The plan of any mission: waypoints on the earth or in a local frame. Other goals have no place.
+   * The plan of any mission: waypoints on the earth or in a local frame. Other goals are omitted.
    *
    * @param local plane at the origin of the local frames
    */
@@ -74,7 +74,7 @@ public final class RunPlans {
     return new RunPlan(domain, Optional.of(home), waypoints);
   }
 
-  /** Radius of the circle that an aircraft flies around a station [m]; 0 if it gives none. */
+  /** Radius of the circle that an aircraft flies around a station [m]; 0 if unspecified. */
   private static double radiusM(Waypoint waypoint) {
     return waypoint instanceof Station station ? Math.abs(station.radius().orElse(0.0)) : 0.0;
   }

@@ -12,8 +12,8 @@ import org.u2sa.report.score.Track;
 import org.u2sa.report.score.TrackSample;
 
 /**
- * The record of a run, for its score and its screen. Confined to the observer's thread, except
- * methods documented as thread-safe.
+ * The record of a run, for scoring and display. Confined to the observer's thread, except methods
+ * documented as thread-safe.
  */
 public final class RunRecord {
   private static final long NOT_YET = -1;

@@ -27,8 +27,8 @@ public final class SimulatedWorld {
   /**
    * Adds everything in a file to a world.
    *
-   * @param file where it was read, for files that it names
-   * @param seed of gusts and waves
+   * @param file the world file, to which the paths in it are relative
+   * @param seed seed of gusts and waves
    * @throws BadInputException naming file, line, element, value and what was expected
    */
   public static World read(WorldFile from, Path file, World empty, long seed) {
@@ -53,8 +53,8 @@ public final class SimulatedWorld {
   }
 
   /**
-   * Objects, movers and zones, for the map and the summary: a mover as the sphere of its horizontal
-   * radius, of the zones those for judges and to keep out of.
+   * Objects, movers and zones, for the map and the summary: a mover as a sphere of its horizontal
+   * radius; zones only if judged or keep-out.
    *
    * @param limitS longest duration of the run [s]
    */

@@ -115,7 +115,7 @@ public final class SwapOperator extends PeriodicService {
         throw new IllegalArgumentException(
             "\""
                 + text
-                + "\" is no swap; expected SECONDS:SERVICE=CLASS, such as"
+                + "\" is not a swap; expected SECONDS:SERVICE=CLASS, such as"
                 + " 100:PathPlanner=org.u2sa.planning.VectorFieldPlanner");
       }
       return new PlannedSwap(Double.parseDouble(form.group(1)), form.group(2), form.group(3));
@@ -157,7 +157,7 @@ public final class SwapOperator extends PeriodicService {
       }
     }
 
-    /** As it was read. */
+    /** The swap as entered. */
     @Override
     public String toString() {
       return atS + ":" + service + "=" + className;

@@ -26,14 +26,14 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Records the ground truth of a simulated vehicle for score and screen. In: goals, goal-reports,
+ * Records the ground truth of a simulated vehicle for scoring and display. In: goals, goal-reports,
  * arming-state. Out: nothing.
  */
 public final class TruthObserver extends PeriodicService implements RunObserver {
   private static final double LOOKS_PER_S = 20.0;
   private static final double SLOWEST_MPS = 0.02;
   private static final double SLOWEST_RADPS = 0.05;
-  private static final double STANDS_AFTER_S = 1.0; // standstill; longer than between two turns
+  private static final double STANDS_AFTER_S = 1.0; // standstill; longer than between turns
   private static final double STOOD_S = 2.0; // standstill at the end of the mission
   private static final double PARKED_WITHIN_S = 30.0; // time limit after the last goal
 
@@ -77,7 +77,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
             context, new RunRecord(plan, screen), vehicle, plane, scorer.apply(context.clock()));
   }
 
-  /** Whether a vehicle moves at all. */
+  /** Whether a vehicle is moving. */
   public static boolean moves(VehicleTruth truth) {
     return truth.speedMps() > SLOWEST_MPS || Math.abs(truth.rates().z()) > SLOWEST_RADPS;
   }
@@ -193,7 +193,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
       return false;
     }
 
-    /** Whether a vehicle that moves after its last goal is not to end the run yet. */
+    /** Whether the run continues although the vehicle still moves long after its last goal. */
     default boolean isWaiting() {
       return false;
     }

@@ -12,7 +12,7 @@ public final class VehicleFileChanges {
       names = "--change",
       paramLabel = "PATH=VALUE",
       description =
-          "Another value than the vehicle file's, such as body/mass=25, gps/@preset=phone or laser/failsAt=60. May be given several times.")
+          "Override a value of the vehicle file, such as body/mass=25, gps/@preset=phone or laser/failsAt=60. May be given several times.")
   private Map<String, String> changes = new LinkedHashMap<>();
 
   /**

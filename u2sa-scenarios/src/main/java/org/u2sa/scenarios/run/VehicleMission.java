@@ -34,7 +34,7 @@ final class VehicleMission {
                         system.file()
                             + ": lists no service "
                             + MissionManager.class.getName()
-                            + "; expected one, whose configuration says what "
+                            + "; expected one, whose configuration supplies what "
                             + file
                             + " leaves open"));
     XmlConfiguration configuration = options.configuration(manager);

@@ -65,9 +65,9 @@ public final class VehicleTrial {
   }
 
   /**
-   * Uses a vehicle of a file that was placed already.
+   * Uses a vehicle of a file that has already been placed.
    *
-   * @param placed made by the file, or around one that was
+   * @param placed vehicle made by the file, or a wrapper of one
    */
   public static VehicleTrial of(VehicleFile file, SimulatedVehicle placed, long seed) {
     return new VehicleTrial(file, placed.world(), new VehicleRun(placed), Optional.empty(), seed);
@@ -121,7 +121,7 @@ public final class VehicleTrial {
     return run;
   }
 
-  /** The world around it. */
+  /** The world around the vehicle. */
   public World world() {
     return world;
   }
@@ -131,10 +131,10 @@ public final class VehicleTrial {
   }
 
   /**
-   * A run with it, armed at the start.
+   * Creates a run of the vehicle, armed at the start.
    *
    * @param simulator name in reports
-   * @param scorer by the run's clock
+   * @param scorer creates the scorer on the run's clock
    * @param settings further configuration
    */
   public Demo.Trial trial(

@@ -38,7 +38,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final ZoneWatch zones;
   private final Errors position = new Errors();
   private final Errors heading = new Errors();
-  private double squares; // of the distances from the true position [m²]
+  private double squares; // sum of squared distances from the true position [m²]
   private double farthestM;
 
   /** Errors of a quantity relative to the standard deviations that the state claims. */

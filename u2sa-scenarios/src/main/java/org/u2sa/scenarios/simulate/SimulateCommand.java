@@ -85,7 +85,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
       names = "--limit",
       paramLabel = "SECONDS",
       description =
-          "Simulated time after which the run ends. Default: by the length of the mission.")
+          "Simulated time after which the run ends. Default: depends on the length of the mission.")
   private Double limitS; // null if not given
 
   private VehicleFile vehicle;
@@ -141,7 +141,7 @@ final class SimulateCommand implements Callable<Integer>, Demo {
     return systemFile;
   }
 
-  /** {@inheritDoc} The one that the Mission Manager's configuration names. */
+  /** {@inheritDoc} Defaults to the mission named by the Mission Manager's configuration. */
   @Override
   public Path ownMission(SystemFile system, LaunchOptions options) {
     for (SystemFile.Entry entry : system.services()) {

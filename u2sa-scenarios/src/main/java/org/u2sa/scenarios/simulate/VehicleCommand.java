@@ -47,7 +47,7 @@ final class VehicleCommand implements Callable<Integer> {
       VehicleFile vehicle = VehicleFile.load(file);
       try {
         VehicleCheck.lines(vehicle).forEach(out::println);
-      } catch (IllegalArgumentException e) { // each value is in its range, but not all together
+      } catch (IllegalArgumentException e) { // invalid combination of valid values
         throw new BadInputException(file + ": cannot be simulated: " + e.getMessage(), e);
       }
       return ExitCode.DONE;

@@ -2,7 +2,7 @@ package org.u2sa.scenarios.suas;
 
 import java.util.Map;
 
-/** Letters of the targets, in blocks of 5 × 7. None is another one turned. */
+/** Letters of the targets, in blocks of 5 × 7. No letter is a rotated copy of another. */
 final class BlockLetters {
   /** All of them. */
   static final String ALL = "ABEFHJKLPRTUXY2348";
@@ -36,8 +36,8 @@ final class BlockLetters {
   /**
    * Whether a place on a target belongs to its letter.
    *
-   * @param right of the middle, in sides of the target
-   * @param up likewise, towards the letter's top
+   * @param right distance right of the middle, in sides of the target
+   * @param up distance towards the letter's top, likewise
    */
   static boolean isInk(String letter, double right, double up) {
     int column = (int) Math.floor((right / WIDTH + 0.5) * 5.0);

@@ -11,7 +11,7 @@ final class FieldGround {
   private static final int[] PATH = {16, -4, 14}; // difference from grass
   private static final int PATCH = 9; // brightness
   private static final double CELL_M = 0.75;
-  private static final int CELLS = 512; // a power of 2; then it repeats
+  private static final int CELLS = 512; // a power of 2; the pattern then repeats
   private static final int PATHS = 4;
   private static final double PATH_M = 1.5; // half the width
 
@@ -38,11 +38,11 @@ final class FieldGround {
   }
 
   /**
-   * How far below a camera a ray meets the ground [m], by looking where it nearly does.
+   * Depth below a camera at which a ray meets the ground [m], found iteratively.
    *
-   * @param right the ray's way east for each metre down
-   * @param ahead and north
-   * @param nearly the same of a neighbouring ray
+   * @param right distance east per metre down
+   * @param ahead distance north per metre down
+   * @param nearly the result for a neighbouring ray, as a first guess
    */
   double away(Point camera, double right, double ahead, double nearly) {
     return terrain.steepest() > 0.0

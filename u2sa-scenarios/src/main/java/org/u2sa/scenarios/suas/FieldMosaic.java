@@ -9,7 +9,7 @@ import org.u2sa.report.mosaic.MosaicFile;
 import org.u2sa.report.mosaic.MosaicGrid;
 import org.u2sa.report.mosaic.SurveyMosaic;
 
-/** The mosaic of a field's search area: made in flight, written and scored at the end. */
+/** The mosaic of a field's search area: assembled in flight, written and scored at the end. */
 final class FieldMosaic {
   private static final double MARGIN_M = 10.0;
   private static final double IMAGE_EVERY_S = 1.0;
@@ -45,7 +45,7 @@ final class FieldMosaic {
         context -> new MosaicStation(context, mosaic));
   }
 
-  /** Writes the mosaic; its figures, by the truth. */
+  /** Writes the mosaic; returns its metrics, by ground truth. */
   Map<String, Double> figures() {
     MosaicFile.write(mosaic, file);
     return MosaicScore.of(mosaic, field.searchArea(), field.targets(), ground);

@@ -11,19 +11,19 @@ import org.u2sa.messages.frame.Rotation;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Paints what the camera sees of the field: grass with patches and noise of the pixels, and the
- * targets, each pixel as the mean of four rays. The grass is a part of one large picture, another
- * one in each image, and not fixed to the ground, unless a ground is given: its colours are fixed.
+ * Paints the camera's image of the field: grass with patches and pixel noise, and the targets,
+ * averaging four rays per pixel. The grass is cut from one large picture at a different row in each
+ * image, so it is not fixed to the ground, unless a ground with its own colours is given.
  */
 final class FieldPainter {
   private static final int[] GRASS = {92, 118, 62};
   private static final int PATCH_PX = 37;
   private static final int PATCH = 9; // brightness
   private static final double NOISE = 4.0; // standard deviation
-  private static final int ROWS = 509; // by which images differ
+  private static final int ROWS = 509; // possible offsets of an image in the grass picture
   private static final int EMPTY = 5; // different images without targets
-  private static final double HORIZON = 0.05; // of a ray's part downwards
-  private static final double REACH = 0.75; // of a target's side, around its middle
+  private static final double HORIZON = 0.05; // minimum downward component of a ray
+  private static final double REACH = 0.75; // painted radius, as a share of a target's side
 
   private final List<SuasTarget> targets;
   private final SurveyPictures.Optics optics;
@@ -87,7 +87,7 @@ final class FieldPainter {
 
   private void shade(FieldGround shown, Rotation nedFromFrd, Point at, byte[] pixels) {
     double focal = optics.focalPx();
-    Point step = nedFromFrd.times(Point.of(0.0, 1.0 / focal, 0.0)); // of a ray, for each column
+    Point step = nedFromFrd.times(Point.of(0.0, 1.0 / focal, 0.0)); // change of the ray per column
     for (int row = 0; row < optics.height(); row++) {
       double v = row - 0.5 * (optics.height() - 1);
       Point first =

@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.report.mosaic.SurveyMosaic;
 import org.u2sa.sim.world.LocalPlane;
 
-/** Compares a mosaic with the true ground: colours in the search area, places of the targets. */
+/** Compares a mosaic with the true ground: colours, and positions of the targets. */
 final class MosaicScore {
   private static final int CHANNELS = 3;
   private static final double TARGET_M = 4.0; // around a target's true place
@@ -23,7 +23,7 @@ final class MosaicScore {
   private long seen;
   private double errors;
   private final double[][] shown; // of each target: sums of weight, east, north, as shown
-  private final double[][] truth; // and as it is
+  private final double[][] truth; // the same in the true ground
 
   private MosaicScore(
       SurveyMosaic mosaic, List<Point> area, List<SuasTarget> targets, FieldGround ground) {

@@ -6,7 +6,7 @@ import org.u2sa.service.PeriodicService;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
-/** Makes the mosaic on the ground, in flight. In: images, sensed-objects. Out: nothing. */
+/** Assembles the mosaic on the ground in flight. In: images, sensed-objects. Out: nothing. */
 final class MosaicStation extends PeriodicService {
   private final SurveyMosaic mosaic;
 

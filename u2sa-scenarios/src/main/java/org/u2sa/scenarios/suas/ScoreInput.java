@@ -11,8 +11,8 @@ import org.u2sa.scenarios.suas.score.ObjectScore;
 import org.u2sa.scenarios.suas.score.ReportedTrack;
 
 /**
- * Writes what a flight is scored by as {@code score-input.csv}, for scorers that share no code with
- * the judge: a line is a kind and its numbers or words.
+ * Writes the data that a flight is scored by to {@code score-input.csv}, for scorers that share no
+ * code with the judge: a line is a kind and its numbers or words.
  */
 final class ScoreInput {
   private final StringBuilder text = new StringBuilder();

@@ -8,14 +8,14 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;
 
 /**
- * The judge's own record of what was truly seen: cells of 5 m of which all corners were in one
- * image at the required resolution, by the true pose of the camera, which looks straight down from
- * the aircraft's reference point.
+ * The judge's own record of what was truly seen: 5 m cells all of whose corners were in one image
+ * at the required resolution, by the true pose of the camera, which looks straight down from the
+ * aircraft's reference point.
  */
 final class SeenCells {
   private static final double CELL_M = 5.0;
 
-  /** A cell's corner, and how it is named. */
+  /** A cell's corner and its name. */
   private record Cell(double eastM, double northM) {}
 
   private final SurveyPictures.Optics optics;
@@ -95,12 +95,12 @@ final class SeenCells {
     return Math.max(stretched, flat) <= resolutionM;
   }
 
-  /** Least height above the ground of an image that showed a cell for the first time [m]. */
+  /** Minimum height above the ground of an image that showed a cell for the first time [m]. */
   double lowestM() {
     return lowestM;
   }
 
-  /** Greatest such height [m]. */
+  /** Maximum of these heights [m]. */
   double highestM() {
     return highestM;
   }

@@ -65,13 +65,14 @@ final class SuasDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--station-fails",
       paramLabel = "FROM[-TO]",
-      description = "The ground station is down from a time, and up again at another [s].")
+      description = "Time span during which the ground station is down [s].")
   private String down = "";
 
   @Option(
       names = "--takeover",
       paramLabel = "FROM-TO",
-      description = "A pilot takes over by radio for that time [s], then the mission goes on.")
+      description =
+          "Time span during which a pilot takes over by radio [s]; then the mission continues.")
   private String takeover = "";
 
   @Option(
@@ -83,7 +84,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--told-qnh",
       paramLabel = "HPA",
-      description = "Air pressure that the ground station tells instead of the true one; 0: none.")
+      description = "Air pressure that the ground station sends instead of the true one; 0: none.")
   private double toldHpa = Double.NaN;
 
   @Option(names = "--no-transponders", description = "Other aircraft have no transponder.")
@@ -91,13 +92,13 @@ final class SuasDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--radar",
-      description = "The aircraft has a radar, besides its receiver of transponders.")
+      description = "The aircraft has a radar in addition to its transponder receiver.")
   private boolean hasRadar;
 
   @Option(
       names = "--hills",
       paramLabel = "M",
-      description = "Hills of this height at the search area, of which the aircraft has a map.")
+      description = "Height of hills at the search area; the aircraft has a map of them.")
   private double hillsM;
 
   @Option(
@@ -110,7 +111,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--gimbal",
       paramLabel = "DEG",
-      description = "The camera is on a gimbal that takes up this much roll and pitch.")
+      description = "Mount the camera on a gimbal that compensates up to this much roll and pitch.")
   private double gimbalDeg;
 
   private SuasField field; // of the newest run
@@ -176,7 +177,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
         times[1]);
   }
 
-  /** Beginning and end of a span; infinite if it is not given. */
+  /** Start and end of a span; infinite if absent. */
   private static double[] times(String option, String span) {
     double[] times = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     String[] texts = span.isEmpty() ? new String[0] : span.split("-", 2);
@@ -185,7 +186,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
         times[i] = Double.parseDouble(texts[i]);
       } catch (NumberFormatException e) {
         throw new BadInputException(
-            option + " " + span + ": \"" + texts[i] + "\" is no time; expected such as 300-320", e);
+            option + " " + span + ": \"" + texts[i] + "\": expected such as 300-320", e);
       }
     }
     return times;

@@ -13,11 +13,11 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 /**
  * Devices of the simulated aircraft.
  *
- * @param vehicle those of its vehicle file
- * @param camera under it
+ * @param vehicle devices of its vehicle file
+ * @param camera camera below the aircraft
  * @param run the vehicle
  * @param cameraFailsS time at which the camera fails [s]; infinite for never
- * @param pilot with the radio
+ * @param pilot pilot with the radio
  */
 record SuasDevices(
     ServiceContext.DeviceSource vehicle,
@@ -39,7 +39,7 @@ record SuasDevices(
     return Optional.of(port.cast(camera));
   }
 
-  /** Servos and motor behind the radio's multiplexer; other devices as they are. */
+  /** Puts servos and motor behind the radio's multiplexer; other devices are unchanged. */
   @SuppressWarnings("unchecked") // each is wrapped by one of the same port
   private <D> D behindRadio(String service, D own) {
     if (own instanceof Servo servo) {

@@ -15,24 +15,24 @@ import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
- * A field of the competition. Places are east, north, up of the middle of the runway [m].
+ * A field of the competition. Positions are east, north and up from the middle of the runway [m].
  *
  * @param runwayRad direction of take-off and landing, clockwise from north [rad]
- * @param boundary corners of the area that may not be left
+ * @param boundary corners of the area that must not be left
  * @param floorM minimum height away from the runway
  * @param ceilingM maximum height
- * @param waypoints in order
- * @param pillars to be flown around, on the ground
+ * @param waypoints waypoints in order
+ * @param pillars cylindrical obstacles on the ground
  * @param searchArea its corners
  * @param resolutionM ground resolution required there
- * @param targets in the search area
+ * @param targets targets in the search area
  * @param traffic other aircraft
  * @param windMps steady wind
  * @param windFromRad direction it blows from
- * @param drop where the bottle is to land
+ * @param drop target of the bottle
  * @param qnhPa air pressure at sea level [Pa]
- * @param seed of gusts
- * @param ground its heights; level at the runway and the drop
+ * @param seed seed of gusts
+ * @param ground terrain heights; level at the runway and the drop
  */
 record SuasField(
     double runwayRad,
@@ -51,16 +51,16 @@ record SuasField(
     double qnhPa,
     long seed,
     Terrain ground) {
-  /** Place of the competition of 2025: St. Mary's County airport, Maryland. */
+  /** Site of the 2025 competition: St. Mary's County airport, Maryland. */
   static final Geodetic ORIGIN = new Geodetic(-76.55578, 38.31633, 43.3);
 
   /** Half the length of the runway [m]. */
   static final double RUNWAY_HALF_M = 200.0;
 
-  /** Radius of the sphere around other aircraft that may not be entered [m]. */
+  /** Radius of the sphere around other aircraft that must not be entered [m]. */
   static final double SEPARATION_M = 50.0;
 
-  private static final double BODY_M = 2.0; // of other aircraft
+  private static final double BODY_M = 2.0; // radius of other aircraft
   private static final int CORNERS = 24; // of a pillar on the map
 
   /** A cylinder from the ground up [m]. */
@@ -82,7 +82,7 @@ record SuasField(
     return with(all, List.of(), List.of(), ground);
   }
 
-  /** The same on other ground. */
+  /** The same field on different ground. */
   SuasField on(Terrain hills) {
     List<SuasTarget> raised = new ArrayList<>();
     targets.forEach(each -> raised.add(each.up(hills.heightM(each.eastM(), each.northM()))));
@@ -187,7 +187,7 @@ record SuasField(
   }
 
   /**
-   * The world of the run. The pillars are virtual: whoever flies through one only loses points.
+   * The world of the run. The pillars are virtual: flying through one only costs points.
    *
    * @param transponders whether other aircraft have them
    */

@@ -8,8 +8,8 @@ import org.u2sa.sim.world.Terrain;
 
 /**
  * Draws fields by the rules: 10 to 14 waypoints, a concave search area of 7 to 11 ha with targets,
- * cylinders of 10 to 45 m radius, and other aircraft, within a boundary of about 1.4 km around the
- * runway, into the wind of which the aircraft takes off.
+ * cylinders of 10 to 45 m radius, and other aircraft, within a boundary of about 1.4 km around a
+ * runway, from which the aircraft takes off into the wind.
  */
 final class SuasFieldGenerator {
   private static final double BOUNDARY_M = 1450.0;
@@ -178,7 +178,7 @@ final class SuasFieldGenerator {
     }
   }
 
-  /** Somewhere inside, with room to fly towards it from any side. */
+  /** A random position inside the boundary, with room to approach it from any side. */
   private Point drop() {
     Point drop = axis(0.0);
     for (int tries = 0; tries < TRIES && drop.distance() == 0.0; tries++) {
@@ -224,7 +224,7 @@ final class SuasFieldGenerator {
     return targets;
   }
 
-  /** To and fro through the field, clear of the runway's ends. */
+  /** Back and forth through the field, clear of the runway's ends. */
   private List<SuasField.Traffic> traffic(int count) {
     List<SuasField.Traffic> traffic = new ArrayList<>();
     for (int i = 0; i < count; i++) {

@@ -14,10 +14,10 @@ import org.u2sa.sim.world.Terrain;
 final class SuasHills {
   private static final double SPAN_M = 3600.0;
   private static final int POINTS = 361; // each way
-  private static final double AROUND_M = 180.0; // of the area, where they end
+  private static final double AROUND_M = 180.0; // distance from the area at which they end
   private static final double STRIP_M = 90.0; // level, beside the runway's axis
   private static final double DROP_M = 60.0; // level, around the drop
-  private static final double ENDS_M = 120.0; // of a level place to the full height
+  private static final double ENDS_M = 120.0; // distance from level ground to the full height
   private static final int WAVES = 5;
   private static final double STEP_DEG = 1e-4; // of the map
 
@@ -41,7 +41,7 @@ final class SuasHills {
   /**
    * Draws hills.
    *
-   * @param heightM from the deepest valley to the highest top, at most
+   * @param heightM maximum height from the deepest valley to the highest top
    */
   static Terrain of(SuasField field, double heightM) {
     SuasHills hills = new SuasHills(field);

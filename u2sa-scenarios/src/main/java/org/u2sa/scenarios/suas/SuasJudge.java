@@ -46,9 +46,9 @@ final class SuasJudge implements TruthObserver.Scorer {
   private static final double MAP_SHARE = 0.99;
   private static final double RUNWAY_SIDE_M = 12.0;
   private static final double NEAR_M = 15.0; // of a report from its target, the sixth field
-  private static final int RIGHT_FIELDS = 3; // of the other five
+  private static final int RIGHT_FIELDS = 3; // minimum number of the other five fields
   private static final double PASS_M = 15.24; // 50 ft
-  private static final double LONGEST_GAP_S = 1.0; // of the telemetry
+  private static final double LONGEST_GAP_S = 1.0; // maximum gap in the telemetry
 
   private final SuasField field;
   private final SeenCells cells;
@@ -63,7 +63,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   private final Map<String, ObjectScore.Sheet> reports = new LinkedHashMap<>(); // by target
   private final Aboard aboard;
   private boolean isReleased;
-  private double dropM = Double.POSITIVE_INFINITY; // from its place
+  private double dropM = Double.POSITIVE_INFINITY; // distance from its target
   private double longestGapS;
   private int corrections;
   private int takeovers;
@@ -74,12 +74,12 @@ final class SuasJudge implements TruthObserver.Scorer {
   private volatile boolean over;
 
   /**
-   * What it looks at besides the truth.
+   * Inputs besides the ground truth.
    *
-   * @param released whether the bottle has been let go
+   * @param released whether the bottle has been dropped
    * @param hears whether telemetry arrives at the ground station
-   * @param changes of the mission that were made in flight
-   * @param figures of a mosaic, if one is made
+   * @param changes number of mission changes made in flight
+   * @param figures metrics of a mosaic, if one is made
    */
   record Aboard(
       BooleanSupplier released,
@@ -181,7 +181,7 @@ final class SuasJudge implements TruthObserver.Scorer {
     over |= nowS >= RUN_S;
   }
 
-  /** Whether it stands on the runway. */
+  /** Whether the aircraft is standing on the runway. */
   private boolean hasLanded() {
     if (last == null || last.speedMps() > 0.5 || last.position().z() > 2.0) {
       return false;
@@ -235,7 +235,7 @@ final class SuasJudge implements TruthObserver.Scorer {
     return over;
   }
 
-  /** Without a ground station it flies until it is terminated. */
+  /** Without a ground station, the flight continues until it is terminated. */
   @Override
   public boolean isWaiting() {
     return !aboard.hears().getAsBoolean();

@@ -9,14 +9,14 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
 
-/** What a team is told of a field: mission, world of the pillars, fence. */
+/** Information given to a team: mission, world of the pillars, fence. */
 final class SuasMission {
   /** Name of the goal of the drop. */
   static final String DROP = "drop";
 
   private static final String AREA = "search";
 
-  /** Time to fly home and land: 140 s, and an approach that traffic makes it break off [s]. */
+  /** Time to fly home and land [s]: 140 s, plus one approach aborted because of traffic. */
   private static final double LANDING_S = 240.0;
 
   private static final double TAKE_OFF_M = 60.0;
@@ -53,7 +53,7 @@ final class SuasMission {
     return file;
   }
 
-  /** Writes the pillars, and where routes may lead, as a world file. */
+  /** Writes the pillars and the permitted area of routes as a world file. */
   static Path world(SuasField field, Path file) {
     StringBuilder text = new StringBuilder("<world>\n");
     for (int i = 0; i < field.pillars().size(); i++) {
@@ -131,7 +131,7 @@ final class SuasMission {
     return String.format(Locale.ROOT, "<z>%.2f</z>", SuasField.ORIGIN.altitudeM() + upM);
   }
 
-  /** The search area as the ground station tells it in flight. */
+  /** The search area as sent by the ground station in flight. */
   static String area(SuasField field) {
     return String.format(
         Locale.ROOT,

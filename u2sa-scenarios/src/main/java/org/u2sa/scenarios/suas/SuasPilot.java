@@ -12,9 +12,9 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * A pilot with a radio, who takes over for a while: keeps the wings level and the height, and turns
- * away from the boundary. The multiplexer leads the sticks to servos and motor meanwhile, whatever
- * the vehicle's services command.
+ * A pilot with a radio, who takes over for a while: keeps the wings level and holds height, and
+ * turns away from the boundary. The multiplexer then connects the sticks to servos and motor,
+ * whatever the vehicle's services command.
  */
 final class SuasPilot {
   private static final double MANUAL_S = 0.001; // pulses of the switch
@@ -30,18 +30,18 @@ final class SuasPilot {
   private static final double HEIGHT_GAIN = 0.2; // m/s per m
   private static final double TRIM = 0.25; // of the elevator, up
   private static final double THROTTLE = 0.7;
-  private static final double FULL_RAD = Math.PI / 6.0; // of a stick
+  private static final double FULL_RAD = Math.PI / 6.0; // travel of a stick
   private static final double FULL_PERCENT = 100.0;
 
   private final SuasField field;
   private final RunningVehicle run;
   private final double fromS;
   private final double untilS;
-  private double heightM = Double.NaN; // at which it took over
+  private double heightM = Double.NaN; // height at the takeover
 
   /**
-   * @param fromS takes over [s]; infinite for never
-   * @param untilS gives back [s]
+   * @param fromS time of the takeover [s]; infinite for never
+   * @param untilS time of giving back control [s]
    */
   SuasPilot(SuasField field, RunningVehicle run, double fromS, double untilS) {
     this.field = field;
@@ -56,7 +56,7 @@ final class SuasPilot {
     return flies;
   }
 
-  /** The receiver aboard, of which only the switch is read. */
+  /** The receiver on board; only its switch is read. */
   RadioReceiver receiver() {
     return nowMicros -> {
       List<Double> widths = new ArrayList<>(Collections.nCopies(SWITCH, 0.0015));

@@ -18,9 +18,9 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * The ground station of the demo, with a person at it: heartbeats, air pressure, and the search
- * area, which is told in flight; after a takeover it resumes the mission. While it is down nothing
- * goes out, and no telemetry gets through. In: mission, goals, manual-state. Out: operator,
- * ground-pressure, mission.
+ * area, sent in flight; after a takeover it resumes the mission. While it is down, it sends nothing
+ * and receives no telemetry. In: mission, goals, manual-state. Out: operator, ground-pressure,
+ * mission.
  */
 final class SuasStation extends PeriodicService {
   private static final String NAME = "SuasStation";
@@ -29,11 +29,11 @@ final class SuasStation extends PeriodicService {
   private static final double ANSWERED_S = 3.0; // else the order is sent again
 
   /**
-   * What it does.
+   * Behaviour of the station.
    *
-   * @param toldPa air pressure at sea level that it tells [Pa]; 0 for none
+   * @param toldPa air pressure at sea level that it sends [Pa]; 0 for none
    * @param area mission XML of the goals to insert once the first waypoint is current, if any
-   * @param after goal to insert them after
+   * @param after goal after which to insert them
    * @param downFromS time at which it fails [s]
    * @param downUntilS time at which it works again [s]
    */

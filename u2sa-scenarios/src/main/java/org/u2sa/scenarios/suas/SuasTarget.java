@@ -5,7 +5,7 @@ import java.util.Locale;
 /**
  * A plywood target on the ground with a letter on it.
  *
- * @param eastM place on the field's plane [m]
+ * @param eastM position on the field's plane [m]
  * @param northM likewise
  * @param sideM size of the shape [m]
  * @param headingRad direction of the letter's top, clockwise from north [rad]
@@ -22,13 +22,13 @@ record SuasTarget(
     String letterColour) {
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
 
-  /** The same at another height. */
+  /** The same target at a different height. */
   SuasTarget up(double metres) {
     return new SuasTarget(
         eastM, northM, metres, sideM, headingRad, shape, colour, letter, letterColour);
   }
 
-  /** Colour at a place, red, green, blue; null beside the target. */
+  /** Colour at a position: red, green, blue; null outside the target. */
   int[] paint(double atEastM, double atNorthM) {
     double north = atNorthM - northM;
     double east = atEastM - eastM;

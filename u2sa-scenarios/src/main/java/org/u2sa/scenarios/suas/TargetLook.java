@@ -21,10 +21,10 @@ final class TargetLook {
   }
 
   /**
-   * Whether a place is on a shape.
+   * Whether a point is on a shape.
    *
-   * @param right of the middle, in sides
-   * @param up likewise
+   * @param right distance right of the middle, in sides
+   * @param up distance above the middle, in sides
    */
   static boolean isOn(String shape, double right, double up) {
     return switch (shape) {
@@ -49,7 +49,7 @@ final class TargetLook {
 
   private static boolean isStar(double right, double up) {
     double step = 2.0 * Math.PI / 5.0;
-    double angle = Math.abs(Math.IEEEremainder(Math.atan2(right, up), step)); // from a point
+    double angle = Math.abs(Math.IEEEremainder(Math.atan2(right, up), step)); // from a tip
     double outer = 0.7;
     double inner = 0.36;
     // the line from the point at angle 0 to the notch at half a step

@@ -175,7 +175,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
     boolean isFused = estimator == EstimatorKind.FUSING;
     expect(
         vehicle == VehicleKind.DIFFERENTIAL || control == ControlKind.PURSUIT,
-        "--control proportional: is for two driven wheels; expected pursuit with --vehicle ackermann");
+        "--control proportional: requires two driven wheels; expected pursuit with --vehicle ackermann");
     expect(
         isFused || vehicle == VehicleKind.DIFFERENTIAL,
         "--estimator pass_through: expected --vehicle differential");

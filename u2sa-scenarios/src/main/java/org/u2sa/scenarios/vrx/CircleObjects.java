@@ -50,7 +50,7 @@ public final class CircleObjects extends GoalInformation {
     return require(RADIUS);
   }
 
-  /** Distance from the object that must not be exceeded on a circle [m]. */
+  /** Maximum distance from the object while circling it [m]. */
   public double within() {
     return require(WITHIN);
   }

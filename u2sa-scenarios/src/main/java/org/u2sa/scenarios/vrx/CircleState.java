@@ -17,25 +17,25 @@ import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
 /**
- * Circles the objects of a {@link CircleObjects} that the world model has, nearest first, on
- * tangents from one to the next, and around the others.
+ * Circles the mapped objects of a {@link CircleObjects}, nearest first, on tangents from one to the
+ * next, and around the others.
  */
 final class CircleState implements PlannerState {
   private static final double UNKNOWN_M =
       1.0e6; // assumed distance of objects that are still unseen
   private static final double FULL_RAD = Math.toRadians(385.0); // of a circle
-  private static final double LEAD_RAD = Math.toRadians(50.0); // of the point to steer to
+  private static final double LEAD_RAD = Math.toRadians(50.0); // look-ahead angle
   private static final double CIRCLING_MPS = 2.5;
-  private static final double MARGIN_M = 0.5; // of the distance on a circle
-  private static final double OTHER_SHARE = 0.7; // of the radius, clearance from other objects
+  private static final double MARGIN_M = 0.5; // margin of the distance on a circle
+  private static final double OTHER_SHARE = 0.7; // of the radius: clearance from others
   private static final double BEYOND_M = 2.0; // clearance of the point beside an avoided object
-  private static final double FULL_SPEED_M = 8.0; // to a point at which control does not slow down
+  private static final double FULL_SPEED_M = 8.0; // distance to a point passed at speed
   private static final double GIVE_UP_S = 60.0; // without any object
 
   private final PlannerView surroundings;
   private final Set<String> done = new TreeSet<>();
   private String circled = ""; // its UID
-  private double bearingRad; // from it, at the last state
+  private double bearingRad; // bearing from the object at the last state
   private double sweptRad; // angle turned in the right direction within the distance
   private long enteredMicros;
 
@@ -121,7 +121,7 @@ final class CircleState implements PlannerState {
     return Point.of(way.x(), way.y(), 0.0);
   }
 
-  /** The way itself, or the way to a point beside the first other object that is too near it. */
+  /** The direct path, or the path to a point beside the first object too close to it. */
   private Point around(CircleObjects goal, StateInformation state, Point way) {
     double length = length(way);
     ObjectDescription nearest = null;
@@ -154,7 +154,7 @@ final class CircleState implements PlannerState {
     return (other.x() * way.x() + other.y() * way.y()) / Math.max(1e-6, length(way));
   }
 
-  /** Vector from a place to the nearest point of a line. */
+  /** Vector from a point to the nearest point of a line. */
   private static Point aside(Point other, Point way) {
     double share = along(other, way) / Math.max(1e-6, length(way));
     return way.times(share).minus(other);

@@ -9,8 +9,8 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * Counts contacts with objects of the world; one that lasts, or recurs within a second, counts
- * once.
+ * Counts contacts with objects of the world; a contact that persists or recurs within a second
+ * counts once.
  */
 final class Collisions {
   private static final double APART_S = 1.0;
@@ -26,9 +26,9 @@ final class Collisions {
   }
 
   /**
-   * Looks at a time of the running state.
+   * Checks for contacts at a time in the running state.
    *
-   * @param judge for its log
+   * @param judge receives log lines
    * @return whether the boat touches anything
    */
   boolean see(VehicleTruth truth, double sinceS, VrxJudge judge) {

@@ -11,9 +11,9 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Docking in the bay whose sign a light buoy names: enter, stay for a while, and leave in reverse.
- * The first colour of the sequence is the colour of the sign, the last one encodes its shape
- * (osrf/vrx, issue 278, and the worlds of 2023).
+ * Docks in the bay whose sign a light buoy encodes: enters, stays for a while, and leaves in
+ * reverse. The first colour of the sequence is the colour of the sign, the last one encodes its
+ * shape (osrf/vrx, issue 278, and the worlds of 2023).
  */
 public final class DockBySign extends GoalInformation {
   private static final Schema<DockBySign> SCHEMA =

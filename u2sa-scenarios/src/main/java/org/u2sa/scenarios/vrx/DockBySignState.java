@@ -31,9 +31,9 @@ final class DockBySignState implements PlannerState {
   }
 
   private static final double UNKNOWN_M = 1.0e6;
-  private static final double LIGHT_M = 10.0; // from the light buoy while it is read
-  private static final double ROUND_M = 24.0; // from the middle of the dock, looking for signs
-  private static final double STEP_RAD = 0.5; // ahead on the way around it
+  private static final double LIGHT_M = 10.0; // distance from the light buoy while reading it
+  private static final double ROUND_M = 24.0; // radius around the dock's middle
+  private static final double STEP_RAD = 0.5; // step ahead on the way around the dock
   private static final double READ_M = 16.0; // before the middle of the signs
   private static final double READ_WITHIN_M = 3.0;
   private static final double READ_S = 4.0; // there, for accurate places
@@ -42,8 +42,8 @@ final class DockBySignState implements PlannerState {
   private static final double OUT_M = 9.2;
   private static final double ALIGNED_M = 0.25;
   private static final double ALIGNED_RAD = Math.toRadians(3.0);
-  private static final double AHEAD_M = 2.0; // of the point on the axis to steer to
-  private static final double WITHIN_M = 0.5; // of the berth, along the axis
+  private static final double AHEAD_M = 2.0; // look-ahead along the axis
+  private static final double WITHIN_M = 0.5; // tolerance at the berth, along the axis
   private static final double SLOW_MPS = 0.8;
   private static final double NEAR_MPS = 1.5; // near the dock, so as not to overshoot
   private static final double TURN_RAD = 0.4; // ahead of the heading, on the spot

@@ -11,14 +11,14 @@ import org.u2sa.messages.shape.Box;
 import org.u2sa.messages.shape.Sphere;
 
 /**
- * The dock of 2022 with three bays, which are open to its −x, and a light buoy that shows a
- * sequence of three colours. Measures are those of VRX's models dock_2022 and dock_2022_base.
+ * The 2022 dock: three bays that open towards its −x, and a light buoy that shows a sequence of
+ * three colours. Dimensions are those of VRX's models dock_2022 and dock_2022_base.
  *
- * @param place of the dock: east, north [m]
- * @param yawRad of its x axis, anticlockwise from east
+ * @param place position of the dock: east, north [m]
+ * @param yawRad direction of its x axis, anticlockwise from east
  * @param sequence colours of the light buoy
- * @param light place of the light buoy: east, north [m]
- * @param points for the sequence, for docking, and for docking in the right bay
+ * @param light position of the light buoy: east, north [m]
+ * @param points awarded
  * @param stayS time to stay in a bay [s]
  */
 record Docking(
@@ -35,7 +35,7 @@ record Docking(
   /** Type of the blocks that the dock is built of. */
   static final String BLOCK = "dock block";
 
-  private static final double BAY_M = 6.0; // from one to the next
+  private static final double BAY_M = 6.0; // spacing
   private static final double FIRST_M = 3.0;
   private static final double[] INSIDE = {-0.5, 3.5, 0.75}; // x from, x to, half of y [m]
   private static final double[] ENTRANCE = {-4.25, -2.75, 2.75};
@@ -46,14 +46,14 @@ record Docking(
   private static final double BOARD_HEIGHT_M = 3.0;
   private static final double SIGN_Z_M = 1.5;
 
-  /** Points of each part. */
+  /** Points for the colour sequence, for docking, and for docking in the right bay. */
   record Points(double sequence, double dock, double rightBay) {}
 
   /**
    * A bay.
    *
-   * @param shape of its sign: circle, cross, triangle or rectangle
-   * @param isRight whether the sequence names it
+   * @param shape shape of its sign: circle, cross, triangle or rectangle
+   * @param isRight whether the sequence designates it
    */
   record Bay(Colour colour, String shape, boolean isRight) {
     /** Type that a detector reports for its sign, such as "red circle". */
@@ -62,13 +62,13 @@ record Docking(
     }
   }
 
-  /** Without a dock, for the other tasks. */
+  /** Absent dock, for other tasks. */
   static Docking none() {
     return new Docking(
         Point.ORIGIN, 0.0, List.of(), List.of(), Point.ORIGIN, new Points(0.0, 0.0, 0.0), 0.0);
   }
 
-  /** Most points. */
+  /** Maximum score. */
   double most() {
     return points.sequence + points.dock + points.rightBay;
   }
@@ -78,7 +78,7 @@ record Docking(
     return isIn(INSIDE, bay, at);
   }
 
-  /** Whether it is before a bay. */
+  /** Whether the boat's origin is in front of a bay. */
   boolean isBefore(int bay, Point at) {
     return isIn(ENTRANCE, bay, at);
   }
@@ -95,7 +95,7 @@ record Docking(
     return FIRST_M + BAY_M * bay;
   }
 
-  /** Fingers and back of blocks, boards, and the signs on them; in LOCAL_ENU. */
+  /** Blocks of the fingers and the back, boards and their signs, in LOCAL_ENU. */
   List<ObjectDescription> objects() {
     List<ObjectDescription> all = new ArrayList<>();
     for (int row = 0; bays.size() > 0 && row < 4; row++) {

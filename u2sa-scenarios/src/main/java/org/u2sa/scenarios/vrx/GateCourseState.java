@@ -18,19 +18,19 @@ import org.u2sa.scenarios.vrx.sight.MarkerGate;
 
 /**
  * Passes the gates of a {@link GateCourse}: the first one, then always the nearest that lies ahead
- * of the last one, around obstacles. Without one in sight it goes on a little, then turns on the
- * spot.
+ * of the last one, around obstacles. Without a gate in sight it continues a little, then turns on
+ * the spot.
  */
 final class GateCourseState implements PlannerState {
   private static final double UNKNOWN_M =
       1.0e6; // assumed distance of a course that is still unseen
   private static final double SAME_M = 6.0; // a gate this near one that was passed is the same
-  private static final double REACH_M = 75.0; // to the next gate
+  private static final double REACH_M = 75.0; // maximum distance to the next gate
   private static final double BEFORE_M =
       6.0; // distance before the gate of the place on its axis to approach first
   private static final double BEYOND_M = 4.0;
   private static final double THROUGH_SHARE =
-      0.3; // of the width, from the middle, on a way through
+      0.3; // fraction of the width, from the middle, that is a clear passage
   private static final double ON_M = 25.0; // beyond the last gate, looking for the next one
   private static final double WITHIN_M = 1.5;
   private static final double TURN_RAD = 0.4; // ahead of the heading, on the spot
@@ -40,7 +40,7 @@ final class GateCourseState implements PlannerState {
   private final List<MarkerGate> passed = new ArrayList<>();
   private Optional<Point> before = Optional.empty(); // position at the last state
   private Optional<Point> target = Optional.empty(); // direction of the current approach
-  private long seenMicros; // when a next gate was known last
+  private long seenMicros; // when a next gate was last known
 
   GateCourseState(PlannerView surroundings) {
     this.surroundings = surroundings;
@@ -126,7 +126,7 @@ final class GateCourseState implements PlannerState {
     return MarkerGate.among(ports, starboards);
   }
 
-  /** Beyond the gate if the straight way there leads through it, else before it. */
+  /** A point beyond the gate if a straight path leads through it, otherwise in front of it. */
   private static Point through(MarkerGate gate, Point here) {
     double ahead = gate.aheadM(here);
     double aside = gate.asideM(here) * BEYOND_M / (ahead + BEYOND_M);

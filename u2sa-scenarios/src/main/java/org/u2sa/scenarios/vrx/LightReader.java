@@ -14,9 +14,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Reads the sequence of a light buoy, which shows each of three colours for a second and then none
- * for two, and enters it in the current {@link DockBySign}, once two readings in a row agree. In:
- * goals. Out: goal-updates.
+ * Reads the sequence of a light buoy, which shows each of three colours for one second and then
+ * none for two, and enters the sequence in the current {@link DockBySign} once two consecutive
+ * readings agree. In: goals. Out: goal-updates.
  */
 final class LightReader extends PeriodicService {
   private static final double LOOKS_PER_S = 10.0;

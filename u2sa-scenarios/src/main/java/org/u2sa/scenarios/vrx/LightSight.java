@@ -9,9 +9,9 @@ import org.u2sa.messages.marine.Colour;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Simulated recognition of a light buoy's colour by cameras that look ahead and to both sides. It
- * shows three colours, a second each, then two seconds of darkness (LightBuoyPlugin.cc); one look
- * in ten names a wrong colour or none.
+ * Simulated recognition of a light buoy's colour by cameras that look ahead and to both sides. The
+ * buoy shows three colours for one second each, then stays dark for two (LightBuoyPlugin.cc); one
+ * look in ten yields a wrong colour or none.
  */
 final class LightSight implements LightReader.Sight {
   private static final double REACH_M = 25.0;

@@ -18,7 +18,7 @@ final class PathJudge extends VrxJudge {
   private static final double PENALTY = 3.0;
   private static final double BUFFER_S = 10.0; // between collisions that count
 
-  /** Most points of a course: 99 of nine gates. */
+  /** Maximum score of a course, e.g. 99 for nine gates. */
   static long most(int gates) {
     return Math.round(gates * (GATE + BONUS));
   }

@@ -53,7 +53,7 @@ final class VrxDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--task",
       description =
-          "Task that the world is expected to have: one of ${COMPLETION-CANDIDATES}. Default: the world's.")
+          "Expected task of the world: one of ${COMPLETION-CANDIDATES}. Default: the world's.")
   private VrxTask task; // null: whichever
 
   private VrxWorld world;

@@ -38,7 +38,7 @@ abstract class VrxJudge implements TruthObserver.Scorer {
   /**
    * The judge of a world's task.
    *
-   * @param outline of the vehicle
+   * @param outline outline of the vehicle
    */
   static VrxJudge of(VrxWorld world, Footprint outline, Path directory) {
     return switch (world.task()) {

@@ -11,11 +11,11 @@ import org.u2sa.report.ReportFile;
 
 /** The mission that a world's task gives the vehicle. */
 final class VrxMission {
-  private static final double WITHIN_M = 0.15; // of the place, while the smallest error counts
+  private static final double WITHIN_M = 0.15; // radius in which the best error counts
   private static final double START_WITHIN_M = 1.0;
   private static final double STAY_S = 4.0;
-  private static final double CIRCLE_SHARE = 0.55; // of the engagement distance
-  private static final double CLEARANCE_M = 3.0; // beyond it, from animals to be avoided
+  private static final double CIRCLE_SHARE = 0.55; // fraction of the engagement distance
+  private static final double CLEARANCE_M = 3.0; // extra distance from animals to be avoided
   private static final String GATES =
       "  <gateCourse><name>gates</name>"
           + "<objectTypes>white marker, green marker, black marker, red marker</objectTypes></gateCourse>\n";
@@ -30,7 +30,7 @@ final class VrxMission {
     switch (world.task()) {
       case STATIONKEEPING -> text.append(station("station", world.goals().get(0), WITHIN_M, 0.0));
       case WAYFINDING -> {
-        double stayS = STAY_S + world.times().readyS(); // at the first, which may be near
+        double stayS = STAY_S + world.times().readyS(); // at the first gate, which may be close
         for (int i : order(world)) {
           text.append(station("waypoint " + (i + 1), world.goals().get(i), WITHIN_M, stayS));
           stayS = STAY_S;
@@ -74,7 +74,7 @@ final class VrxMission {
     return station("start", here, START_WITHIN_M, world.times().readyS());
   }
 
-  /** The species and what to do with them are the same in all worlds; places are announced. */
+  /** Species and their treatment are the same in all worlds; positions are announced. */
   private static String animals(Wildlife wildlife) {
     return String.format(
         Locale.ROOT,

@@ -62,7 +62,7 @@ final class VrxObjects {
       throw name.error(
           "\""
               + text
-              + "\": no such model; expected the name of an <include> of the world or of its course in ../models");
+              + "\": no such model; expected the name of an <include> in the world or its course in ../models");
     }
     return found;
   }

@@ -24,7 +24,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa demo vrx-table}: all worlds of a folder, and the scores beside published ones. */
+/** {@code u2sa demo vrx-table}: runs a folder's worlds and compares with published scores. */
 @Command(
     name = "vrx-table",
     description = {
@@ -96,7 +96,7 @@ final class VrxTable implements Callable<Integer> {
       to.flush();
     }
     if (all.isEmpty()) {
-      throw new BadInputException(folder + ": holds no world of a task that the demo runs");
+      throw new BadInputException(folder + ": contains no world with a task that the demo runs");
     }
     for (VrxTask task : VrxTask.values()) {
       total(task, all).ifPresent(to::println);
@@ -108,7 +108,7 @@ final class VrxTable implements Callable<Integer> {
 
   private List<Path> worlds() throws IOException {
     if (!Files.isDirectory(folder)) {
-      throw new BadInputException(folder + ": no such folder; expected one with worlds of VRX");
+      throw new BadInputException(folder + ": no such folder; expected one with VRX worlds");
     }
     try (Stream<Path> files = Files.walk(folder)) {
       return files
@@ -159,7 +159,7 @@ final class VrxTable implements Callable<Integer> {
     return line + (contacts > 0 ? "  contacts " + contacts : "");
   }
 
-  /** Most points of a path, 11 a gate, and of a dock; unit of times. */
+  /** Maximum score of a path (11 per gate) and of a dock; unit of times. */
   private static String ofAll(Path world, VrxTask task) {
     return switch (task) {
       case PATH -> " of " + PathJudge.most(VrxWorldReader.read(world).gates().size());

@@ -8,9 +8,9 @@ enum VrxTask {
   WAYFINDING("WayfindingScoringPlugin", false),
   /** Pass gates in order, among obstacles. */
   PATH("NavigationScoringPlugin", true),
-  /** Circle animals, and keep away from others. */
+  /** Circle some animals and keep away from others. */
   WILDLIFE("WildlifeScoringPlugin", false),
-  /** Read a light buoy, and dock in the bay that it names. */
+  /** Read a light buoy and dock in the bay that it designates. */
   DOCK("ScanDockScoringPlugin", true);
 
   private final String plugin;

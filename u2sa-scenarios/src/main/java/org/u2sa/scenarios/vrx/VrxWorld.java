@@ -19,13 +19,13 @@ import org.u2sa.sim.world.World;
 /**
  * A task as a VRX world describes it.
  *
- * @param file of the world
- * @param origin of the coordinates east, north, up
- * @param wind of the world
+ * @param file the world file
+ * @param origin origin of the coordinates east, north, up
+ * @param wind wind of the world
  * @param sea waves of the world
- * @param times of the task
- * @param goals places with headings, in the order of the file
- * @param gates in the order of the course
+ * @param times durations of the task
+ * @param goals positions with headings, in the order of the file
+ * @param gates gates in the order of the course
  * @param buoys markers and obstacles, in LOCAL_ENU
  * @param wildlife animals of that task
  * @param docking dock and light buoy of that task
@@ -49,13 +49,13 @@ record VrxWorld(
   static final double START_HEADING_RAD = headingOf(1.0);
 
   private static final double VERTICAL_SHARE = 0.5096; // σ_w / σ_u below 10 ft, MIL-F-8785C
-  private static final double SPREAD_RAD = 0.33; // of components at −0.4, 0 and 0.4 rad
+  private static final double SPREAD_RAD = 0.33; // of wave components at −0.4, 0 and 0.4 rad
 
   /**
    * Wind of libUSVWind: v̇ = (−v + g N/√dt)/τ about the mean, along one direction.
    *
    * @param meanMps mean speed [m/s]
-   * @param fromRad where it comes from, clockwise from north [rad]
+   * @param fromRad direction it blows from, clockwise from north [rad]
    * @param gain g [m/s √s]
    * @param timeS τ [s]
    */
@@ -103,7 +103,7 @@ record VrxWorld(
       return left.minus(right).distance();
     }
 
-    /** Bearing in which the gate is to be crossed, clockwise from north [rad]. */
+    /** Direction in which to cross the gate, clockwise from north [rad]. */
     double headingRad() {
       Point across = left.minus(right);
       return headingOf(Math.atan2(across.y(), across.x()) + 0.5 * Math.PI);

@@ -4,13 +4,13 @@ import java.util.List;
 import org.u2sa.sim.world.ScriptedMover;
 
 /**
- * Animals, each a buoy that swims to and fro.
+ * Animals, each a buoy that swims back and forth.
  *
- * @param engagementM distance up to which the boat is engaged with an animal [m]
- * @param bonusS time bonus of each goal that is reached [s]
+ * @param engagementM distance within which the boat is engaged with an animal [m]
+ * @param bonusS time bonus per completed goal [s]
  */
 record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
-  /** What to do with an animal; VRX calls these crocodile, platypus and turtle. */
+  /** Treatment of an animal; in VRX, these are crocodile, platypus and turtle. */
   enum Part {
     /** Keep away from it. */
     AVOID("crocodile"),
@@ -38,7 +38,7 @@ record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
    */
   record Animal(String name, Part part, ScriptedMover mover) {}
 
-  /** Without animals, for the other tasks. */
+  /** No animals, for other tasks. */
   static Wildlife none() {
     return new Wildlife(List.of(), 0.0, 0.0);
   }

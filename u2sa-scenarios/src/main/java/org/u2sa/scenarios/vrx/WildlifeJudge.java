@@ -11,12 +11,11 @@ import org.u2sa.sim.world.Footprint;
 
 /**
  * Wildlife: the time until all circles are completed, at most that of the running state, less a
- * bonus for each of them and for each animal that was to be avoided and never came near; lower is
- * better.
+ * bonus for each circle and for each animal that was successfully avoided; lower is better.
  *
  * <p>A circle consists of eight gates from the animal outwards, crossed in the right direction
- * without leaving the engagement distance; a gate crossed the other way, and a collision, begin it
- * again (WildlifeScoringPlugin.cc).
+ * without leaving the engagement distance; a gate crossed the other way, and a collision, restart
+ * it (WildlifeScoringPlugin.cc).
  */
 final class WildlifeJudge extends VrxJudge {
   private static final int GATES = 8;

@@ -82,7 +82,7 @@ class CameraCommandTest {
     Path text = Files.writeString(folder.resolve("notes.png"), "no picture");
     assertThat(u2sa("camera", "look", text.toString(), "--height", "1"))
         .isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("notes.png: is no PNG, JPEG, BMP or GIF picture");
+    assertThat(err.toString()).contains("notes.png: is not a PNG, JPEG, BMP or GIF picture");
   }
 
   @Test

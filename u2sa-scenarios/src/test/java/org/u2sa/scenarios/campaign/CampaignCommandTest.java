@@ -81,7 +81,7 @@ class CampaignCommandTest {
   void campaign_sameNameSweptTwice_isRefused() {
     assertThat(campaign("x", "ugv", "--sweep", "payload=0,5", "--sweep", "payload=7"))
         .isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("payload is swept already");
+    assertThat(err.toString()).contains("payload is already swept");
   }
 
   @Test

@@ -80,7 +80,7 @@ class EncounterScoreTest {
   @Test
   void violations_standsOnButTurnsEarly_isSaid() {
     assertThat(judged(Rule.CROSSING_STAND_ON, 90, 30, 60, 40).violations())
-        .contains("the boat acted before it had to stand on no longer");
+        .contains("the boat acted while it still had to stand on");
   }
 
   @Test

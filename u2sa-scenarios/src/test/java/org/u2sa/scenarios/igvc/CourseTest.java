@@ -194,11 +194,11 @@ class CourseTest {
     assertThat(CourseChecker.faults(ramped(0.15, 2.0, 14.0)))
         .asString()
         .contains("2.00 m wide")
-        .contains("0 lines that lead over it");
+        .contains("0 lines across it");
     assertThat(CourseChecker.faults(ramped(0.15, 3.9, 14.0))).asString().contains("ends beside");
     assertThat(CourseChecker.faults(ramped(0.15, 4.6, 12.0)))
         .asString()
-        .contains("ramp 1 has barrel 1 on it");
+        .contains("ramp 1 has barrel 1 on or beside it");
   }
 
   @Test

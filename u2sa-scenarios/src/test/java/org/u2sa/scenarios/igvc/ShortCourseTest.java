@@ -103,7 +103,7 @@ class ShortCourseTest {
     assertThat(run.figure("touches")).as(run.said()).isZero();
     assertThat(run.figure("lineCrossings")).as(run.said()).isZero();
     assertThat(new String(run.file("judge.log"), StandardCharsets.UTF_8))
-        .contains("stands for more than a minute");
+        .contains("stood still for more than a minute");
   }
 
   @Tag("long")

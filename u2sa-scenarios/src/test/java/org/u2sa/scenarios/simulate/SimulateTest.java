@@ -204,7 +204,7 @@ class SimulateTest {
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
     assertThat(run.err())
         .contains(
-            "service \"GpsSensor\" needs a GpsReceiver and finds none; the vehicle has <compass>, <imu>, LEFT MOTOR, RIGHT MOTOR");
+            "service \"GpsSensor\" needs a GpsReceiver, which the vehicle lacks; it has <compass>, <imu>, LEFT MOTOR, RIGHT MOTOR");
   }
 
   @Test

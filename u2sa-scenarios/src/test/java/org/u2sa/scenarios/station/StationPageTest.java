@@ -210,7 +210,7 @@ class StationPageTest {
 
     String name = "<img src=x onerror=console.error(1)>";
     browser.openFile("bad.xml", "<mission>\n<waypoint>\n<colour>1</colour></waypoint></mission>");
-    browser.awaitText("outcome", "bad.xml, line 3, <colour>: is no field of Waypoint");
+    browser.awaitText("outcome", "bad.xml, line 3, <colour>: is not a field of Waypoint");
     browser.openFile(
         "<b>.xml",
         "<mission><home><x>-81</x><y>29</y></home><waypoint><name>"

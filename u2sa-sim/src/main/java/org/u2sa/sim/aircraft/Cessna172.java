@@ -100,9 +100,10 @@ public final class Cessna172 implements SimulatedVehicle {
   }
 
   /**
-   * Creates an aircraft of another loading on its wheels.
+   * Creates an aircraft with a different loading on its wheels.
    *
-   * @param massKg mass, up to about the maximum take-off mass of 1088.6 kg, for which its gear is
+   * @param massKg mass, up to about the maximum take-off mass of 1088.6 kg, the design mass of the
+   *     gear
    * @param inertia moments of inertia in roll, pitch and yaw [kg m²]
    */
   public static Cessna172 onRunway(

@@ -57,7 +57,7 @@ public record Wind(
     return with(growsWithHeight ? WindProfile.military() : WindProfile.uniform());
   }
 
-  /** Copy with another profile. */
+  /** Copy with a different profile. */
   public Wind with(WindProfile newProfile) {
     return new Wind(fromRad, speedMps, newProfile, gustSigmaMps, seed);
   }

@@ -7,7 +7,7 @@ import org.u2sa.sim.motion.Arguments;
  * Optics and mounting of a colour camera. Images follow the pinhole model of {@link #intrinsics}
  * unless {@code k1} or {@code k2} is set.
  *
- * @param rateHz frames a second
+ * @param rateHz frames per second
  * @param width image width [px]
  * @param height image height [px]
  * @param viewRad horizontal field of view without distortion [rad]
@@ -79,7 +79,7 @@ public record ColourLens(
         Math.toRadians(22.0));
   }
 
-  /** Copy with another frame rate. */
+  /** Copy with a different frame rate. */
   public ColourLens rate(double newRateHz) {
     return new ColourLens(
         newRateHz,

@@ -19,7 +19,7 @@ final class MarineShapes {
   private static final float MISS = Float.POSITIVE_INFINITY;
   private static final double[] NO_SHADOW = {};
   private static final double SHEET_M = 0.01; // thickness of flat things
-  private static final double RIM = 0.7; // inner part of a bin, of its size
+  private static final double RIM = 0.7; // inner part of a bin, as a fraction of its size
 
   private MarineShapes() {}
 
@@ -234,7 +234,7 @@ final class MarineShapes {
         float ew = ex * wx + ey * wy + ez * wz;
         float det = d2 * e2 - de * de;
         float s = det == 0.0f ? 0.0f : Math.max(0.0f, Math.min(1.0f, (d2 * ew - de * dw) / det));
-        float t = (s * de - dw) / d2; // on the ray, nearest to the tube's axis
+        float t = (s * de - dw) / d2; // point of the ray nearest to the tube's axis
         float ox = wx + t * dx - s * ex;
         float oy = wy + t * dy - s * ey;
         float oz = wz + t * dz - s * ez;

@@ -18,7 +18,7 @@ public record WaterLook(
     double scattering,
     double windMps,
     int particles) {
-  private static final double FORWARD = 0.5; // of the scattered light stays within a pixel's view
+  private static final double FORWARD = 0.5; // share of scatter that stays in a pixel
 
   /**
    * @throws IllegalArgumentException if a value is outside its range

@@ -9,7 +9,7 @@ import java.util.Random;
 final class WaveSlopes {
   private static final int COUNT = 14;
   private static final double SHORTEST_M = 0.12;
-  private static final double RATIO = 1.38; // of successive wavelengths
+  private static final double RATIO = 1.38; // ratio of successive wavelengths
   private static final double GRAVITY = 9.81;
 
   private final float[] east = new float[COUNT]; // wave number [rad/m]

@@ -24,8 +24,8 @@ import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
- * A detector that recognises the typed objects of a world within its field of view, unless others
- * hide them, with errors of bearing, elevation and range, and with misses.
+ * A detector that recognises the typed objects of a world within its field of view, unless other
+ * objects hide them, with errors of bearing, elevation and range, and with misses.
  */
 public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detections>
     implements ObjectDetector {

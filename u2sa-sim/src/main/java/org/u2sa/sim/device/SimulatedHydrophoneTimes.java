@@ -10,7 +10,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Hydrophones that measure the arrival times of one pinger's spherical waves, at any distance. A
- * hydrophone may miss the direct wave and take an echo for it.
+ * hydrophone may miss the direct wave and mistake an echo for it.
  */
 public final class SimulatedHydrophoneTimes extends NoisyDevice<HydrophoneArray.Heard>
     implements HydrophoneArray {
@@ -33,8 +33,8 @@ public final class SimulatedHydrophoneTimes extends NoisyDevice<HydrophoneArray.
   /**
    * Uses the random stream {@code hydrophones}.
    *
-   * @param errors of the arrival times [s]; their rate is that of the pings
-   * @param places of the hydrophones on the array: forward, left, down [m]
+   * @param errors errors of the arrival times [s]; their rate is that of the pings
+   * @param places positions of the hydrophones on the array: forward, left, down [m]
    * @param truth current state of the array
    */
   public SimulatedHydrophoneTimes(

@@ -21,8 +21,8 @@ public final class SimulatedHydrophones extends NoisyDevice<HydrophoneArray.Hear
    * Uses the random stream {@code hydrophones}.
    *
    * @param errors of the angles [rad]; their rate is that of the pings
-   * @param frequencyHz of the pinger [Hz]
-   * @param pinger its place: east, north, up [m]
+   * @param frequencyHz frequency of the pinger [Hz]
+   * @param pinger position of the pinger: east, north, up [m]
    * @param truth current state of the array
    */
   public SimulatedHydrophones(

@@ -18,12 +18,12 @@ import org.u2sa.sim.world.World;
 /**
  * Environment of a device of a simulated vehicle.
  *
- * @param world around the vehicle
+ * @param world world around the vehicle
  * @param truth current state of the vehicle
  * @param air current velocity of the air around the vehicle: east, north, up [m/s]
  * @param wheels current state of a ground vehicle's wheels
- * @param traffic other vehicles now
- * @param thrustN thrust of an actuator now [N]; empty if the model computes none
+ * @param traffic current states of other vehicles
+ * @param thrustN current thrust of an actuator [N]; empty if the model computes none
  * @param streams the device's own random numbers
  */
 record Aboard(

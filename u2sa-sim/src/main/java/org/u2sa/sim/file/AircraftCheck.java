@@ -69,7 +69,7 @@ final class AircraftCheck {
     WingCoefficients wing = plane.wing();
     double weight = plane.mass().massKg() * Gravity.STANDARD_MPS2;
     double lift = wing.lift().zero() + wing.lift().alpha() * wing.stallRad();
-    double halfStalled = // half of the wing lifts, the other half is a plate
+    double halfStalled = // half of the wing lifts, the other half acts as a plate
         0.5 * (lift + 2.0 * Math.pow(Math.sin(wing.stallRad()), 2) * Math.cos(wing.stallRad()));
     double density = StandardAtmosphere.SEA_LEVEL_DENSITY_KG_PER_M3;
     return text(

@@ -60,7 +60,7 @@ final class AircraftParts {
     return List.copyOf(legs);
   }
 
-  /** How it is thrown; empty if it stands. */
+  /** How the aircraft is launched; empty if it starts on the ground. */
   static Optional<Catapult> catapult(FileElement file) {
     return file.optionalPart("catapult").map(AircraftParts::thrower);
   }

@@ -14,7 +14,7 @@ import org.u2sa.sim.world.World;
 /**
  * An IOIO board of a vehicle file, with the devices at its pins.
  *
- * @param compass by the declination [rad]
+ * @param compass compass as a function of the declination [rad]
  */
 record BoardEntry(
     MiniMolle.Wiring wiring, GpsParameters gps, DoubleFunction<CompassParameters> compass) {

@@ -36,7 +36,7 @@ record Body(
     return new Body(mass, inertia, isAboutReference, gravityCentre, footprint);
   }
 
-  /** A body whose mass and inertia are in another file. */
+  /** A body whose mass and inertia come from another file. */
   static Body outline(FileElement body) {
     Footprint footprint = footprint(body.part("outline"));
     body.end();

@@ -36,7 +36,7 @@ record FixedWingModel(
     List<LandingLeg> legs = AircraftParts.legs(file, true);
     Optional<Catapult> catapult = AircraftParts.catapult(file);
     if (legs.isEmpty() && catapult.isEmpty()) {
-      throw file.xml().error("has neither <skid>, <wheel> nor <catapult>; expected how it starts");
+      throw file.xml().error("has neither <skid>, <wheel> nor <catapult>; expected one");
     }
     ElectricPropeller propeller =
         propeller(
@@ -116,7 +116,7 @@ record FixedWingModel(
       each.end();
       if (surface.name().equals(taken)
           || all.stream().anyMatch(other -> other.name().equals(surface.name()))) {
-        throw each.xml().error("name \"" + surface.name() + "\" is another actuator's already");
+        throw each.xml().error("name \"" + surface.name() + "\" is already an actuator's");
       }
       all.add(surface);
     }

@@ -15,7 +15,7 @@ import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
 /**
- * Any number of rotors that carry a body.
+ * A body carried by any number of rotors.
  *
  * @param failures time at which each rotor's motor fails [s], infinite for never
  */
@@ -43,7 +43,7 @@ record MultirotorModel(
       double failsAt = each.number("failsAt", "s", 0.0, 1e9, Double.POSITIVE_INFINITY);
       Rotor rotor = rotor(each);
       if (rotors.stream().anyMatch(other -> other.name().equals(rotor.name()))) {
-        throw each.xml().error("name \"" + rotor.name() + "\" is another rotor's already");
+        throw each.xml().error("name \"" + rotor.name() + "\" is already a rotor's");
       }
       rotors.add(rotor);
       failures.put(rotor.name(), failsAt);

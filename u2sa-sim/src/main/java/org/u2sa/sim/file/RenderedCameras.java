@@ -19,7 +19,7 @@ import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.world.Sunlight;
 import org.u2sa.sim.world.World;
 
-/** Cameras of vehicle files with rendered images: of land, of water, and thermal ones. */
+/** Cameras of vehicle files with rendered images of land or water, and thermal cameras. */
 final class RenderedCameras {
   private static final int MAX_PIXELS = 4_000;
   private static final int MAX_PARTICLES = 10_000;

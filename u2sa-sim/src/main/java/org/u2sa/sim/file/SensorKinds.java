@@ -34,7 +34,7 @@ import org.u2sa.sim.file.element.FileElement;
 /** The kinds of sensors in vehicle files, one for each port of devices. */
 final class SensorKinds {
   /**
-   * A sensor as its kind reads it.
+   * A sensor as read by its kind.
    *
    * @param variables values of the services' variables that follow from it
    */
@@ -98,7 +98,7 @@ final class SensorKinds {
                   .xml()
                   .error(
                       entry.service().isPresent()
-                          ? "service \"" + entry.service().get() + "\" has another one already"
+                          ? "service \"" + entry.service().get() + "\" already has another one"
                           : "is the second one without a service; expected service=\"NAME\"");
             }
             all.add(entry);

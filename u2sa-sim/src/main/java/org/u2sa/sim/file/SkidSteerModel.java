@@ -17,7 +17,7 @@ import org.u2sa.sim.world.World;
 /**
  * Any number of driven wheels per side.
  *
- * @param parameters by the mismatch of its motors
+ * @param parameters parameters as a function of the motor mismatch
  */
 record SkidSteerModel(
     DoubleFunction<SkidSteerParameters> parameters, Wheels measures, GroundParts.Mismatch mismatch)

@@ -64,7 +64,7 @@ final class StateSensors {
     return depthM(vehicle.world(), antenna) > 0.0;
   }
 
-  /** Parameters by the declination [rad]. */
+  /** Parameters as a function of the declination [rad]. */
   static DoubleFunction<CompassParameters> compassParameters(FileElement file) {
     double rate = file.number("rate", "Hz", 0.1, 200.0);
     double field = file.number("field", "uT", 1.0, 60.0);

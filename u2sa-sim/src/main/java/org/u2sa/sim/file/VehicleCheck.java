@@ -14,7 +14,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Measures a vehicle's performance by simulating it on level ground, in still water or in calm air:
- * each actuator alone first, then together those that act in the same direction.
+ * first each actuator alone, then those that act in the same direction together.
  */
 public final class VehicleCheck {
   private static final double TICK_S = 0.05;
@@ -24,7 +24,7 @@ public final class VehicleCheck {
   private static final double LOOK_BACK_S = 5.0;
   private static final double STEADY = 0.002; // change within that time, relative
   private static final double NOTHING = 0.02; // [m/s²], [rad/s²]
-  private static final double SIDE_EFFECT = 0.15; // of an actuator's effect along another axis
+  private static final double SIDE_EFFECT = 0.15; // share of an effect along another axis
   private static final double DEPTH_M = 100.0;
 
   /** Forward, right, down; turning right. */

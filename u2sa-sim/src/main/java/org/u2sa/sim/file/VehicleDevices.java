@@ -49,7 +49,7 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
 
   /**
    * @param run the vehicle of the file, in its world
-   * @param seed of the run, for the noise
+   * @param seed seed of the run, for the noise
    */
   public VehicleDevices(VehicleFile file, RunningVehicle run, long seed) {
     this.file = file;
@@ -126,7 +126,7 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
     return device;
   }
 
-  /** Level of the switched payload of a service [%]; 0 if it has none. Thread-safe. */
+  /** Level of a service's switched payload [%]; 0 if it has none. Thread-safe. */
   public double switchPercent(String service) {
     return Optional.ofNullable(switches.get(service)).map(SimulatedSwitch::percent).orElse(0.0);
   }
@@ -143,7 +143,7 @@ public final class VehicleDevices implements ServiceContext.DeviceSource {
     all.addAll(file.model().actuators());
     return new BadInputException(
         String.format(
-            "%s: service \"%s\" needs a %s and finds none; the vehicle has %s",
+            "%s: service \"%s\" needs a %s, which the vehicle lacks; it has %s",
             file.origin(), service, port, String.join(", ", all)));
   }
 

@@ -65,7 +65,7 @@ public final class VehicleFile {
   }
 
   /**
-   * Reads a vehicle with other values than those of its file.
+   * Reads a vehicle with some values of its file replaced.
    *
    * @param changes values by their places, such as {@code body/mass} or {@code gps/@preset}
    * @throws BadInputException as {@link #load(Path)}, also if there is no such place
@@ -87,7 +87,7 @@ public final class VehicleFile {
   private SimulatedVehicle probed(XmlElement root) {
     try {
       return make(emptyWorld(), Point.ORIGIN, 0.0, 1);
-    } catch (IllegalArgumentException e) { // each value is in its range, but not all together
+    } catch (IllegalArgumentException e) { // invalid combination of valid values
       throw root.error("cannot be simulated: " + e.getMessage(), e);
     }
   }
@@ -107,7 +107,7 @@ public final class VehicleFile {
         vehicle.step(PROBE_S);
         speed = vehicle.truth().velocity().distance() + vehicle.truth().rates().distance();
       } catch (IllegalArgumentException e) {
-        throw root.error("its motion grows beyond all numbers: " + e.getMessage(), e);
+        throw root.error("its motion diverges: " + e.getMessage(), e);
       }
       if (!(speed < FASTEST_MPS)) {
         throw root.error(
@@ -122,12 +122,12 @@ public final class VehicleFile {
     }
   }
 
-  /** A level world in which the vehicle can be alone: for a vessel, deep water. */
+  /** An empty level world in which the vehicle can move: for a vessel, deep water. */
   public World emptyWorld() {
     return home(World.at(new Geodetic(0.0, 0.0, 0.0)));
   }
 
-  /** The world, with still water up to its plane if the vehicle needs water and it has none. */
+  /** The world, with still water up to its plane added if the vehicle needs water. */
   public World home(World world) {
     return model.medium() == VehicleModel.Medium.WATER && world.water().isEmpty()
         ? world.with(new Water(0.0, 0.0, 0.0))
@@ -168,7 +168,7 @@ public final class VehicleFile {
   }
 
   /**
-   * Creates a vehicle at rest behind its IOIO board, which takes it on.
+   * Creates a vehicle at rest behind its IOIO board.
    *
    * @throws BadInputException if it has none
    */
@@ -182,7 +182,7 @@ public final class VehicleFile {
         world, ((GroundModel) model).make(world, start, headingRad, seed), hazards, seed);
   }
 
-  /** Creates a vehicle at rest, as services and observers of a run share it. */
+  /** Creates a vehicle at rest, to be shared by the services and observers of a run. */
   public RunningVehicle running(World world, Point start, double headingRad, long seed) {
     VehicleRun run = new VehicleRun(make(world, start, headingRad, seed));
     return model.isSteppedByOwner() ? run.readers() : run;

@@ -17,8 +17,8 @@ public final class VehicleInstruments {
    *
    * @param nowMicros time of the run [µs]
    * @param seed seed of the noise
-   * @return by element: gps, compass; followed by a hyphen and the service if it is for that
-   *     service only
+   * @return instruments by element (gps, compass), with a hyphen and the service if only for that
+   *     service
    */
   public static Map<String, SerialInstrument> of(
       VehicleFile file, RunningVehicle run, LongSupplier nowMicros, long seed) {

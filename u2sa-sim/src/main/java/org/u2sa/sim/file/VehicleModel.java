@@ -38,7 +38,7 @@ public interface VehicleModel {
     return false;
   }
 
-  /** Whether one service, which commands all of it, alone advances it: sensors must not. */
+  /** Whether only the service that commands the vehicle advances it; sensors must not. */
   default boolean isSteppedByOwner() {
     return false;
   }
@@ -61,7 +61,7 @@ public interface VehicleModel {
     return OptionalDouble.empty();
   }
 
-  /** Its mass, if it is not the body's [kg]. */
+  /** Mass [kg], if it differs from the body's. */
   default OptionalDouble massKg() {
     return OptionalDouble.empty();
   }

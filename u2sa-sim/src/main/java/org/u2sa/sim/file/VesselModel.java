@@ -41,7 +41,7 @@ record VesselModel(
 
   /** Whether the hull has a Munk moment. */
   private enum MunkMoment {
-    /** As potential theory has it. */
+    /** As in potential theory. */
     INCLUDED,
     /** Without the couplings of added mass in pitch and yaw. */
     NONE
@@ -152,7 +152,7 @@ record VesselModel(
     for (FileElement each : file.parts(kind, "name")) {
       VesselActuator actuator = reader.apply(each);
       if (all.stream().anyMatch(other -> other.name().equals(actuator.name()))) {
-        throw each.xml().error("name \"" + actuator.name() + "\" is another actuator's already");
+        throw each.xml().error("name \"" + actuator.name() + "\" is already an actuator's");
       }
       all.add(actuator);
     }

@@ -12,7 +12,7 @@ public interface AirLoads {
   /**
    * Sets the target of an actuator.
    *
-   * @param value −1…1, or 0…1 for what turns one way only
+   * @param value −1…1, or 0…1 for actuators that turn one way only
    * @throws IllegalArgumentException if it is outside
    */
   void command(int actuator, double value);
@@ -20,7 +20,7 @@ public interface AirLoads {
   /** Weakens an actuator: remaining fraction of its effect, 0…1. */
   void weaken(int actuator, double share);
 
-  /** Whether what drives it forward is commanded to run, as a catapult waits for. */
+  /** Whether the forward drive is commanded to run; a catapult waits for this. */
   boolean isDriven();
 
   /** Span on which the gusts act [m]. */
@@ -36,7 +36,8 @@ public interface AirLoads {
   void add(double[] s, double[] rate, int first, Air air, double[] load);
 
   /**
-   * Advances what changes in steps: control systems, engines, fuel. Called before each tick.
+   * Advances everything that changes in discrete steps: control systems, engines, fuel. Called
+   * before each tick.
    *
    * @param s state of the aircraft; its actuators' states may be set
    * @param rate derivative of the state after the last tick
@@ -46,7 +47,7 @@ public interface AirLoads {
     // nothing does
   }
 
-  /** Mass from the next tick on, if it changes. */
+  /** Mass from the next tick on, if it varies. */
   default Optional<MassProperties> mass() {
     return Optional.empty();
   }
@@ -58,7 +59,7 @@ public interface AirLoads {
    */
   double powerW(double[] s, int first, Air air);
 
-  /** A share that an actuator keeps. */
+  /** Remaining effect of an actuator after a failure. */
   static double share(double value) {
     return Arguments.requireInside("share of an actuator's effect", value, 0.0, 1.0);
   }

@@ -3,7 +3,7 @@ package org.u2sa.sim.flight;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * A catapult, a bungee or a hand that throws an aircraft when its motor runs.
+ * Launches an aircraft by catapult, bungee or hand once its motor runs.
  *
  * @param speedMps speed over ground of the aircraft when it leaves [m/s]
  * @param angleRad above the horizon, which is also its pitch [rad]
@@ -11,7 +11,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param strokeM acceleration distance [m]
  */
 public record Catapult(double speedMps, double angleRad, double heightM, double strokeM) {
-  /** Throttle above which it throws. */
+  /** Throttle above which it launches. */
   static final double RUNS_ABOVE = 0.5;
 
   /**

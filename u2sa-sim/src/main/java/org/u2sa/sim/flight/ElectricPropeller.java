@@ -57,7 +57,7 @@ public record ElectricPropeller(
   }
 
   /**
-   * Speed at which the motor's torque is the propeller's [rad/s]; 0 if the motor cannot turn it.
+   * Speed at which motor and propeller torque are equal [rad/s]; 0 if the motor cannot turn it.
    *
    * @param throttle 0…1
    * @param airspeedMps along the axis [m/s]

@@ -35,7 +35,7 @@ public record Rotor(
     double maxRadPerS,
     double timeConstantS) {
   private static final double UNIT = 1e-6;
-  private static final double SHORTEST_S = 0.002; // of a time constant that 400 Hz can integrate
+  private static final double SHORTEST_S = 0.002; // minimum time constant that 400 Hz can integrate
 
   /**
    * @throws IllegalArgumentException if a value is out of range

@@ -57,7 +57,7 @@ final class Rotors implements AirLoads {
     return spanM;
   }
 
-  /** {@inheritDoc} That of the shafts, by the rotors' torque at rest. */
+  /** {@inheritDoc} Power of the shafts, computed from the rotors' torque at rest. */
   @Override
   public double powerW(double[] s, int first, Air air) {
     double sum = 0.0;
@@ -79,7 +79,7 @@ final class Rotors implements AirLoads {
       Point axis = rotor.axis();
       double omega = s[first + i];
       rate[first + i] = (target[i] - omega) / rotor.timeConstantS();
-      double u = air.u + q * at.z() - r * at.y(); // of the hub through the air
+      double u = air.u + q * at.z() - r * at.y(); // velocity of the hub through the air
       double v = air.v + r * at.x() - p * at.z();
       double w = air.w + p * at.y() - q * at.x();
       double along = u * axis.x() + v * axis.y() + w * axis.z();

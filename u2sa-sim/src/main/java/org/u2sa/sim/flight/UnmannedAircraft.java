@@ -43,7 +43,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private boolean crashed;
   private double energyJ;
-  private Optional<Catapult> catapult = Optional.empty(); // that it waits on
+  private Optional<Catapult> catapult = Optional.empty(); // on which it waits
 
   private UnmannedAircraft(
       MassProperties mass,
@@ -142,7 +142,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   /**
-   * Puts the aircraft into an attitude and motion: call before the first step.
+   * Sets the aircraft's attitude and motion: call before the first step.
    *
    * @param velocity over ground: forward, right, down in body axes [m/s]
    */
@@ -156,9 +156,9 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   /**
-   * Holds the aircraft until its motor runs, then throws it: call before the first step.
+   * Holds the aircraft until its motor runs, then launches it: call before the first step.
    *
-   * @param how speed and angle
+   * @param how launch speed and angle
    */
   public void waitOn(Catapult how) {
     catapult = Optional.of(how);
@@ -203,7 +203,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     return index;
   }
 
-  /** {@inheritDoc} Of rotors that of the shafts, of a propeller that of its motor. */
+  /** {@inheritDoc} For rotors, the power of the shafts; for a propeller, that of its motor. */
   @Override
   public OptionalDouble energyJ() {
     return OptionalDouble.of(energyJ);

@@ -11,7 +11,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param spanM wing span [m]
  * @param chordM mean chord [m]
  * @param efficiency Oswald efficiency factor e
- * @param stallRad angle of attack α₀ at which the wing has stalled half [rad]
+ * @param stallRad angle of attack α₀ at which half of the wing has stalled [rad]
  * @param stallSharpness M, the transition rate of the stall
  * @param lift C_L
  * @param parasiticDrag C_Dp
@@ -42,9 +42,9 @@ public record WingCoefficients(
    * Derivatives of a longitudinal coefficient.
    *
    * @param zero its value at α = 0
-   * @param alpha by the angle of attack
-   * @param q by the pitch rate, q c / 2V
-   * @param elevator by the elevator, trailing edge down positive
+   * @param alpha derivative by the angle of attack
+   * @param q derivative by the pitch rate, q c / 2V
+   * @param elevator derivative by the elevator, trailing edge down positive
    */
   public record Longitudinal(double zero, double alpha, double q, double elevator) {}
 
@@ -52,11 +52,11 @@ public record WingCoefficients(
    * Derivatives of a lateral coefficient.
    *
    * @param zero its value at β = 0
-   * @param beta by the sideslip
-   * @param p by the roll rate, p b / 2V
-   * @param r by the yaw rate, r b / 2V
-   * @param aileron by the ailerons, rolling right positive
-   * @param rudder by the rudder
+   * @param beta derivative by the sideslip
+   * @param p derivative by the roll rate, p b / 2V
+   * @param r derivative by the yaw rate, r b / 2V
+   * @param aileron derivative by the ailerons, rolling right positive
+   * @param rudder derivative by the rudder
    */
   public record Lateral(
       double zero, double beta, double p, double r, double aileron, double rudder) {

@@ -20,7 +20,7 @@ final class Wings implements AirLoads {
   private final double[] kept;
 
   /**
-   * @param wheels linked to the rudder, as far as they are steered
+   * @param wheels wheels, of which the steered ones are linked to the rudder
    */
   Wings(
       WingCoefficients wing,
@@ -66,7 +66,7 @@ final class Wings implements AirLoads {
     return wing.spanM();
   }
 
-  /** {@inheritDoc} That of the propeller's motor; servos are neglected. */
+  /** {@inheritDoc} Power of the propeller's motor; servos are neglected. */
   @Override
   public double powerW(double[] s, int first, Air air) {
     int last = surfaces.size();

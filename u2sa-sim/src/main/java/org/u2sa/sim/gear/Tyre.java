@@ -6,7 +6,7 @@ import org.u2sa.sim.motion.Arguments;
  * Contact of one wheel or skid with the ground.
  *
  * @param stiffness longitudinal and lateral [N/m]
- * @param damping of the patch's deflection [N s/m]
+ * @param damping damping of the patch's deflection [N s/m]
  * @param grip coefficient of friction across the wheel
  * @param rolling coefficient of friction along the wheel without brakes; a skid's is its grip
  * @param brakeGrip coefficient of friction that a full brake adds along the wheel

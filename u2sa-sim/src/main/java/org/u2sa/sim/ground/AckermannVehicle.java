@@ -23,7 +23,7 @@ public final class AckermannVehicle extends PlanarVehicle {
   private double steerTarget = Double.NaN; // NaN: servo unpowered
 
   /**
-   * As the other constructor, with another collision outline.
+   * Like the other constructor, with a different collision outline.
    *
    * @throws IllegalArgumentException if the payload lifts an axle
    */

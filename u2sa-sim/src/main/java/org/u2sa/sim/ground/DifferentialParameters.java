@@ -72,17 +72,17 @@ public record DifferentialParameters(
         Payload.none());
   }
 
-  /** Copy with another payload. */
+  /** Copy with a different payload. */
   public DifferentialParameters withPayload(Payload newPayload) {
     return with(mismatch, battery, newPayload);
   }
 
-  /** Copy with another motor mismatch. */
+  /** Copy with a different motor mismatch. */
   public DifferentialParameters withMismatch(double newMismatch) {
     return with(newMismatch, battery, payload);
   }
 
-  /** Copy with another battery. */
+  /** Copy with a different battery. */
   public DifferentialParameters withBattery(BatteryParameters newBattery) {
     return with(mismatch, newBattery, payload);
   }

@@ -6,7 +6,7 @@ import org.u2sa.sim.world.Footprint;
 
 /**
  * Parameters of a vehicle with driven, unsteered wheels in pairs, one motor per wheel. All motors
- * of a side get the same command. Lengths are relative to the reference point on the ground.
+ * on one side receive the same command. Lengths are relative to the reference point on the ground.
  *
  * @param massKg mass [kg]
  * @param yawInertiaKgM2 about the centre of gravity [kg m²]

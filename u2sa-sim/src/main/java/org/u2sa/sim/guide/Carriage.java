@@ -42,7 +42,7 @@ public final class Carriage implements SimulatedVehicle {
   /**
    * Creates a carriage at rest, with the drive off.
    *
-   * @param massKg of the carriage, without the counterweight
+   * @param massKg mass of the carriage, without the counterweight
    * @param start east, north, up [m]
    * @param headingRad clockwise from north [rad]
    */

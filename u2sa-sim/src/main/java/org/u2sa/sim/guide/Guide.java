@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Point;
  * @param direction unit vector of positive travel: forward, right, down
  * @param lowestM end of travel from the start, at most 0 [m]
  * @param highestM end of travel from the start, at least 0 [m]
- * @param forceN of the drive at full command [N]
+ * @param forceN force of the drive at full command [N]
  * @param lagS time constant of the force [s]
  * @param dragNsPerM friction proportional to the speed [N s/m]
  * @param frictionN friction independent of it [N]
@@ -27,7 +27,7 @@ public record Guide(
     double counterweightKg) {
 
   /**
-   * @throws IllegalArgumentException if there is no way to travel
+   * @throws IllegalArgumentException if the travel is empty
    */
   public Guide {
     if (!(lowestM <= 0.0 && highestM >= 0.0 && lowestM < highestM)) {

@@ -31,9 +31,9 @@ public final class IoioTcpServer implements AutoCloseable {
   private final Thread time = new Thread(this::passTime, "u2sa-ioio-server-time");
   private final Thread sender = new Thread(this::send, "u2sa-ioio-server-sender");
   private Hosts.Host host; // null if none is connected
-  private int credit; // bytes that may be read before it is renewed
+  private int credit; // bytes that may be read until it is renewed
   private long creditMicros; // when it is renewed
-  private long lastMicros; // of the clock, at the last pass of time
+  private long lastMicros; // clock time of the last advance
   private long skippedMicros; // time that the board does not count
   private boolean powered = true;
   private boolean held;

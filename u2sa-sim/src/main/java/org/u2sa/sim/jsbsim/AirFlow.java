@@ -5,7 +5,7 @@ import org.u2sa.sim.atmosphere.StandardAtmosphere;
 import org.u2sa.sim.flight.Air;
 import org.u2sa.sim.vehicle.BodyState;
 
-/** The air that an aircraft meets, and the properties that describe it. Not thread-safe. */
+/** Airflow at an aircraft and the properties that describe it. Not thread-safe. */
 final class AirFlow {
   private static final double SLUG_PER_FT3 = 1.0 / 515.378818; // of kg/m³
   private static final double PSF_PER_PA = 0.020885434;
@@ -103,7 +103,7 @@ final class AirFlow {
    * Computes the flow.
    *
    * @param s state of the aircraft
-   * @param centre of gravity, structural [ft]
+   * @param centre centre of gravity, structural [ft]
    */
   void update(double[] s, Air air, double[] centre) {
     StandardAtmosphere.Air standard = air.standard();

@@ -73,7 +73,7 @@ final class AircraftFiles {
     }
   }
 
-  /** Reads the file that an element names, whose root is one of these. */
+  /** Reads the file that an element names; its root must be one of these. */
   private XmlElement load(XmlElement element, String... roots) {
     String name = element.attribute("file");
     for (String beside : BESIDE) {

@@ -6,8 +6,8 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The commands of an aircraft and the properties that they set. The senses are those of the
- * simulated Cessna: ailerons roll right, the elevator pitches down, the rudder yaws right.
+ * The commands of an aircraft and the properties that they set. Signs are those of the simulated
+ * Cessna: ailerons roll right, the elevator pitches down, the rudder yaws right.
  */
 enum ControlLever {
   AILERON("AILERON", -1.0, 1.0, "fcs/aileron-cmd-norm", "fcs/left-aileron-pos-rad"),
@@ -62,7 +62,7 @@ enum ControlLever {
     properties.define("gear/gear-pos-norm", 1.0);
   }
 
-  /** Whether an aircraft has it. */
+  /** Whether an aircraft has this control. */
   boolean isNeeded(PropertyTree properties, boolean hasEngines, boolean hasBrakes) {
     return switch (this) {
       case THROTTLE -> hasEngines;
@@ -83,7 +83,7 @@ enum ControlLever {
     }
   }
 
-  /** Its surface's angle now [rad]; empty if it moves none. */
+  /** Current angle of its surface [rad]; empty if it moves no surface. */
   OptionalDouble angleRad(PropertyTree properties) {
     return surface.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(properties.get(surface));
   }

@@ -214,7 +214,7 @@ final class FlightControl {
     return (before, dtS) -> gain.getAsDouble() * schedule.getAsDouble() * input.getAsDouble();
   }
 
-  /** Zero stays zero; each side of it is scaled by itself. */
+  /** Zero stays zero; positive and negative values are scaled separately. */
   private Law scale(XmlElement element) {
     refuseOthers(element, "gain", "domain", "range", "zero_centered");
     DoubleSupplier input = input(element);

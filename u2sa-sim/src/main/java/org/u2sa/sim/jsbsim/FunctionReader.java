@@ -17,7 +17,7 @@ final class FunctionReader {
       Map.of("p", "property", "v", "value", "t", "table");
   private static final Map<String, DoubleUnaryOperator> UNARY = unary();
   private static final Map<String, DoubleBinaryOperator> BINARY = binary();
-  private static final Map<String, DoubleBinaryOperator> CHAIN = chain(); // of any number
+  private static final Map<String, DoubleBinaryOperator> CHAIN = chain(); // any number of operands
 
   private final PropertyTree properties;
 

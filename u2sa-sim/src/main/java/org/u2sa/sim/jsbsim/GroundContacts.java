@@ -21,7 +21,7 @@ final class GroundContacts {
   private final List<String> ignored = new ArrayList<>();
 
   /**
-   * @param mass of the aircraft, centre of gravity known
+   * @param mass mass of the aircraft, with its centre of gravity computed
    */
   GroundContacts(XmlElement file, MassBalance mass) {
     file.refuseUnknownChildren("contact", "description", "documentation");

@@ -45,8 +45,9 @@ public final class JsbsimAircraft {
   /**
    * Reads an aircraft.
    *
-   * @param file the aircraft; engines, propellers and systems beside it or in a folder of JSBSim's
-   * @param properties values by JSBSim's names that come before those of the file
+   * @param file the aircraft; engines, propellers and systems are beside it or in one of JSBSim's
+   *     folders
+   * @param properties values by JSBSim's property names; they override the file's
    * @throws org.u2sa.interfaces.BadInputException naming file, line, element and what was expected
    */
   public static JsbsimAircraft read(Path file, Map<String, Double> properties) {
@@ -59,7 +60,7 @@ public final class JsbsimAircraft {
     return new JsbsimLoads(files, new PropertyTree(given));
   }
 
-  /** Height and attitude in which it rests on level ground, engines idling and brakes set. */
+  /** Height and attitude at rest on level ground, with engines idling and brakes set. */
   private VehicleTruth settle() {
     Footprint point = Footprint.rectangle(0.1, 0.1, 0.2, -0.1, 0.1);
     World level = World.at(new Geodetic(0.0, 0.0, 0.0));
@@ -86,7 +87,7 @@ public final class JsbsimAircraft {
     return ControlLever.of(actuator).lowest();
   }
 
-  /** Largest angle of an actuator's surface at full command [rad]; empty if it moves none. */
+  /** Largest angle of an actuator's surface at full command [rad]; empty if it moves no surface. */
   public OptionalDouble travelRad(String actuator) {
     return travels.containsKey(actuator)
         ? OptionalDouble.of(travels.get(actuator))

@@ -17,7 +17,7 @@ public final class JsbsimFlight {
     return aircraft;
   }
 
-  /** Value of a property of JSBSim in JSBSim's unit; 0 if there is none of this name. */
+  /** Value of a property of JSBSim in JSBSim's unit; 0 if the name is unknown. */
   public double property(String name) {
     return loads.property(name);
   }

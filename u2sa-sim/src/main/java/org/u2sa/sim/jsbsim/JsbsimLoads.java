@@ -80,9 +80,7 @@ final class JsbsimLoads implements AirLoads {
     return contacts.ignored();
   }
 
-  /**
-   * Largest angles of the surfaces, by actuator [rad]; leaves them where full commands put them.
-   */
+  /** Largest angles of the surfaces, by actuator [rad]; leaves the surfaces at full deflection. */
   Map<String, Double> travels(double longS) {
     Map<String, Double> travels = new HashMap<>();
     for (double command : new double[] {-1.0, 1.0}) {
@@ -131,7 +129,7 @@ final class JsbsimLoads implements AirLoads {
     return flow.spanM();
   }
 
-  /** {@inheritDoc} That of the engines' shafts. */
+  /** {@inheritDoc} Power of the engines' shafts. */
   @Override
   public double powerW(double[] s, int first, Air air) {
     return plants.stream().mapToDouble(each -> Math.max(0.0, each.powerHp())).sum()

@@ -11,13 +11,13 @@ final class PistonPower {
   private static final double STANDARD_PA = 101_320.73;
   private static final double GAS_CONSTANT = 287.3;
   private static final double LB_PER_KG = 2.2046;
-  private static final double HEAT_RATIO = 1.3; // of the charge
+  private static final double HEAT_RATIO = 1.3; // mass of the charge
   private static final double STOICHIOMETRIC = 14.7;
   private static final double RICHEST = 1.3; // equivalence ratio at full mixture, sea level
   private static final double M3_PER_IN3 = 1.6387064e-5;
   private static final double PUMPING_W_MIN_PER_HP = 22_371.0; // ½ · 60 s/min · 745.7 W/hp
   private static final double STALLS_AT_IDLE = 0.8; // of the idling speed
-  private static final double RUNS_ABOVE_HP = 0.125; // less indicated power stops it
+  private static final double RUNS_ABOVE_HP = 0.125; // below this indicated power it stops
 
   /** Efficiency over the ratio of fuel to air: JSBSim's default. */
   private static final double[][] MIXTURE = {
@@ -43,7 +43,7 @@ final class PistonPower {
   private final double specificConsumption; // [lb/(hp h)]
   private double manifoldPa;
   private boolean isRunning = true;
-  private double fuelLbPerS = 1e-6; // some, so that it runs at first
+  private double fuelLbPerS = 1e-6; // positive, so that it runs initially
 
   PistonPower(XmlElement file) {
     file.refuseUnknownChildren(

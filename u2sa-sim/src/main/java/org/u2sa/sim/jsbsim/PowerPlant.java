@@ -70,7 +70,7 @@ final class PowerPlant {
     return powerHp;
   }
 
-  /** Adds force and moment in body axes [lbf, lbf ft] and publishes what the tail feels of it. */
+  /** Adds force and moment in body axes [lbf, lbf ft] and publishes its effect on the tail. */
   void load(AirFlow flow, double[] gravityCentre, double[] load) {
     propeller.load(flow, gravityCentre, powerHp, load);
   }

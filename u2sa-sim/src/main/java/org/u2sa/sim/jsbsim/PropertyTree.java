@@ -23,7 +23,7 @@ final class PropertyTree {
   private final Map<String, Double> given;
 
   /**
-   * @param given values of the vehicle file, which come before those of the aircraft's file
+   * @param given values of the vehicle file, which override those of the aircraft's file
    */
   PropertyTree(Map<String, Double> given) {
     this.given = new HashMap<>();
@@ -39,7 +39,9 @@ final class PropertyTree {
     return all.computeIfAbsent(canonical(name), unseen -> new Property());
   }
 
-  /** A property that this simulation sets; it starts with the given value, or else with this. */
+  /**
+   * A property that this simulation sets, initially to the vehicle file's value or else this one.
+   */
   Property define(String name, double value) {
     Property property = find(name);
     if (defined.add(canonical(name))) {
@@ -73,7 +75,7 @@ final class PropertyTree {
     return used.containsKey(canonical(name));
   }
 
-  /** Whether it exists. */
+  /** Whether a property exists. */
   boolean isDefined(String name) {
     return defined.contains(canonical(name));
   }
@@ -98,7 +100,7 @@ final class PropertyTree {
             .error(
                 "property \""
                     + each.getKey()
-                    + "\" is set by nothing; expected one of "
+                    + "\" is never set; expected one of "
                     + String.join(", ", near)
                     + ", or a <property name=\""
                     + each.getKey()

@@ -6,13 +6,13 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.sim.motion.BodyAttitude;
 
 /**
- * A propeller of JSBSim: thrust and power coefficients over the advance ratio, and over the blade
- * angle if that varies. The shaft's speed follows from the difference between the engine's and the
- * propeller's power.
+ * A JSBSim propeller: thrust and power coefficients as functions of the advance ratio and, if it
+ * varies, the blade angle. The shaft's speed follows from the difference between the engine's and
+ * the propeller's power.
  */
 final class TabulatedPropeller {
   private static final double PITCH_PER_RPM_S = 1.0; // the governor's rate [deg/s per rpm]
-  private static final double OIL_RPM = 200.0; // slower, the governor has no pressure
+  private static final double OIL_RPM = 200.0; // below this speed, the governor has no oil pressure
   private static final double SLOWEST_RADPS = 0.01;
 
   private final PropertyTree properties;
@@ -42,7 +42,7 @@ final class TabulatedPropeller {
   private double requiredCoefficient; // of power, by load()
 
   /**
-   * @param prefix of the properties of its engine
+   * @param prefix prefix of the engine's properties
    * @param thruster the aircraft file's element, with place and orientation
    * @param file the propeller's own file
    */
@@ -125,7 +125,7 @@ final class TabulatedPropeller {
   /**
    * Adds force and moment about the centre of gravity in body axes [lbf, lbf ft].
    *
-   * @param powerHp of the engine at the propeller
+   * @param powerHp engine power at the propeller
    */
   void load(AirFlow flow, double[] gravityCentre, double powerHp, double[] load) {
     double x = gravityCentre[0] - place[0]; // body axes
@@ -185,7 +185,7 @@ final class TabulatedPropeller {
   }
 
   /**
-   * Turns the shaft; after {@link #load}.
+   * Advances the shaft's speed and the governor; call after {@link #load}.
    *
    * @param advance lever of a governed propeller, 0…1
    */

@@ -95,7 +95,7 @@ final class UnitNumbers {
     Unit from = UNITS.get(stated);
     Unit to = UNITS.get(expected);
     if (from == null || to == null || from.kind != to.kind) {
-      throw element.error("unit \"" + stated + "\": expected " + expected + " or another of it");
+      throw element.error("unit \"" + stated + "\": expected " + expected + " or a related unit");
     }
     return from.factor / to.factor;
   }

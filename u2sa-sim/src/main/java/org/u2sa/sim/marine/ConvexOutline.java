@@ -26,7 +26,7 @@ record ConvexOutline(List<Point> corners) {
     return (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
   }
 
-  /** Shortest displacement out of the polygon; empty for a place outside. */
+  /** Shortest displacement out of the polygon; empty for a point outside. */
   Optional<Point> wayOut(Point place) {
     double least = Double.POSITIVE_INFINITY;
     Point out = Point.ORIGIN;

@@ -9,7 +9,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param lengthM length of the hull, half of it ahead of the reference point [m]
  * @param draughtM draught [m]
  * @param coefficient two-dimensional drag coefficient, from Hoerner's curve
- * @param densityKgPerM3 of the water [kg/m³]
+ * @param densityKgPerM3 water density [kg/m³]
  */
 public record CrossFlow(
     double lengthM, double draughtM, double coefficient, double densityKgPerM3) {

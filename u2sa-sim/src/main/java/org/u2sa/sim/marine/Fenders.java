@@ -22,7 +22,7 @@ import org.u2sa.sim.world.World;
 final class Fenders {
   private static final double SPRING_N_PER_M = 3_000.0;
   private static final double DAMPER_NS_PER_M = 300.0;
-  private static final double FRICTION = 0.2; // of wet rubber
+  private static final double FRICTION = 0.2; // friction coefficient of wet rubber
   private static final double SLIDES_MPS =
       0.05; // sliding speed at which friction is fully developed
 

@@ -14,7 +14,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param areaM2 area [m²]
  * @param liftSlope lift coefficient by the deflection [1/rad]
  * @param travelRad deflection at full command [rad]
- * @param densityKgPerM3 of the water [kg/m³]
+ * @param densityKgPerM3 water density [kg/m³]
  * @param timeConstantS time constant of the servo [s]
  */
 public record Fin(

@@ -15,12 +15,12 @@ import org.u2sa.sim.motion.Arguments;
  * @param diameterM [m]
  * @param thrustAtRest K_T at J = 0
  * @param thrustSlope dK_T/dJ
- * @param torqueAtRest K_Q at J = 0, as far as it turns the hull: about the direction
+ * @param torqueAtRest K_Q at J = 0, the part that turns the hull about the direction
  * @param torqueSlope dK_Q/dJ
  * @param wake wake fraction: share of the speed that the inflow lacks behind the hull
  * @param deduction thrust deduction fraction, lost to suction on the hull
  * @param fullSpeedRevPerS at full command [1/s]
- * @param densityKgPerM3 of the water [kg/m³]
+ * @param densityKgPerM3 water density [kg/m³]
  * @param timeConstantS time constant of its speed [s]
  * @param fullPowerW electrical power at full speed [W]; 0: unknown
  */
@@ -59,7 +59,7 @@ public record MarinePropeller(
     return fullSpeedRevPerS * command;
   }
 
-  /** {@inheritDoc} It grows with the cube of the speed. */
+  /** {@inheritDoc} Power grows with the cube of the speed. */
   @Override
   public OptionalDouble powerW(double level) {
     double share = StrictMath.abs(level) / fullSpeedRevPerS;

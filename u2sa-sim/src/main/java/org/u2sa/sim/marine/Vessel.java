@@ -19,8 +19,8 @@ import org.u2sa.sim.world.World;
 
 /**
  * A simulated vessel with thrusters, on or under water, drifting with the world's current, moved by
- * its waves and, if it has {@link Windage}, by its wind. The walls of docks hold it off. Integrates
- * internally at 200 Hz. Not thread-safe.
+ * its waves and, if it has {@link Windage}, by its wind. Dock walls stop it. Integrates internally
+ * at 200 Hz. Not thread-safe.
  */
 public final class Vessel implements SimulatedVehicle {
   /** Internal integration rate [1/s]. */
@@ -123,7 +123,7 @@ public final class Vessel implements SimulatedVehicle {
     return BodyState.attitude(state).nedFromFrd().transposed().times(ned);
   }
 
-  /** Current and waves where the hull is now; its velocity over ground does not jump. */
+  /** Updates current and waves at the hull; its velocity over ground does not jump. */
   private void surround() {
     Point ned = BodyState.at(state, BodyState.NED);
     Point place = Point.of(ned.y(), ned.x(), -ned.z());
@@ -192,7 +192,7 @@ public final class Vessel implements SimulatedVehicle {
     }
   }
 
-  /** {@inheritDoc} That of its motors. */
+  /** {@inheritDoc} Power of its motors. */
   @Override
   public OptionalDouble energyJ() {
     return powerIsKnown ? OptionalDouble.of(energyJ) : OptionalDouble.empty();

@@ -54,7 +54,7 @@ public record VesselThruster(
   }
 
   /**
-   * {@inheritDoc} It grows with the thrust to the power of 3/2, as of an ideal propeller at rest.
+   * {@inheritDoc} Power grows with thrust to the power of 3/2, as for an ideal propeller at rest.
    */
   @Override
   public OptionalDouble powerW(double level) {

@@ -11,7 +11,7 @@ import org.u2sa.messages.frame.Point;
  * @param aside c_y: likewise from the side [kg/m]
  * @param turning c_n [kg]; positive: the bow turns out of the wind
  * @param axes axes in which the products are taken
- * @param heightM of the area's centre above the water [m]
+ * @param heightM height of the area's centre above the water [m]
  */
 public record Windage(double ahead, double aside, double turning, Axes axes, double heightM) {
   /** Axes of the products. */

@@ -4,7 +4,7 @@ import java.util.OptionalDouble;
 import org.u2sa.device.payload.SwitchOutput;
 import org.u2sa.sim.device.SimulatedPayload;
 
-/** A switched payload that takes its time from 0 to 100 %. */
+/** A switched payload that takes some time to move from 0 to 100 %. */
 public final class SimulatedSwitch extends SimulatedPayload<SwitchOutput.Level>
     implements SwitchOutput {
   private static final double MICROS_PER_S = 1e6;
@@ -24,7 +24,7 @@ public final class SimulatedSwitch extends SimulatedPayload<SwitchOutput.Level>
     this.timeS = timeS;
   }
 
-  /** Its level now [%]; 0 before it was set. Thread-safe. */
+  /** Current level [%]; 0 until first set. Thread-safe. */
   public double percent() {
     return level.orElse(0.0);
   }
@@ -54,11 +54,11 @@ public final class SimulatedSwitch extends SimulatedPayload<SwitchOutput.Level>
 
   @Override
   public void leave() {
-    // it stays
+    // keeps its position
   }
 
   @Override
   public void close() {
-    // it stays
+    // keeps its position
   }
 }

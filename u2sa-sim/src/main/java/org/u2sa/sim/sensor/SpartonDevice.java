@@ -53,7 +53,7 @@ public final class SpartonDevice {
   /**
    * Advances time; the compass measures at its own rate.
    *
-   * @param micros the run's time [µs], not before that of the last call
+   * @param micros the run's time [µs], not before the last call's
    * @param field current magnetic disturbance
    */
   public void advance(long micros, VehicleTruth truth, CompassModel.Disturbance field) {
@@ -77,7 +77,7 @@ public final class SpartonDevice {
   /**
    * Receives bytes from the host.
    *
-   * @param micros the run's time [µs], not before that of the last call
+   * @param micros the run's time [µs], not before the last call's
    * @param baud the host's rate; bytes at a different rate than the compass's are ignored
    * @param length number of valid bytes
    */

@@ -62,7 +62,7 @@ public record UbloxSettings(int baud, double rateHz, Set<GpsMessage> messages, i
               + rateHz
               + " positions of "
               + bytes
-              + " bytes a second");
+              + " bytes per second");
     }
     return new UbloxSettings(baud, rateHz, messages, minuteDecimals);
   }

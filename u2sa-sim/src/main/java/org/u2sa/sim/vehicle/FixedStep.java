@@ -2,7 +2,7 @@ package org.u2sa.sim.vehicle;
 
 /** Splits steps of any length into fixed-length ticks. Not thread-safe. */
 public final class FixedStep {
-  /** Longest step that {@link SimulatedVehicle#step} takes [s]. */
+  /** Longest step accepted by {@link SimulatedVehicle#step} [s]. */
   static final double LONGEST_STEP_S = 60.0;
 
   private static final double ROUNDING = 1e-6; // relative to a tick

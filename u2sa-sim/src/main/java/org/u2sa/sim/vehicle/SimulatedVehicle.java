@@ -39,7 +39,7 @@ public interface SimulatedVehicle {
   /** Collision outline. */
   Footprint footprint();
 
-  /** The world around it. */
+  /** The world around the vehicle. */
   World world();
 
   /** Thrust of an actuator now, forward positive [N]; empty if the model computes none. */
@@ -48,16 +48,16 @@ public interface SimulatedVehicle {
   }
 
   /**
-   * Energy used since the start [J], less what motors fed back; whose, by the kind of vehicle, is
-   * in docs/vehicle-files.md. Empty if the model does not know it.
+   * Energy used since the start [J], less what motors fed back; docs/vehicle-files.md states what
+   * each kind of vehicle includes. Empty if the model does not compute it.
    */
   default OptionalDouble energyJ() {
     return OptionalDouble.empty();
   }
 
   /**
-   * Velocity of the air around it: east, north, up [m/s]; the world's steady wind if it has no
-   * gusts.
+   * Velocity of the air around the vehicle: east, north, up [m/s]; the world's steady wind if it
+   * has no gusts.
    */
   default Point air() {
     Wind wind = world().wind();

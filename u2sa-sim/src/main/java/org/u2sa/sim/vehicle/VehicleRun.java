@@ -10,8 +10,8 @@ import org.u2sa.interfaces.RunFailedException;
 
 /**
  * A vehicle shared by sensors, actuators and observers of a run: the first access at a time
- * advances the vehicle to it. Time starts at the first call. A jump of the clock, as when the
- * machine slept, advances it by the longest step only. Thread-safe; deterministic for the same
+ * advances the vehicle to it. Time starts at the first call. After a clock jump, e.g. because the
+ * machine slept, it advances by the longest step only. Thread-safe; deterministic for the same
  * sequence of calls.
  */
 public final class VehicleRun implements RunningVehicle {
@@ -62,7 +62,7 @@ public final class VehicleRun implements RunningVehicle {
         throw new RunFailedException(
             String.format(
                 Locale.ROOT,
-                "the simulated vehicle's motion grew beyond all numbers at %.1f s (%s): are its parameters right?",
+                "the simulated vehicle's motion diverged at %.1f s (%s); check its parameters",
                 elapsed / US_PER_S,
                 e.getMessage()),
             e);
@@ -110,7 +110,7 @@ public final class VehicleRun implements RunningVehicle {
   }
 
   /**
-   * The vehicle for readers that must not advance it, because one service alone does: they get its
+   * The vehicle for readers that must not advance it because a single service does; they get its
    * latest state.
    */
   public Readers readers() {
@@ -128,7 +128,7 @@ public final class VehicleRun implements RunningVehicle {
   /**
    * A vehicle that only its owner advances.
    *
-   * @param owned for the owner
+   * @param owned the vehicle as seen by the owner
    */
   public record Readers(VehicleRun owned) implements RunningVehicle {
     @Override

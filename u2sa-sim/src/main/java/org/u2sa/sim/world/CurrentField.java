@@ -19,7 +19,7 @@ public final class CurrentField {
   private final double widthM;
   private final double heightM;
   private final double[] depths; // rising [m]
-  private final double[] shares; // of the velocity at each depth
+  private final double[] shares; // fraction of the velocity at each depth
 
   private CurrentField(
       double[] east,
@@ -72,7 +72,7 @@ public final class CurrentField {
         || north.length != east.length) {
       throw new IllegalArgumentException(
           String.format(
-              "%d currents east and %d north in rows of %d: expected the same number, and 2 rows of 2 at least",
+              "%d currents east and %d north in rows of %d; expected equal numbers, and at least 2 rows of 2",
               east.length, north.length, columns));
     }
     Arguments.requirePositive("width of the currents [m]", widthM);
@@ -95,7 +95,7 @@ public final class CurrentField {
    * Copy with a profile over the depth.
    *
    * @param newDepths rising depths below still water [m]
-   * @param newShares of the velocity at each depth, −2…2
+   * @param newShares fraction of the velocity at each depth, −2…2
    * @throws IllegalArgumentException if the depths do not rise
    */
   public CurrentField withProfile(double[] newDepths, double[] newShares) {

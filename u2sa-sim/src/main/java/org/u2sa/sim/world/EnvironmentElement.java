@@ -86,7 +86,7 @@ public final class EnvironmentElement {
     } catch (IOException e) {
       throw element.error("\"" + element.text() + "\" cannot be read: " + e.getMessage(), e);
     } catch (InvalidPathException e) {
-      throw element.error("\"" + element.text() + "\" is no file name", e);
+      throw element.error("\"" + element.text() + "\" is not a file name", e);
     }
   }
 
@@ -105,7 +105,7 @@ public final class EnvironmentElement {
                 element.error(
                     "\""
                         + element.text()
-                        + "\" is no surface; expected lawn, concrete or field, or <grip> and <rollingResistance>"))
+                        + "\" is not a surface; expected lawn, concrete or field, or <grip> and <rollingResistance>"))
         .get();
   }
 
@@ -116,7 +116,7 @@ public final class EnvironmentElement {
     double towards = number(element, "towards", "rad", "rad").orElse(0.0);
     Optional<XmlElement> grid = element.child("currents");
     if (grid.isPresent() && element.child("current").isPresent()) {
-      throw grid.get().error("stands beside <current>; expected one of them");
+      throw grid.get().error("is given together with <current>; expected one of them");
     }
     CurrentField field =
         grid.map(EnvironmentElement::currents)
@@ -209,7 +209,7 @@ public final class EnvironmentElement {
       throw element
           .child("reference")
           .get()
-          .error("expected beside <roughness> or <exponent> only");
+          .error("expected only together with <roughness> or <exponent>");
     }
     return isMilitary ? WindProfile.military() : WindProfile.uniform();
   }

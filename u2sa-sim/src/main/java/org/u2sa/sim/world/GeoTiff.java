@@ -27,7 +27,7 @@ import org.u2sa.sim.motion.Arguments;
  */
 final class GeoTiff {
   private static final int MAX_SIDE = 8_192;
-  private static final int MAX_POINTS = 2_048; // of the height map, each way
+  private static final int MAX_POINTS = 2_048; // of the height map, in either direction
   private static final int SCALE = 33_550; // ModelPixelScale: x, y, z
   private static final int TIEPOINT = 33_922; // ModelTiepoint: column, row, 0, x, y, z
   private static final int KEYS = 34_735; // GeoKeyDirectory
@@ -68,7 +68,7 @@ final class GeoTiff {
     noData = noData(tags);
   }
 
-  /** Whether a file's name is that of a GeoTIFF. */
+  /** Whether a file has the name of a GeoTIFF. */
   static boolean isNamed(String file) {
     return file.toLowerCase(Locale.ROOT).matches(".*\\.tiff?");
   }
@@ -125,7 +125,7 @@ final class GeoTiff {
     }
   }
 
-  /** Compressed, a map of nothing but one height is a thousand times as small. */
+  /** A compressed map of a single height is a thousand times smaller. */
   static void requireRoom(int width, int height, long heapBytes) throws IOException {
     long bytes = (long) width * height * Float.BYTES;
     if (bytes > heapBytes / 2) {

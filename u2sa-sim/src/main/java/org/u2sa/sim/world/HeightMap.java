@@ -14,12 +14,12 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Terrain by heights on a rectangular grid around the origin, interpolated between them: north is
- * up, as on a map. Beyond its edge, the ground has the height of the edge. Immutable.
+ * Terrain by heights on a rectangular grid around the origin, interpolated between them: rows start
+ * in the north, as on a map. Beyond its edge, the ground continues at the edge's height. Immutable.
  */
 public final class HeightMap implements Terrain {
   private static final int MAX_SIDE = 4_096;
-  private static final double STEEPEST = 20.0; // of a map that rays can search
+  private static final double STEEPEST = 20.0; // maximum of a map that rays can search
 
   private final double[] heights; // by rows from the north, each from the west [m]
   private final int columns;
@@ -105,7 +105,7 @@ public final class HeightMap implements Terrain {
   /** Refuses a folder, and a pipe, which would be waited for. */
   static void requireRegular(Path file) {
     if (!Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": height map: there is no such regular file");
+      throw new BadInputException(file + ": height map: no such regular file");
     }
   }
 
@@ -118,7 +118,7 @@ public final class HeightMap implements Terrain {
             ? Optional.of(ImageIO.getImageReaders(stream).next())
             : Optional.empty();
     ImageReader reader =
-        found.orElseThrow(() -> new IOException("is no image that can be read, such as a PNG"));
+        found.orElseThrow(() -> new IOException("is not a readable image, such as a PNG"));
     try {
       reader.setInput(stream, true, true);
       int width = reader.getWidth(0);
@@ -129,7 +129,7 @@ public final class HeightMap implements Terrain {
       }
       BufferedImage image = reader.read(0);
       if (image.getRaster().getNumBands() != 1 || image.getColorModel().getPixelSize() < 8) {
-        throw new IOException("is not grey with 8 or 16 bits a pixel");
+        throw new IOException("is not grey with 8 or 16 bits per pixel");
       }
       return image;
     } catch (EOFException e) {

@@ -65,9 +65,9 @@ public final class ScriptedMover {
   /**
    * State at one time.
    *
-   * @param position of the centre: east, north, up [m]
+   * @param position position of the centre: east, north, up [m]
    * @param velocity east, north, up [m/s]
-   * @param courseRad direction of the way, anticlockwise from east [rad]
+   * @param courseRad direction of travel, anticlockwise from east [rad]
    */
   public record State(Point position, Point velocity, double courseRad) {}
 
@@ -84,8 +84,8 @@ public final class ScriptedMover {
    *     start
    * @param delayS time before it starts [s]
    * @param floats whether waves lift it
-   * @param hasTransponder whether traffic receivers hear it
-   * @throws IllegalArgumentException if the shape or frame is another one, or there are no
+   * @param hasTransponder whether traffic receivers receive it
+   * @throws IllegalArgumentException if the shape or frame is not supported, or there are no
    *     waypoints or too many
    */
   public ScriptedMover(
@@ -212,7 +212,7 @@ public final class ScriptedMover {
         leg.from.plus(way.times(along / travel)), way.times(1.0 / travel), leg.courseRad);
   }
 
-  /** The object at a time since the start of the run [s], in LOCAL_ENU; waves lift what floats. */
+  /** The object at a time of the run [s], in LOCAL_ENU; waves lift floating objects. */
   ObjectDescription objectAt(double timeS, Water water) {
     State state = at(timeS);
     ObjectDescription there = object.copy();
@@ -239,7 +239,7 @@ public final class ScriptedMover {
     return radiusM;
   }
 
-  /** Whether traffic receivers hear it. */
+  /** Whether traffic receivers receive it. */
   public boolean hasTransponder() {
     return hasTransponder;
   }

@@ -2,7 +2,7 @@ package org.u2sa.sim.world;
 
 import java.util.List;
 
-/** Several shapes that belong to one object. */
+/** A compound shape: several shapes that belong to one object. */
 record Several(List<Obstacle> parts) implements Obstacle {
   @Override
   public Bounds bounds() {

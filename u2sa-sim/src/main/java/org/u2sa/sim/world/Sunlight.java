@@ -13,7 +13,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param share of the light on level ground that is direct, 0 overcast … 1
  */
 public record Sunlight(double azimuthRad, double elevationRad, double brightness, double share) {
-  private static final double DISC_RAD = 0.03; // with its bloom
+  private static final double DISC_RAD = 0.03; // including its bloom
   private static final double OFF_GROUND_M = 1e-3;
 
   /**

@@ -89,9 +89,9 @@ public interface Terrain {
   /**
    * A round hill on level ground with a cosine profile, steepest halfway up.
    *
-   * @param eastM of its top [m]
-   * @param northM of its top [m]
-   * @param radiusM of its foot [m]
+   * @param eastM east coordinate of its top [m]
+   * @param northM north coordinate of its top [m]
+   * @param radiusM radius of its foot [m]
    * @param steepestRad slope halfway up, 0…0.5 [rad]
    * @throws IllegalArgumentException if a value is outside its range
    */
@@ -149,8 +149,8 @@ public interface Terrain {
   /**
    * A hill with height H (1 + cos(π r / R)) / 2 at distance r from its top.
    *
-   * @param eastM of the top [m]
-   * @param northM of the top [m]
+   * @param eastM east coordinate of the top [m]
+   * @param northM north coordinate of the top [m]
    * @param radiusM R, radius of the foot [m]
    * @param steepest slope halfway up, π H / 2 R [1]
    */

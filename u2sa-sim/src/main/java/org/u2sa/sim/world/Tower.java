@@ -9,8 +9,8 @@ record Tower(double[] x, double[] y, double low, double high) implements Obstacl
   /**
    * Creates a prism.
    *
-   * @param corners in order; their z is ignored
-   * @param z of its middle [m]
+   * @param corners corners in order; their z is ignored
+   * @param z height of its middle [m]
    */
   static Tower of(List<Point> corners, double z, double heightM) {
     return new Tower(

@@ -9,7 +9,7 @@ import org.u2sa.sim.motion.Arguments;
  *
  * @param surfaceM height of the still surface above the world's plane [m]
  * @param current velocity of the water
- * @param waves on it; empty: none
+ * @param waves waves on the surface; empty: none
  */
 public record Water(double surfaceM, CurrentField current, Optional<Waves> waves) {
   /**

@@ -12,10 +12,10 @@ import org.u2sa.sim.motion.Arguments;
  */
 public final class Waves {
   private static final int COMPONENTS = 40;
-  private static final double LOWEST = 0.5; // of the peak's frequency
+  private static final double LOWEST = 0.5; // relative to the peak frequency
   private static final double HIGHEST = 3.5;
   private static final double JONSWAP_PEAK = 3.3; // γ, mean of the JONSWAP measurements
-  private static final double STEEPEST = 1.0 / 7.0; // height over length at which waves break
+  private static final double STEEPEST = 1.0 / 7.0; // height over length of breaking waves
 
   private final double[] amplitude; // a [m]
   private final double[] frequency; // ω [rad/s]
@@ -46,7 +46,7 @@ public final class Waves {
    *
    * @param heightM significant height, four standard deviations; of regular waves, from trough to
    *     crest [m]
-   * @param periodS of the spectrum's peak [s]
+   * @param periodS period of the spectrum's peak [s]
    * @param towardsRad direction of travel, clockwise from north [rad]
    * @param spreadRad standard deviation of the components' directions [rad]
    * @throws IllegalArgumentException if a value is outside its range, or the waves would break
@@ -115,10 +115,10 @@ public final class Waves {
   /**
    * Motion of the water.
    *
-   * @param elevationM of the surface above still water; under water, of a particle [m]
-   * @param slope of the elevation, east and north; z is 0 [1]
-   * @param velocity of a particle: east, north, up [m/s]
-   * @param acceleration of a particle: east, north, up [m/s²]
+   * @param elevationM elevation of the surface above still water; under water, of a particle [m]
+   * @param slope slope of the surface, east and north; z is 0 [1]
+   * @param velocity velocity of a particle: east, north, up [m/s]
+   * @param acceleration acceleration of a particle: east, north, up [m/s²]
    */
   public record Motion(double elevationM, Point slope, Point velocity, Point acceleration) {}
 
@@ -130,7 +130,7 @@ public final class Waves {
   /**
    * Pressure of the waves as a head of water [m]; at the surface the elevation.
    *
-   * @param depthM below still water, at least 0 [m]
+   * @param depthM depth below still water, at least 0 [m]
    */
   public double headM(double eastM, double northM, double depthM, double timeS) {
     double sum = 0.0;
@@ -150,10 +150,10 @@ public final class Waves {
   /**
    * Motion of the water, averaged over a hull.
    *
-   * @param depthM below still water; above it, that of the surface [m]
-   * @param lengthM of the hull [m]
-   * @param widthM of the hull [m]
-   * @param headingRad of the hull, clockwise from north [rad]
+   * @param depthM depth below still water [m]; above it, the surface's motion applies
+   * @param lengthM hull length [m]
+   * @param widthM hull width [m]
+   * @param headingRad heading of the hull, clockwise from north [rad]
    */
   public Motion around(
       Point place, double depthM, double lengthM, double widthM, double headingRad, double timeS) {

@@ -69,17 +69,17 @@ public final class World {
         new Script(List.of(), List.of(), Optional.empty()));
   }
 
-  /** Copy with another terrain. */
+  /** Copy with a different terrain. */
   public World with(Terrain newTerrain) {
     return new World(plane, newTerrain, surface, wind, water, obstacles, tree, script);
   }
 
-  /** Copy with another surface. */
+  /** Copy with a different surface. */
   public World with(Surface newSurface) {
     return new World(plane, terrain, newSurface, wind, water, obstacles, tree, script);
   }
 
-  /** Copy with another wind. */
+  /** Copy with a different wind. */
   public World with(Wind newWind) {
     return new World(plane, terrain, surface, newWind, water, obstacles, tree, script);
   }
@@ -126,7 +126,7 @@ public final class World {
     return with(surface, new Script(List.copyOf(movers), script.zones, script.light));
   }
 
-  /** Copy with zones, whose surfaces lie on the one it has. */
+  /** Copy with zones, whose surfaces override the world's. */
   public World withZones(List<Zone> zones) {
     return with(
         Zone.patched(surface, zones), new Script(script.movers, List.copyOf(zones), script.light));
@@ -249,7 +249,7 @@ public final class World {
         new ObstacleTree.Nearest(Math.nextUp(rangeM), null); // includes hits exactly at the range
     ObstacleTree.Nearest hit = tree.isEmpty() ? none : tree.get().nearest(ray, none);
     if (terrain == Terrain.flat() && water.map(all -> all.depthM(ray.z()) >= 0.0).orElse(false)) {
-      return hit; // in the water: without a terrain of its own the world has no bed
+      return hit; // in the water: a world without terrain has no bed
     }
     double ground = terrain.distanceM(ray, Math.min(rangeM, hit.distanceM()));
     return ground < hit.distanceM() ? new ObstacleTree.Nearest(ground, null) : hit;

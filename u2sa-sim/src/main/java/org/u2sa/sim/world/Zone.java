@@ -17,10 +17,10 @@ import org.u2sa.messages.shape.Polygon;
  * A named polygon on the ground, at any height.
  *
  * @param name name in reports
- * @param kind what it is for
+ * @param kind purpose of the zone
  * @param eastM corners in order [m]
  * @param northM corners in order [m]
- * @param surface driving surface in it; empty: that of the world
+ * @param surface driving surface in the zone; empty: the world's
  */
 public record Zone(
     String name, Kind kind, double[] eastM, double[] northM, Optional<Surface> surface) {
@@ -30,7 +30,7 @@ public record Zone(
     JUDGE,
     /** An entry breaks a rule. */
     KEEP_OUT,
-    /** A patch of another surface. */
+    /** A patch of a different surface. */
     PATCH
   }
 

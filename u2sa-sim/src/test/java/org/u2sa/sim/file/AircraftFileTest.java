@@ -136,7 +136,7 @@ class AircraftFileTest {
       value = {
         "<turns>clockwise</turns> | <turns>left</turns> | expected one of [ANTICLOCKWISE, CLOCKWISE]",
         "<fullThrust>10</fullThrust> | <fullThrust>-1</fullThrust> | expected above 0",
-        "name=\"B\" | name=\"A\" | another rotor's already",
+        "name=\"B\" | name=\"A\" | already a rotor's",
         "<lag>0.03</lag> | <lag>0.001</lag> | expected 0.002",
         "</multirotor> | <skid><position>0 0</position></skid></multirotor> | expected three numbers"
       })
@@ -164,6 +164,6 @@ class AircraftFileTest {
 
     assertThatThrownBy(() -> read(BODY, wing))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("expected how it starts");
+        .hasMessageContaining("<wheel> nor <catapult>; expected one");
   }
 }

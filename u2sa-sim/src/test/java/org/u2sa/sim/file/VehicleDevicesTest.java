@@ -67,7 +67,7 @@ class VehicleDevicesTest {
     assertThatThrownBy(() -> device(file, LaserScanner.class, "FrontLaser", variables()))
         .isInstanceOf(BadInputException.class)
         .hasMessage(
-            "vehicle.xml: service \"FrontLaser\" needs a LaserScanner and finds none; the vehicle has"
+            "vehicle.xml: service \"FrontLaser\" needs a LaserScanner, which the vehicle lacks; it has"
                 + " <gps>, <compass>, <imu>, LEFT MOTOR, RIGHT MOTOR");
   }
 

@@ -110,7 +110,7 @@ class VehicleFileTest {
     String text = Vehicles.threeThrusters().replace("\"STARBOARD\"", "\"PORT\"");
 
     assertThatThrownBy(() -> Vehicles.parse(text))
-        .hasMessageContaining("line 17, <thruster>: name \"PORT\" is another actuator's already");
+        .hasMessageContaining("line 17, <thruster>: name \"PORT\" is already an actuator's");
   }
 
   @Test

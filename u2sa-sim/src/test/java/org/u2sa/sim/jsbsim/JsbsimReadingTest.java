@@ -74,7 +74,7 @@ class JsbsimReadingTest {
       delimiter = '|',
       value = {
         "<property>aero/bi2vel</property> | <property>aero/bi3vel</property>"
-            + " | line 227, <property>: property \"aero/bi3vel\" is set by nothing",
+            + " | line 227, <property>: property \"aero/bi3vel\" is never set",
         "<difference><value>1 | <integral><value>1 | not well-formed XML",
         "<abs><property>aero/beta-rad</property></abs> | <erf><property>aero/beta-rad</property></erf>"
             + " | <erf>: unknown element in <product>; expected abs, acos",

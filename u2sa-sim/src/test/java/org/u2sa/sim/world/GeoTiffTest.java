@@ -193,6 +193,6 @@ class GeoTiffTest {
   @Test
   void read_folder_isRefused() {
     assertThatThrownBy(() -> GeoTiff.read(folder, new LocalPlane(ORIGIN), 100.0, 80.0))
-        .hasMessageContaining("there is no such regular file");
+        .hasMessageContaining("no such regular file");
   }
 }

@@ -80,7 +80,7 @@ class HeightMapTest {
     Path cut = Files.write(folder.resolve("cut.png"), Arrays.copyOf(damaged, 40));
 
     assertRefused(colour, "not grey");
-    assertRefused(text, "no image");
+    assertRefused(text, "not a readable image");
     assertRefused(flat, "missing.png");
     assertRefused(cut, "cut.png");
     Path grey = png(BufferedImage.TYPE_BYTE_GRAY, 0, 0, 255, 0, 0, 0);

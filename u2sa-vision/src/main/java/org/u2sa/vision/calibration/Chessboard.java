@@ -19,7 +19,7 @@ public record Chessboard(int columns, int rows, double squareM) {
   public Chessboard {
     if (columns < LEAST || rows < LEAST) {
       throw new BadInputException(
-          "a chessboard of " + columns + "x" + rows + " corners: expected 3x3 at least");
+          "a chessboard of " + columns + "x" + rows + " corners: expected at least 3x3");
     }
     if (!(squareM > 0.0 && squareM < 10.0)) {
       throw new BadInputException(

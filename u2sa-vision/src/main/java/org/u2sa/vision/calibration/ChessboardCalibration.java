@@ -111,8 +111,8 @@ public final class ChessboardCalibration {
     if (boards() < FEWEST) {
       throw new BadInputException(
           String.format(
-              "%d of %d pictures show a whole board of %s: expected %d at least, the board tilted "
-                  + "another way in each",
+              "%d of %d pictures show a whole board of %s: expected at least %d, the board tilted "
+                  + "differently in each",
               boards(), names.size(), board, FEWEST));
     }
     CalibrateMonoPlanar calibrator = new CalibrateMonoPlanar();

@@ -27,8 +27,8 @@ public final class CameraImages {
   }
 
   /**
-   * @param everyS average period [s], as far as the camera's rate allows
-   * @param shrink pixels that become one, along each side; only RGB24 is shrunk
+   * @param everyS average interval [s], as the camera's rate permits
+   * @param shrink pixels merged into one along each side; RGB24 only
    */
   public CameraImages(String sensorName, double everyS, int shrink) {
     this.sensorName = sensorName;

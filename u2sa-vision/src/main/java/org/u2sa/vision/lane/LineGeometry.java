@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Point;
 
 /** Geometry of lines given as points spaced about {@link LineSamples#STEP_M} [m]. */
 final class LineGeometry {
-  private static final double TANGENT_M = 0.8; // to either side, for measuring a direction
+  private static final double TANGENT_M = 0.8; // distance to either side for measuring a direction
 
   private LineGeometry() {}
 

@@ -24,7 +24,7 @@ final class LineSamples {
   private static final double CELL_M = 0.5;
   private static final double MIN_SIGMA_M = 0.025; // because the vehicle's position drifts
   private static final double MAX_HITS = 15.0;
-  private static final double DOUBT = 0.4; // of a sighting
+  private static final double DOUBT = 0.4; // subtracted from the hits of an unseen sample
   private static final double TOO_NEAR_M = 1.3; // closer ground is below the camera's view
   private static final double TWICE_M = 1.0; // closer lines are one line, seen twice
   private static final double VIEW_M = 0.25; // spacing of viewpoints

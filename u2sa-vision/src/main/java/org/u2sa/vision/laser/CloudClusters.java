@@ -18,15 +18,15 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Detects objects in the point clouds of 3-D lidars and depth cameras, such as buoys on open water
- * (thesis 4.2.1.1): points that are near each other in the plan, at any height (Euclidean
- * clustering: Rusu, Semantic 3D Object Maps, 2009). In and out: sensed-objects in BODY; out as
- * Circle without a type, which a camera can provide. The World Modeler remembers them when the
- * lidar's few beams miss them.
+ * (thesis 4.2.1.1): points near each other in plan view, at any height (Euclidean clustering: Rusu,
+ * Semantic 3D Object Maps, 2009). In and out: sensed-objects in BODY; out as Circle without a type,
+ * which a camera can provide. The World Modeler remembers them when the lidar's few beams miss
+ * them.
  */
 public final class CloudClusters extends EventDrivenService {
   private record Variables(
       @Variable(unit = "m", min = 0.01, max = 10, ifAbsent = 0.6)
-          @Description("Maximum distance in the plan between neighbouring points of one object.")
+          @Description("Maximum horizontal distance between neighbouring points of one object.")
           double gap,
       @Variable(min = 1, max = 1000, ifAbsent = 2)
           @Description("Minimum number of points of an object; fewer count as noise.")
@@ -65,7 +65,7 @@ public final class CloudClusters extends EventDrivenService {
         circle
             .uid(cloud.sensorName() + " object " + number)
             .referenceFrame(ReferenceFrame.BODY)
-            .sensorName(cloud.sensorName() + " objects"); // not the scanner's own name
+            .sensorName(cloud.sensorName() + " objects"); // differs from the scanner's name
         circle.timestamp(cloud.timestamp().orElseThrow());
         publish(Channels.SENSED_OBJECTS, circle);
       }

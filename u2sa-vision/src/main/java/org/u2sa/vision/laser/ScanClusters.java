@@ -41,7 +41,7 @@ public final class ScanClusters extends EventDrivenService {
 
   private void onScan(RangeScan scan) {
     if (!scan.timestamp().isPresent() || !scan.referenceFrame().equals(ReferenceFrame.BODY)) {
-      trouble("a scan of " + scan.sensorName() + " has no time, or is not in BODY");
+      trouble("a scan from " + scan.sensorName() + " has no time, or is not in BODY");
       return;
     }
     long micros = scan.timestamp().orElseThrow();

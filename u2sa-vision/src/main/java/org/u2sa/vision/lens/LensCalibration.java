@@ -125,7 +125,7 @@ public record LensCalibration(
       }
       double r2 = x * x + y * y;
       double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-      double slope = 2.0 * (k1 + r2 * (2.0 * k2 + 3.0 * r2 * k3)); // of radial by x²/2 or y²/2
+      double slope = 2.0 * (k1 + r2 * (2.0 * k2 + 3.0 * r2 * k3)); // of the radial factor
       double xx = radial + x * x * slope + 2.0 * p1 * y + 6.0 * p2 * x;
       double xy = x * y * slope + 2.0 * p1 * x + 2.0 * p2 * y;
       double yy = radial + y * y * slope + 6.0 * p1 * y + 2.0 * p2 * x;

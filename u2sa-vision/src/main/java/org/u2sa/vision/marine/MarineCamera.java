@@ -24,8 +24,8 @@ import org.u2sa.vision.picture.JpegDecoder;
 /**
  * Detects buoys, poles, hoops, buttons, docks, bins and path markers by colour, shape and apparent
  * size, above and under water, and only those that the current goals need (thesis 4.2.1.2, 4.3.2).
- * In: goals; state, for roll and pitch above water, neither needed. Out: sensed-objects in BODY,
- * with the time of the image; types are such as "red buoy". Health says what was not processed.
+ * In: goals; state, for roll and pitch above water; both optional. Out: sensed-objects in BODY,
+ * with the time of the image; types are such as "red buoy". Health reports what was skipped.
  */
 public final class MarineCamera extends CameraSensor {
   private final AttitudeHistory attitudes = new AttitudeHistory();
@@ -109,8 +109,7 @@ public final class MarineCamera extends CameraSensor {
     if (frame.format() != CameraFrame.PixelFormat.JPEG) {
       return frame;
     }
-    return jpeg.orElseThrow(
-            () -> new BadInputException("nothing on the class path unpacks JPEG pictures"))
+    return jpeg.orElseThrow(() -> new BadInputException("no JPEG decoder on the class path"))
         .decode(frame);
   }
 }

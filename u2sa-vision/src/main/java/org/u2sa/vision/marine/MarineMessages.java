@@ -41,7 +41,7 @@ final class MarineMessages {
   ObjectDescription of(SeenThing thing, Map<MarineKind, Integer> numbers, long micros) {
     Point frd = mount.turn().times(thing.way());
     Point at = body(frd.times(thing.rangeM()).plus(mount.place()));
-    double towards = Math.atan2(frd.y(), -frd.x()); // of the camera; BODY's y is to the left
+    double towards = Math.atan2(frd.y(), -frd.x()); // to the camera; BODY's y is left
     ObjectDescription object = shaped(thing, at, towards);
     int number = numbers.merge(thing.kind(), 1, Integer::sum);
     String colour = thing.colour().map(c -> c.name().toLowerCase(Locale.ROOT) + " ").orElse("");
@@ -109,12 +109,12 @@ final class MarineMessages {
     }
     Point way = mount.turn().times(thing.axisEnd().get());
     double down = mount.turn().times(thing.way()).z() * thing.rangeM();
-    Point end = body(way.times(down / way.z()).plus(mount.place())); // on the same level
+    Point end = body(way.times(down / way.z()).plus(mount.place())); // assuming level ground
     double psi = Math.atan2(end.y() - at.y(), end.x() - at.x());
     return Math.cos(psi) < 0.0 ? Math.atan2(at.y() - end.y(), at.x() - end.x()) : psi;
   }
 
-  /** Standard deviations along BODY's axes: of the range along the way, of angles across it. */
+  /** Standard deviations along BODY's axes, from the errors of range and direction. */
   private Point sigma(Point frd, SeenThing thing) {
     double across = angleSigma * thing.rangeM();
     return Point.of(

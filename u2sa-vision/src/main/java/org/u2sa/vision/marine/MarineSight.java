@@ -15,10 +15,10 @@ import org.u2sa.vision.lens.LensCalibration;
 /**
  * Detects objects by colour and shape, and their distance by their apparent size, which needs
  * neither ground nor attitude. Under water it removes veil and attenuation at that distance before
- * it names a colour (Akkaynak and Treibitz 2018). Not thread-safe; reuses its buffers.
+ * it identifies a colour (Akkaynak and Treibitz 2018). Not thread-safe; reuses its buffers.
  */
 final class MarineSight {
-  private static final double STEEP = 0.5; // downward share of a way, from which floors are seen
+  private static final double STEEP = 0.5; // minimum downward component of a direction to a floor
   private static final double SQUARE = 0.88; // fill of a rectangle; a disc has 0.79
   private static final double FLAT = 0.93; // fill of a rectangle's upper part
   private static final double SPARSE = 0.62; // fill of anything round
@@ -66,7 +66,7 @@ final class MarineSight {
     return seen;
   }
 
-  /** Whether something of the same colour and at least 0.7 of its width is above it. */
+  /** Whether an object of the same colour and at least 0.7 of its width is above it. */
   private static boolean isReflected(Segment segment, List<Segment> all) {
     for (Segment other : all) {
       int common =
@@ -83,7 +83,7 @@ final class MarineSight {
     return false;
   }
 
-  /** Whether a buoy is where its distance puts it on the water. */
+  /** Whether a buoy's direction agrees with its distance on the water. */
   private boolean floats(SeenThing thing, Rotation level) {
     double below = settings.heightAboveWater() - level.times(mount.place()).z();
     if (settings.underWater() || settings.heightAboveWater() == 0.0) {
@@ -128,7 +128,7 @@ final class MarineSight {
     return !s.isOpen() && aspect > 0.7 && aspect < 1.45 && s.fill() > SPARSE && s.fill() < SQUARE;
   }
 
-  /** A ball on the water, of which at least a third is seen. */
+  /** Detects a ball on the water of which at least a third is visible. */
   private static boolean isDome(Segment s, double aspect) {
     boolean isPlain =
         s.paint() == Colour.WHITE.ordinal() + 1 || s.paint() == Colour.BLACK.ordinal() + 1;
@@ -138,7 +138,7 @@ final class MarineSight {
         && (!isPlain || s.count() >= PLAIN && s.fill() > SPARSE && aspect > 0.7 && aspect < 2.2);
   }
 
-  /** Distance by size, then colour at that distance. */
+  /** Estimates the distance by size, then the colour at that distance. */
   private Optional<SeenThing> seen(MarineKind kind, Segment s, LensCalibration lens) {
     double x = s.x();
     double y = s.y();
@@ -238,7 +238,7 @@ final class MarineSight {
     return Paints.name(own[0], own[1], own[2], bright);
   }
 
-  /** Way to a position in cells, whose centre lies between its pixels. */
+  /** Direction to a position in cells, whose centre lies between its pixels. */
   private static Optional<Point> way(LensCalibration lens, double column, double row) {
     return wayOfPixel(lens, 2.0 * column + 0.5, 2.0 * row + 0.5);
   }

@@ -6,8 +6,8 @@ import org.u2sa.messages.marine.Colour;
 /** Names of linear colours. */
 final class Paints {
   private static final double GREY = 0.42; // saturation below which a colour has no name
-  private static final double BRIGHT = 1.6; // of white, relative to the background
-  private static final double DARK = 0.45; // of black
+  private static final double BRIGHT = 1.6; // min. brightness of white over background
+  private static final double DARK = 0.45; // maximum brightness of black
 
   private Paints() {}
 

@@ -3,9 +3,9 @@ package org.u2sa.vision.marine;
 /**
  * Connected cells that differ from the background; a cell is 2 × 2 pixels. Positions are in cells.
  *
- * @param paint ordinal of the colour plus one, 0 if it is to be found out (under water)
+ * @param paint ordinal of the colour plus one, 0 if not yet determined (under water)
  * @param count number of cells
- * @param dome its upper part, without what the water below reflects
+ * @param dome its upper part, without reflections in the water below
  * @param x mean column
  * @param y mean row
  * @param major standard deviation along the longer principal axis
@@ -13,7 +13,7 @@ package org.u2sa.vision.marine;
  * @param turn angle of the longer axis, from right to down [rad]
  * @param isOpen whether its middle is background, as in a hoop
  * @param colour mean linear red, green, blue of its inner cells
- * @param around the same of the background of its rows
+ * @param around mean colour of the background of its rows
  */
 record Segment(
     int paint,

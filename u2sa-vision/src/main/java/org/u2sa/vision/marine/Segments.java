@@ -12,12 +12,12 @@ import org.u2sa.messages.marine.Colour;
  */
 final class Segments {
   private static final int HUES = 3;
-  private static final double DOME = 0.6; // height of a dome, of its width
+  private static final double DOME = 0.6; // height of a dome, as a share of its width
   private static final int FEWEST = 14;
   private static final float CHROMA = 0.07f; // min. difference of a share of red, green or blue
   private static final float TINT = 0.09f; // min. relative difference of a tint under water
   private static final float SHADE = 0.22f; // min. relative difference in brightness under water
-  private static final float SIGMAS = 6.0f; // of the row's own variation, as MAD
+  private static final float SIGMAS = 6.0f; // multiple of the row's own variation (MAD)
   private static final float DIM = 0.012f; // below this, hue is noise
   private static final byte ANY = 100; // under water
 
@@ -86,7 +86,7 @@ final class Segments {
     }
     for (int hue = 0; hue < HUES; hue++) {
       float tint = Math.abs(picture.cells[at + hue] / picture.median[b + hue] - mean);
-      // a common change in brightness, as by caustics, leaves tints as they are
+      // a common change in brightness, e.g. by caustics, leaves tints unchanged
       if (tint > Math.max(TINT, 0.6f * SIGMAS * picture.spread[b + hue])) {
         return ANY;
       }

@@ -97,7 +97,7 @@ final class SoughtKinds {
     return kinds;
   }
 
-  /** Kinds to look for in a picture, which is counted. */
+  /** Kinds to look for in a picture; counts the picture. */
   Set<MarineKind> next() {
     pictures++;
     searches += sought.size();

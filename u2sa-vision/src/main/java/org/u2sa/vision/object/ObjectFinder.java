@@ -25,7 +25,7 @@ public final class ObjectFinder {
   private static final double EDGE_PX = 2.0; // error of a patch's edge
   private static final double SLIM = 0.55; // of a barrel's width
   private static final double STOUT = 1.6;
-  private static final double SQUAT = 0.7; // of its width: a trestle is lower than wide
+  private static final double SQUAT = 0.7; // of the width: a trestle is lower than wide
   private static final double SOLID = 0.53; // min. orange in a row of barrels; a trestle has less
   private static final double LOW = 0.35; // of a barrel's height
   private static final double EDGE_M = 0.03; // error of an edge's height above the ground

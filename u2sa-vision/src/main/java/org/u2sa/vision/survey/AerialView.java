@@ -23,8 +23,8 @@ import org.u2sa.vision.ground.CameraMount;
  */
 final class AerialView {
   private static final double HALF = Math.sqrt(0.5);
-  private static final int LOOKS = 6; // at the terrain; enough for gentle slopes
-  private static final double MIN_SINE = 0.2; // of a ray's angle below the horizon
+  private static final int LOOKS = 6; // iterations at the terrain; enough for gentle slopes
+  private static final double MIN_SINE = 0.2; // minimum sine of a ray's angle below the horizon
 
   private final Intrinsics lens;
   private final int width;
@@ -68,7 +68,7 @@ final class AerialView {
             (row - lens.centreY()) / lens.focalY()));
   }
 
-  /** Place on the ground that a pixel shows; empty near the horizon and above. */
+  /** Position on the ground shown by a pixel; empty near and above the horizon. */
   Optional<Geodetic> ground(double column, double row) {
     Point ray = ray(column, row);
     if (ray.z() < MIN_SINE * ray.distance()) {
@@ -81,7 +81,7 @@ final class AerialView {
     return place;
   }
 
-  /** Where a ray passes an altitude; empty if the camera is not above it. */
+  /** Point at which a ray reaches an altitude; empty if the camera is not above it. */
   private Optional<Geodetic> at(Point ray, double altitudeM) {
     double heightM = camera.altitudeM() - altitudeM;
     if (heightM <= 0.0) {
@@ -94,8 +94,8 @@ final class AerialView {
 
   /**
    * Ground resolution at a pixel, in the worse direction [m per pixel]: a pixel's angle cos²ε / f
-   * away from the optical axis, spread by the slant of the ray; on terrain, by the places of the
-   * pixels around it.
+   * away from the optical axis, spread by the slant of the ray; on terrain, from the positions of
+   * neighbouring pixels.
    */
   double resolutionM(double column, double row) {
     if (terrain.isPresent()) {

@@ -4,8 +4,8 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Attitude;
 
 /**
- * A gimbal with a roll and a pitch axis that keeps a camera level. Within its limits the camera has
- * the vehicle's heading only; beyond one, it has what the axis cannot take up.
+ * A gimbal with a roll and a pitch axis that keeps a camera level. Within its limits the camera
+ * follows only the vehicle's heading; beyond a limit, it also tilts by the excess.
  *
  * @param limitRad largest angle of either axis, to both sides [rad]
  */

@@ -10,19 +10,19 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 
 /**
- * Orders goals over targets that could not be read: small search areas of a finer resolution, which
- * the Mission Manager puts before the current goal (thesis 4.4.1.1).
+ * Orders closer looks at targets that could not be read: small search areas of finer resolution,
+ * which the Mission Manager inserts before the current goal (thesis 4.4.1.1).
  *
- * @param resolution of these areas, as a share of the resolution of the area before
+ * @param resolution resolution of these areas, as a share of the previous area's
  */
 record CloserLook(double resolution) {
-  private static final double HALF_M = 8.0; // of a side; a target's place is good to a few metres
+  private static final double HALF_M = 8.0; // half a side; targets are located to a few metres
   private static final double SHARE = 0.9;
 
   /**
-   * @param area in which the targets were seen
-   * @param camera name of the camera, who gives the order
-   * @param first number of the first of these goals, which names it
+   * @param area search area in which the targets were seen
+   * @param camera name of the camera, the author of the order
+   * @param first number of the first of these goals, used in its name
    * @param micros time, which makes the order unique [µs]
    */
   MissionOrder order(

@@ -6,13 +6,13 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 
-/** Triggers a camera each time a horizontal distance has been flown, and at once when it begins. */
+/** Triggers a camera at the start and each time a horizontal distance has been travelled. */
 final class DistanceTrigger {
   private OptionalDouble distanceM = OptionalDouble.empty();
   private Optional<Geodetic> last = Optional.empty(); // before the distance flown since
   private double flownM;
 
-  /** Sets the distance [m]; empty: no images. Another distance begins at once. */
+  /** Sets the distance [m]; empty: no images. A new distance triggers immediately. */
   void each(OptionalDouble metres) {
     if (!metres.equals(distanceM)) {
       distanceM = metres;
@@ -25,7 +25,7 @@ final class DistanceTrigger {
   }
 
   /**
-   * Whether an image is due at this state; then the distance counts from here.
+   * Whether an image is due at this state; if so, restarts the distance.
    *
    * @param state in GLOBAL
    */

@@ -30,11 +30,11 @@ import org.u2sa.vision.ground.CameraMount;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * A camera that looks down, while a search area or a goal with a photoDistance is current:
- * publishes which ground each image shows, and afterwards the targets that it found. Of a search
- * area all images count, otherwise one each time the distance has been flown. In: state, goals.
- * Out: sensed-objects, survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set;
- * mission, orders for closer looks if CLOSER LOOKS is set. Thesis 4.4.1.1, 4.4.1.3.
+ * A downward-looking camera, active while a search area or a goal with a photoDistance is current:
+ * publishes the ground that each image shows, and afterwards the targets found. In a search area it
+ * uses all images, otherwise one per photoDistance. In: state, goals. Out: sensed-objects,
+ * survey-targets; images, for a mosaic, every IMAGE EVERY seconds if set; mission, orders for
+ * closer looks if CLOSER LOOKS is set. Thesis 4.4.1.1, 4.4.1.3.
  */
 public final class SurveyCamera extends CameraSensor {
   private record Variables(
@@ -42,31 +42,31 @@ public final class SurveyCamera extends CameraSensor {
           @Description("Interval of JPEG pictures published on images; 0: none are published.")
           double imageEvery,
       @Variable(min = 1, max = 16, ifAbsent = 2)
-          @Description("Pixels of the camera along each side that become one of these pictures.")
+          @Description("Camera pixels along each side merged into one pixel of these pictures.")
           int imageShrink,
       @Variable(ifAbsentText = "")
           @Description(
               "Height map of the ground, an Esri ASCII grid in degrees; without it search areas are level.")
           String terrain,
       @Variable(unit = "m", min = -500, max = 9000, ifAbsent = 0)
-          @Description("Altitude of the ground in images that no search area asks for.")
+          @Description("Ground altitude for images outside a search area.")
           double groundAltitude,
       @Variable(unit = "rad", min = 0, max = 1.57, ifAbsent = 0)
           @Description(
-              "Largest roll and pitch that the camera's gimbal takes up; 0: the camera is fixed to the vehicle.")
+              "Maximum roll and pitch that the camera's gimbal compensates; 0: the camera is fixed to the vehicle.")
           double gimbalLimit,
       @Variable(min = 0, max = 100, ifAbsent = 0)
           @Description(
-              "Targets per mission that are looked at again where they could not be read; on a secured broker the camera's account needs the role operator for it.")
+              "Maximum number of unreadable targets per mission that get a closer look; on a secured broker the camera's account then needs the role operator.")
           int closerLooks,
       @Variable(min = 0.1, max = 1, ifAbsent = 0.6)
           @Description("Resolution of a closer look, as a share of the area's.")
           double closerResolution) {}
 
-  private static final int MAX_WAITING = 8; // images for the state of their time
+  private static final int MAX_WAITING = 8; // images waiting for the state of their time
   private static final double MIN_M = 0.7; // of a target
   private static final double MAX_M = 2.8;
-  private static final double SIGMA_M = 2.0; // of a place, by position and attitude
+  private static final double SIGMA_M = 2.0; // of a ground position
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   private static final long GAP_MICROS = Clock.micros(0.5);
 

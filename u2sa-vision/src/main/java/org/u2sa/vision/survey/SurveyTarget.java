@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * A target on the ground, as found in images: its place with standard deviation, shape, colour,
+ * A target on the ground, as found in images: its position with standard deviation, shape, colour,
  * letter, the letter's colour and its orientation. Unknown attributes are empty.
  */
 public final class SurveyTarget extends ObjectDescription {
@@ -27,8 +27,8 @@ public final class SurveyTarget extends ObjectDescription {
   public static final MessageType<SurveyTarget> TYPE = SCHEMA.build();
 
   /**
-   * Reports of targets, each once it will not be seen any better. A person corrects one by another
-   * report with its uid.
+   * Reports of targets, each sent once no better sighting is expected. A person corrects one by
+   * another report with its uid.
    */
   public static final Channel<SurveyTarget> CHANNEL = Channel.every("survey-targets", TYPE);
 
@@ -57,23 +57,23 @@ public final class SurveyTarget extends ObjectDescription {
     return get(LETTER_COLOUR);
   }
 
-  /** Point of the compass to which the top of the letter points; empty if unknown. */
+  /** Compass direction of the letter's top; empty if unknown. */
   public String orientation() {
     return get(ORIENTATION);
   }
 
-  /** These five, in this order. */
+  /** The five attributes above, in this order. */
   public List<String> fields() {
     return List.of(shape(), colour(), letter(), letterColour(), orientation());
   }
 
-  /** Sets these five. */
+  /** Sets the five attributes above. */
   public SurveyTarget fields(List<String> fields) {
     put(SHAPE, fields.get(0)).put(COLOUR, fields.get(1)).put(LETTER, fields.get(2));
     return put(LETTER_COLOUR, fields.get(3)).put(ORIENTATION, fields.get(4));
   }
 
-  /** Standard deviation of the place, per axis [m]; 0 if unknown. */
+  /** Standard deviation of the position, per axis [m]; 0 if unknown. */
   public double sigma() {
     return get(SIGMA).orElse(0.0);
   }

@@ -17,7 +17,7 @@ final class TargetColours {
     {240, 125, 25},
     {120, 40, 150}
   };
-  private static final double LETTER_SHARE = 0.12; // of the patch, the pixels that differ most
+  private static final double LETTER_SHARE = 0.12; // share of the patch's pixels that differ most
   private static final double MIN_APART = 35.0;
 
   private final double[] shape = new double[3];
@@ -56,7 +56,7 @@ final class TargetColours {
     }
   }
 
-  /** Pixels of the patch with none outside it beside them, which are not mixed with the ground. */
+  /** Interior pixels of the patch, whose colours are not mixed with the ground's. */
   private static boolean[] inner(TargetPatch patch) {
     boolean[] inner = new boolean[patch.isOn().length];
     int wide = patch.width();
@@ -127,7 +127,7 @@ final class TargetColours {
     return name(letter);
   }
 
-  /** Whether there are two colours at all. */
+  /** Whether the patch has two colours. */
   boolean hasLetter() {
     return apart(shape, letter) > MIN_APART;
   }

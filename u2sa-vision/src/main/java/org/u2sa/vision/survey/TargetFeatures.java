@@ -1,6 +1,6 @@
 package org.u2sa.vision.survey;
 
-/** Numbers that describe outlines and letters, whatever their size. */
+/** Scale-invariant descriptors of outlines and letters. */
 final class TargetFeatures {
   /** Directions of an outline. */
   static final int DIRECTIONS = 48;
@@ -12,7 +12,7 @@ final class TargetFeatures {
 
   /**
    * Distance of the outline from the middle in each direction, clockwise from the top of the image,
-   * over their mean.
+   * divided by their mean.
    */
   static double[] outline(TargetPatch patch) {
     double[] radius = new double[DIRECTIONS];
@@ -40,8 +40,8 @@ final class TargetFeatures {
   }
 
   /**
-   * The ink of a letter in a grid that fits it, turned so that a direction of the image is up; mean
-   * 0 and length 1, or all 0 without enough ink.
+   * The ink of a letter in a fitted grid, rotated so that a direction of the image is up; mean 0
+   * and length 1, or all 0 without enough ink.
    *
    * @param upRad direction of the letter's top, clockwise from the top of the image
    */

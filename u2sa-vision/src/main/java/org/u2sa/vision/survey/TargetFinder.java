@@ -5,12 +5,12 @@ import java.util.List;
 import org.u2sa.device.port.CameraFrame;
 
 /**
- * Finds patches whose colour stands out from the mean of the image: of the size of a target, whole
- * within the image. Pixels are joined by flooding.
+ * Finds patches whose colour stands out from the mean of the image: of a target's size and
+ * completely within the image. Pixels are joined by flood fill.
  */
 final class TargetFinder {
   private static final int STANDS_OUT = 62; // sum of the differences of red, green and blue
-  private static final int COARSE = 3; // pixels between two looks
+  private static final int COARSE = 3; // pixels between two samples
   private static final int MAX_PATCHES = 20; // per image
 
   private final int width;
@@ -41,7 +41,7 @@ final class TargetFinder {
    * Patches in an image.
    *
    * @param leastPx size of the smallest target [px]
-   * @param mostPx of the largest
+   * @param mostPx size of the largest target [px]
    */
   static List<TargetPatch> in(CameraFrame frame, double leastPx, double mostPx) {
     return new TargetFinder(frame).search(leastPx, mostPx);
@@ -65,7 +65,7 @@ final class TargetFinder {
     return patches;
   }
 
-  /** Whether a pixel differs from the ground in colour, apart from its brightness, or a lot. */
+  /** Whether a pixel differs from the ground in hue, or strongly in brightness. */
   private boolean standsOut(int at) {
     int red = (rgb[3 * at] & 0xff) - mean[0];
     int green = (rgb[3 * at + 1] & 0xff) - mean[1];
@@ -129,7 +129,7 @@ final class TargetFinder {
     return new TargetPatch(left, top, wide, high, isOn, area, column / area, row / area);
   }
 
-  /** Fills what is not joined to the outside of the box. */
+  /** Fills holes, i.e. pixels not connected to the outside of the box. */
   private static void fill(boolean[] isOn, int wide, int high) {
     boolean[] outside = new boolean[isOn.length];
     int[] queue = new int[isOn.length];

@@ -10,27 +10,27 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
 /**
- * Joins sightings of the same target: its place is their mean, each field what most of them say.
+ * Merges sightings of the same target: its position is their mean, each field their majority vote.
  */
 final class TargetLog {
   private static final double SAME_M = 10.0;
   private static final int LEAST = 2; // sightings
   private static final int MAX_TARGETS = 200;
-  private static final int READ = 4; // fields; an orientation may stay open
-  private static final double CLEAR_SHARE = 0.6; // of the votes
+  private static final int READ = 4; // number of agreeing fields; an orientation may remain unknown
+  private static final double CLEAR_SHARE = 0.6; // fraction of the votes
 
   private final List<Entry> entries = new ArrayList<>();
-  private int reported; // since the start; a correction names the report
+  private int reported; // number of reports since the start; a correction refers to it
 
   /** The sightings of one target. */
   private static final class Entry {
     private final Geodetic first;
     private final List<Map<String, Integer>> votes = new ArrayList<>();
-    private double eastM; // sums, from the first
+    private double eastM; // sums relative to the first sighting
     private double northM;
     private int count;
     private String uid = ""; // once reported
-    private int reported; // sightings then
+    private int reported; // number of sightings at the last report
     private boolean isLookedAt;
 
     Entry(Geodetic first) {
@@ -81,9 +81,9 @@ final class TargetLog {
   }
 
   /**
-   * Places of targets that a closer look may make clear, each of which is given once.
+   * Positions of targets that a closer look may clarify; each is returned once.
    *
-   * @param most number of targets
+   * @param most maximum number of targets
    */
   List<Geodetic> unclear(int most) {
     List<Entry> unclear =
@@ -99,7 +99,7 @@ final class TargetLog {
    * Reports of targets that were seen more than once, and again since they were reported; their
    * uids stay.
    *
-   * @param sigmaM standard deviation of a sighting's place, most of which all share
+   * @param sigmaM standard deviation of a sighting's position, which is mostly common to all
    */
   List<SurveyTarget> reports(double sigmaM) {
     List<SurveyTarget> reports = new ArrayList<>();

@@ -11,8 +11,8 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Average appearance of shapes and letters: the nearest is chosen, in any direction. Ships as
- * {@code targets.model}, lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining}
+ * Average appearance of shapes and letters; the most similar one in any direction is chosen. Ships
+ * as {@code targets.model}: lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining}
  * makes it.
  */
 final class TargetModel {
@@ -24,7 +24,7 @@ final class TargetModel {
   private final Map<String, double[]> letters = new TreeMap<>();
 
   /**
-   * A letter that was read.
+   * A recognised letter.
    *
    * @param name the letter; empty if none is similar
    * @param upRad direction of its top, clockwise from the top of the image [rad]
@@ -87,7 +87,7 @@ final class TargetModel {
     return best;
   }
 
-  /** The most similar letter in the most similar direction. */
+  /** The most similar letter and its direction. */
   Read letter(TargetPatch patch, boolean[] ink) {
     Read best = new Read("", 0.0);
     double most = MIN_LIKENESS;

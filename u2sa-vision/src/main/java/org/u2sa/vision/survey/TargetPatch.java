@@ -5,12 +5,12 @@ package org.u2sa.vision.survey;
  *
  * @param left column of its box
  * @param top row of its box
- * @param width of the box [px]
- * @param height of the box [px]
+ * @param width width of the box [px]
+ * @param height height of the box [px]
  * @param isOn pixels of the patch, row by row in the box
- * @param pixels number of them
- * @param column of its middle
- * @param row of its middle
+ * @param pixels number of pixels of the patch
+ * @param column column of its middle
+ * @param row row of its middle
  */
 record TargetPatch(
     int left,

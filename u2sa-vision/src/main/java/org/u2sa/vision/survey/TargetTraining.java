@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.u2sa.device.port.CameraFrame;
 
-/** Makes the model of shapes and letters: the means of what is found in images of known targets. */
+/** Trains the model of shapes and letters: means over the patches of known targets. */
 public final class TargetTraining {
   static final double SCALE = 1_000.0; // numbers in the file are thousandths
 
@@ -17,7 +17,7 @@ public final class TargetTraining {
    * Learns from an image that shows one target.
    *
    * @param upRad direction of the letter's top, clockwise from the top of the image [rad]
-   * @return false if none was found in it
+   * @return false if no target was found
    */
   public boolean learn(CameraFrame frame, String shape, String letter, double upRad) {
     List<TargetPatch> patches = TargetFinder.in(frame, 10.0, 200.0);

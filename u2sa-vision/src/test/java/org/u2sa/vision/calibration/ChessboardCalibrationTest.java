@@ -67,7 +67,7 @@ class ChessboardCalibrationTest {
     assertThatThrownBy(calibration::calibrate)
         .isInstanceOf(BadInputException.class)
         .hasMessageContaining("0 of 2 pictures show a whole board of 9x6 corners")
-        .hasMessageContaining("expected 4 at least");
+        .hasMessageContaining("expected at least 4");
   }
 
   @Test
@@ -95,7 +95,7 @@ class ChessboardCalibrationTest {
     assertThat(Chessboard.parse("7 X 5", 0.03)).isEqualTo(new Chessboard(7, 5, 0.03));
     assertThatThrownBy(() -> Chessboard.parse("9by6", 0.03)).hasMessageContaining("\"9by6\"");
     assertThatThrownBy(() -> Chessboard.parse("9xsix", 0.03)).hasMessageContaining("such as 9x6");
-    assertThatThrownBy(() -> Chessboard.parse("9x2", 0.03)).hasMessageContaining("3x3 at least");
+    assertThatThrownBy(() -> Chessboard.parse("9x2", 0.03)).hasMessageContaining("at least 3x3");
     assertThatThrownBy(() -> Chessboard.parse("9x6", 0.0)).hasMessageContaining("0.0 m");
   }
 }

@@ -6,7 +6,7 @@ import org.u2sa.messages.frame.Point;
 /**
  * A line of sight: from the sensor along a unit vector, in metres of the map.
  *
- * @param rangeM guess of the distance, of which the truth may be off by as much [m]
+ * @param rangeM assumed distance, which may be wrong by as much [m]
  */
 record BearingLine(Point from, Point direction, double rangeM) {
   private static final int ROUNDS = 10;
@@ -14,15 +14,15 @@ record BearingLine(Point from, Point direction, double rangeM) {
   private static final double NEAREST_M = 0.5;
 
   /**
-   * A place with standard deviations along the map's axes [m].
+   * A position with standard deviations along the map's axes [m].
    *
-   * @param residual RMS distance of the lines from the place, in their standard deviations
+   * @param residual RMS distance of the lines from it, in standard deviations
    */
   record Meeting(Point place, Point sigma, double residual) {}
 
   /**
-   * The place nearest to all lines: weighted least squares of the distances across the lines, with
-   * the weights of Geman and McClure against echoes, and the newest line's guess of the range.
+   * The point nearest to all lines: weighted least squares of the distances across the lines, with
+   * Geman–McClure weights against echoes and the newest line's assumed range.
    *
    * @param lines at least one, the newest last
    * @param sigmaRad standard deviation of a direction [rad]

@@ -22,15 +22,15 @@ import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Locates stationary objects of which a sensor measures only the direction, such as pingers, by
- * where their lines of sight meet. Without the vehicle's state, the newest sighting is published in
- * BODY for a while. Expects one object of a type.
+ * Locates stationary objects of which a sensor measures only the direction, such as pingers, by the
+ * intersection of lines of sight. Without the vehicle's state, the newest sighting is published in
+ * BODY for a while. Expects one object per type.
  */
 public final class BearingModeller implements Modeller {
   private record Variables(
       @Variable(ifAbsentText = "pinger")
           @Description(
-              "BEARINGS: types of objects of which only the direction is measured, separated by commas; to be named in UNMAPPED TYPES, too.")
+              "BEARINGS: types of objects of which only the direction is measured, separated by commas; name them in UNMAPPED TYPES as well.")
           String bearingTypes,
       @Variable(unit = "rad", min = 0.0001, max = 1, ifAbsent = 0.05)
           @Description("BEARINGS: standard deviation of a direction.")
@@ -100,7 +100,7 @@ public final class BearingModeller implements Modeller {
     return all;
   }
 
-  /** The object where its lines meet; empty without lines. */
+  /** The object at the intersection of its lines; empty without lines. */
   private Optional<ObjectDescription> located(String type) {
     Deque<BearingLine> known = lines.getOrDefault(type, new ArrayDeque<>());
     if (known.isEmpty()) {
@@ -126,6 +126,6 @@ public final class BearingModeller implements Modeller {
                     type,
                     known.size(),
                     BearingLine.of(known, tuning.get().bearingSigma()).residual())));
-    return text.length() == 0 ? "nothing heard" : text.substring(0, text.length() - 2);
+    return text.length() == 0 ? "no directions yet" : text.substring(0, text.length() - 2);
   }
 }

@@ -10,7 +10,7 @@ import org.u2sa.messages.goal.SearchArea;
 import org.u2sa.messages.shape.CoverageLedger;
 import org.u2sa.messages.shape.ImageFootprint;
 
-/** The cells of one search area, and the best view of each. */
+/** The cells of one search area and the best view of each. */
 final class AreaCells {
   private static final int MAX_CELLS = 20_000;
   private static final double GROWTH = 1.05;
@@ -147,7 +147,7 @@ final class AreaCells {
     ledger = null;
   }
 
-  /** Distance inside a convex outline of either direction; negative outside [m]. */
+  /** Distance inside a convex outline of either orientation; negative outside [m]. */
   private static double depthM(List<Point> outline, double x, double y) {
     double least = Double.POSITIVE_INFINITY;
     double most = Double.NEGATIVE_INFINITY;
@@ -164,7 +164,7 @@ final class AreaCells {
     return Math.max(least, -most);
   }
 
-  /** The record as a message; the same one until it changes. */
+  /** The record as a message; the same object until it changes. */
   CoverageLedger ledger() {
     if (ledger == null) {
       CoverageLedger next = new CoverageLedger().points(goal.corners()).area(goal.uid());

@@ -18,11 +18,12 @@ import org.u2sa.world.modeller.Sighting;
 
 /**
  * Remembers stationary objects relative to the vehicle, without a State Estimator (thesis 4.3.2):
- * each sighting corrects an object's place, and between sightings turn rate and speed, as IMU and
- * velocity log measure them, carry it along. Objects are published in BODY, as of a level vehicle.
+ * each sighting corrects an object's position, and between sightings it is propagated by the turn
+ * rate of an IMU and the speed of a velocity log. Objects are published in BODY, as for a level
+ * vehicle.
  */
 public final class EgocentricModeller implements Modeller {
-  private static final double MIN_SHARE = 0.1; // of a sighting in the place
+  private static final double MIN_SHARE = 0.1; // weight of a sighting in the position
   private static final double RANGE_SHARE = 0.125; // error of the range
 
   private record Variables(
@@ -31,7 +32,7 @@ public final class EgocentricModeller implements Modeller {
           double egocentricMemory,
       @Variable(unit = "m", min = 0.01, max = 1000, ifAbsent = 1.5)
           @Description(
-              "EGOCENTRIC: distance within which a sighting is an object of its type that is known, plus an eighth of the range.")
+              "EGOCENTRIC: association distance between a sighting and a known object of its type, plus an eighth of the range.")
           double egocentricGate) {}
 
   /** An object in the frame of {@link OwnMotion}. */
@@ -98,7 +99,7 @@ public final class EgocentricModeller implements Modeller {
     }
   }
 
-  /** Whether only the direction is measured: then the newest sighting counts, and one object. */
+  /** Whether only the direction is measured; then only the newest sighting counts. */
   private boolean isUnsure(ObjectDescription object) {
     double mostM = tuning.get().egocentricGate();
     return object

@@ -8,8 +8,8 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * The vehicle's own motion in the last seconds: attitude and turn rate by an IMU, speed by a
- * velocity log, integrated in LOCAL_NED from an arbitrary place and heading.
+ * The vehicle's motion in the last seconds: attitude and turn rate from an IMU, speed from a
+ * velocity log, integrated in LOCAL_NED from an arbitrary position and heading.
  */
 final class OwnMotion {
   private static final long STALE_MICROS = Clock.MICROS_PER_SECOND; // then it counts as 0
@@ -20,7 +20,7 @@ final class OwnMotion {
   private Point velocity = Point.ORIGIN; // forward, left, down [m/s]
   private long velocityMicros = Long.MIN_VALUE / 2;
 
-  /** Adds what a sensor measured. */
+  /** Adds a sensor's measurement. */
   void sensed(StateInformation measured, long micros) {
     ReferenceFrame frame = measured.referenceFrame();
     if (frame.isBody() && measured.xDot().isPresent()) {
@@ -43,7 +43,7 @@ final class OwnMotion {
     boolean isLeftward =
         imu.referenceFrame().equals(ReferenceFrame.LOCAL_ENU)
             || imu.referenceFrame().equals(ReferenceFrame.BODY_FLU);
-    double sign = isLeftward ? -1.0 : 1.0; // there, nose down is positive, too
+    double sign = isLeftward ? -1.0 : 1.0; // there, nose down is also positive
     double seconds = Clock.seconds(Math.min(step, STALE_MICROS));
     double rate = sign * imu.psiDot().orElseThrow();
     psi += rate * seconds;
@@ -61,12 +61,12 @@ final class OwnMotion {
     return pose.x(place.x()).y(place.y()).z(place.z()).psi(psi).phi(0.0).theta(0.0);
   }
 
-  /** Whether the velocity log measures. */
+  /** Whether the velocity log is measuring. */
   boolean knowsSpeed(long micros) {
     return micros - velocityMicros <= STALE_MICROS;
   }
 
-  /** Pose at a time; the newest if there is none of about then. */
+  /** Pose at a time; the newest if none is close to it. */
   StateInformation at(long micros) {
     return poses.at(micros, STALE_MICROS).orElseGet(this::level);
   }

@@ -43,7 +43,7 @@ public final class GridModeller implements Modeller {
           double highest,
       @Variable(unit = "m", min = 0, ifAbsent = 1000)
           @Description(
-              "Distance up to which a beam without an echo counts as free space, at most the range of the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
+              "Distance up to which a beam without an echo counts as free space, at most the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 

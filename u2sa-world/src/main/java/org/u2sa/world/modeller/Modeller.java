@@ -25,7 +25,7 @@ public interface Modeller {
 
   default void scan(RangeScan scan, ScanPoses poses) {}
 
-  /** Processes the ground that one image shows, in the frame of its message. */
+  /** Processes the ground shown by one image, in the frame of its message. */
   default void footprint(ImageFootprint seen) {}
 
   /** Processes the goals of the mission, current and upcoming. */
@@ -71,7 +71,7 @@ public interface Modeller {
     return false;
   }
 
-  /** Processes what a proprioceptive sensor measured, such as rates and speeds. */
+  /** Processes a proprioceptive measurement, such as rates and speeds. */
   default void sensed(StateInformation measured) {}
 
   /** Processes a dead-reckoned state of local-state, which never jumps. */

@@ -10,14 +10,14 @@ import org.u2sa.messages.shape.PointCloud;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * The newest scan of each sensor that publishes its scans as clouds of points, where it was made.
- * Such a cloud is no object: its place is the point nearest to the scanner, which goes with the
- * vehicle along a wall.
+ * The newest scan of each sensor that publishes its scans as point clouds, at the position of the
+ * scan. Such a cloud is not an object: its position is the point nearest to the scanner, which
+ * moves with the vehicle along a wall.
  */
 final class NewestClouds {
   private static final int MAX_SENSORS = 32;
 
-  /** Part of the heap that clouds of other processes may take. */
+  /** Fraction of the heap for clouds from other processes. */
   private static final int HEAP_PART = 8;
 
   private record Seen(long micros, PointCloud cloud) {}

@@ -32,7 +32,7 @@ public final class ObjectMapModeller implements Modeller {
   /** Maximum length of a UID to which a number may be appended. */
   private static final int MAX_NUMBERED_CHARS = 900;
 
-  /** Part of the heap that sightings of other processes may take as long as they are known. */
+  /** Fraction of the heap for remembered sightings from other processes. */
   private static final int HEAP_PART = 4;
 
   private static final long MIN_SIGHTING_BYTES = 8L << 10; // an outline of a hundred points
@@ -115,7 +115,7 @@ public final class ObjectMapModeller implements Modeller {
     tidy(sighting.micros(), tuning);
   }
 
-  /** Whether as many objects as may be kept can be of that length. */
+  /** Whether the maximum number of objects may have this length. */
   private boolean isShort(ObjectDescription sighting, ObjectMapVariables tuning) {
     long share = Runtime.getRuntime().maxMemory() / HEAP_PART / (2L * tuning.maxObjects());
     boolean isShort = sighting.receivedBytes() <= Math.max(MIN_SIGHTING_BYTES, share);

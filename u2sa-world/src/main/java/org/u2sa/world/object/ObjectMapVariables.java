@@ -82,7 +82,7 @@ record ObjectMapVariables(
         double horizon,
     @Variable(ifAbsentText = "false")
         @Description(
-            "OBJECTS: whether objects of the world file are dropped, too, if they are not seen where they should be.")
+            "OBJECTS: whether objects of the world file are also dropped if they are not seen where they should be.")
         boolean doubtFile,
     @Variable(min = 1, max = 100_000, ifAbsent = 1000)
         @Description(

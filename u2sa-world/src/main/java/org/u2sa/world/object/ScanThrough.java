@@ -5,7 +5,7 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.world.modeller.SensorPose;
 
-/** Tells whether a scan passed through an object's position, so that it cannot be there. */
+/** Determines whether a scan passed through an object's position, which rules it out. */
 final class ScanThrough {
   private static final double THICKNESS_M = 0.3; // of the slice that a scan covers
   private static final double MARGIN_M = 0.2;

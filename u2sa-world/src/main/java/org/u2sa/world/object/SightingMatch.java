@@ -64,7 +64,7 @@ record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
     }
     if (track.isFromFile()) { // a large object may be seen anywhere on its surface
       if (isTracked || track.isFixture() && moves(detection)) {
-        return Double.POSITIVE_INFINITY; // an aircraft above a mast is not the mast
+        return Double.POSITIVE_INFINITY; // distinguishes an aircraft from the mast below it
       }
       double sigma = Math.max(1e-6, detection.sigma().distance());
       double off = track.template().distanceTo(detection.object().center()) / sigma;

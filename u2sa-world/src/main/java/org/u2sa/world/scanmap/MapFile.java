@@ -36,14 +36,14 @@ final class MapFile {
   private static final String HEADER = "U2SA scan map 1";
   private static final int MAX_SCANS = 20_000;
   private static final int MAX_BYTES = 1 << 20; // of a scan
-  private static final long HEAP_SHARE = 8; // of the heap for all scans as in the file
+  private static final long HEAP_SHARE = 8; // part of the heap for all scans of a file
 
   private MapFile() {}
 
   /**
    * Writes a map; an existing one is replaced atomically.
    *
-   * @throws IOException if it cannot be written, or would replace another file than a map
+   * @throws IOException if it cannot be written, or would replace a file that is not a map
    */
   static void write(Path file, MapFrame frame, List<KeyScan> keys) throws IOException {
     boolean isFree = !Files.exists(file, LinkOption.NOFOLLOW_LINKS);
@@ -103,11 +103,11 @@ final class MapFile {
   }
 
   /**
-   * @param maxBytes of all scans, unpacked
+   * @param maxBytes maximum size of all scans, unpacked
    */
   static Contents read(Path file, long maxBytes) {
     if (Files.exists(file) && !Files.isRegularFile(file)) {
-      throw new BadInputException(file + ": expected a regular file"); // a pipe may never answer
+      throw new BadInputException(file + ": expected a regular file"); // a pipe might block
     }
     try (DataInputStream in = opened(file)) {
       String header = in.readUTF();

@@ -58,7 +58,7 @@ public final class ScanMapModeller implements Modeller {
    * @param configuration configuration of the World Modeler
    * @param grid the grid to rebuild
    * @param files resolves file names in the configuration
-   * @param saves whether SAVE MAP counts
+   * @param saves whether SAVE MAP applies
    */
   public ScanMapModeller(
       Configurator configuration, GridModeller grid, Function<String, Path> files, boolean saves) {

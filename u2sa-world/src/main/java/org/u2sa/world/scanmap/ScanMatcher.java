@@ -24,12 +24,12 @@ final class ScanMatcher {
   private static final double FINE_RAD = 0.0125;
   private static final int SEARCHED_POINTS = 90;
   private static final int STEPS = 15;
-  private static final int WIDE_STEPS = 4; // with the wide reach
+  private static final int WIDE_STEPS = 4; // number of steps with the wide reach
   private static final int WIDE_CELLS = 4;
   private static final int NARROW_CELLS = 2;
   private static final double HUBER_M = 0.06;
   private static final double MIN_SIGMA_M = 0.02;
-  private static final double POINT_SIGMA = 3.0; // of echoes that belong to no surface, times
+  private static final double POINT_SIGMA = 3.0; // multiplier for echoes off any surface
   private static final double NEAR_M = 0.12; // an echo this near to a surface supports the match
 
   /** Number of neighbouring beams that count as one independent measurement. */

@@ -6,19 +6,19 @@ import java.nio.file.Path;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Limits what a world may have read: models that include others, and meshes, each time that they
- * are named. A few short files that include each other would otherwise take years.
+ * Limits how much a world may read: models and meshes count each time they are included. A few
+ * short files that include each other would otherwise take years.
  */
 final class ReadBudget {
   private static final long MAX_BYTES = 512L << 20;
-  private static final long MIN_COST = 65_536; // of opening a file, however short it is
+  private static final long MIN_COST = 65_536; // for opening a file, however short
 
   private long left = MAX_BYTES;
 
   /**
    * Takes the cost of reading a file.
    *
-   * @throws BadInputException if nothing is left
+   * @throws BadInputException if the budget is exhausted
    * @throws IOException if its size cannot be read, or it is not a regular file
    */
   void take(Path file) throws IOException {
@@ -29,7 +29,7 @@ final class ReadBudget {
     if (left < 0) {
       throw new BadInputException(
           file
-              + ": the models and meshes of the world come to more than "
+              + ": the world's models and meshes exceed "
               + (MAX_BYTES >> 20)
               + " MB, each counted as often as it is included");
     }

@@ -40,7 +40,7 @@ final class SdfGeometry {
    * The object of a geometry.
    *
    * @param pose of the geometry in the world
-   * @param name for what is ignored
+   * @param name name in reports of ignored elements
    * @param folder of the file that it is in
    */
   Optional<ObjectDescription> object(XmlElement geometry, SdfPose pose, String name, Path folder) {

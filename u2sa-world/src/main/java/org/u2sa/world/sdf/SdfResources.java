@@ -13,7 +13,7 @@ import java.util.Optional;
 /**
  * Finds the models and meshes of a world: {@code model://name/…}, relative to the file, or by their
  * base name for models on a server, because nothing is downloaded. Files outside the folders of the
- * world and of Gazebo's variables are not read, not even if a link in these folders leads to them.
+ * world and of Gazebo's variables are not read, not even through links in these folders.
  */
 final class SdfResources {
   private static final String MODEL = "model://";

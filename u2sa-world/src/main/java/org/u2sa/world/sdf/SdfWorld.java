@@ -95,7 +95,7 @@ public final class SdfWorld {
           ignored.add(child.name() + " in line " + child.line());
         }
         default -> {
-          // physics, scene, state and what else is no object
+          // physics, scene, state and other elements that are not objects
         }
       }
     }

@@ -84,7 +84,7 @@ final class ObjectElement {
     if (elements.size() > 1) {
       throw elements
           .get(1)
-          .error("appears twice; " + field.name() + " is in line " + first.line() + " already");
+          .error("appears twice; " + field.name() + " is already in line " + first.line());
     }
     try {
       if (field.kind() == Kind.POINT_LIST) {
@@ -125,7 +125,7 @@ final class ObjectElement {
       }
     }
     if (points.isEmpty()) {
-      throw element.error("holds no point; expected <point>x y</point>, or 4 8; 5 9");
+      throw element.error("contains no points; expected <point>x y</point>, or 4 8; 5 9");
     }
     return points;
   }
@@ -151,7 +151,7 @@ final class ObjectElement {
     XmlElement element =
         point
             .child(name)
-            .orElseThrow(() -> point.error("lacks <" + name + ">; expected x, y and perhaps z"));
+            .orElseThrow(() -> point.error("lacks <" + name + ">; expected x, y and optionally z"));
     element.refuseUnknownChildren();
     element.refuseUnknownAttributes("unit");
     return XmlNumbers.converted(element, unit, unit);
@@ -160,7 +160,7 @@ final class ObjectElement {
   private static Point point(XmlElement element, String text, ReferenceFrame frame) {
     String[] parts = text.split("[\\s,]+");
     if (parts.length < 2 || parts.length > 3) {
-      throw element.error("\"" + text + "\" is no point; expected two or three numbers");
+      throw element.error("\"" + text + "\" is not a point; expected two or three numbers");
     }
     try {
       return checked(
@@ -171,7 +171,7 @@ final class ObjectElement {
               parts.length == 3 ? Double.parseDouble(parts[2]) : 0.0),
           frame);
     } catch (NumberFormatException e) {
-      throw element.error("\"" + text + "\" is no point; expected two or three numbers", e);
+      throw element.error("\"" + text + "\" is not a point; expected two or three numbers", e);
     } catch (BadInputException e) {
       throw e;
     } catch (IllegalArgumentException e) {
@@ -232,7 +232,7 @@ final class ObjectElement {
     return Point.of(onTheEarth ? shortWay(x) : x, y, z);
   }
 
-  /** Longitude, or difference of two, within half a turn: an object may lie on the date line. */
+  /** Wraps a longitude or a difference to ±180°: objects may cross the date line. */
   private static double shortWay(double longitudeDeg) {
     return Math.IEEEremainder(longitudeDeg, 360.0);
   }

@@ -174,7 +174,7 @@ public final class WorldFile {
         .orElseThrow(
             () ->
                 element.error(
-                    "is no class of objects; expected one of "
+                    "is not a class of objects; expected one of "
                         + String.join(", ", names)
                         + NearestNames.didYouMean(element.name(), names)));
   }

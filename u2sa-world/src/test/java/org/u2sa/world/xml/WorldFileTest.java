@@ -104,8 +104,8 @@ class WorldFileTest {
   @Test
   void parse_wrong_saysWhereAndWhatWasExpected() {
     assertRefused("<Circel/>", "<Circel>", "did you mean", "Circle");
-    assertRefused("<waypoint/>", "is no class of objects");
-    assertRefused("<shapeDescription/>", "is no class of objects");
+    assertRefused("<waypoint/>", "is not a class of objects");
+    assertRefused("<shapeDescription/>", "is not a class of objects");
     assertRefused("\n<circle><x>1</x></circle>", "line 2", "<circle>", "lacks <y>");
     assertRefused("<circle/>", "lacks <x> and <y>");
     assertRefused("<circle><x>200</x><y>1</y></circle>", "200.0", "longitude");
@@ -118,10 +118,10 @@ class WorldFileTest {
     assertRefused(
         "<circle><uid>a</uid><x>1</x><y>1</y></circle><box><uid>a</uid><x>1</x><y>1</y></box>",
         "uid \"a\" already");
-    assertRefused("<line><points>1 2; 3</points></line>", "\"3\" is no point");
-    assertRefused("<line><points>1 2; x 4</points></line>", "no point");
+    assertRefused("<line><points>1 2; 3</points></line>", "\"3\" is not a point");
+    assertRefused("<line><points>1 2; x 4</points></line>", "is not a point");
     assertRefused("<line><points>1 2; 1e999 4</points></line>", "<points>");
-    assertRefused("<line><points/></line>", "holds no point");
+    assertRefused("<line><points/></line>", "contains no points");
     assertRefused("<line><points>1 2; 3 95</points></line>", "latitude");
     assertRefused("<circle><timestamp>3</timestamp><x>1</x><y>1</y></circle>", "timestamp");
   }

@@ -78,7 +78,7 @@ public final class Authenticator implements AutoCloseable {
     queue
         .add(application)
         .ifPresent(
-            out -> out.answer().accept(LoginApplication.Verdict.later("too many log in at once")));
+            out -> out.answer().accept(LoginApplication.Verdict.later("too many log-ins at once")));
     waiter.signal();
   }
 

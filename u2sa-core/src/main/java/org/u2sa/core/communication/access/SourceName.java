@@ -88,14 +88,14 @@ public record SourceName(
             : codec
                 .peek(ByteBufUtil.getBytes(payload), field)
                 .or(() -> payload.isReadable() ? unset(rule.type(), field) : Optional.empty())
-                .orElse(topic.source()); // which a message without bytes deletes
+                .orElse(topic.source()); // which an empty message deletes
     boolean isService = OF_SERVICES.contains(rule.channel());
     String kind = isService ? "" : topic.channel(); // never empty
     String key = key(topic.systemId(), kind, name);
     return Optional.of(new SourceName(key, topic.systemId(), topic.channel(), name, isService));
   }
 
-  /** Name that readers take from a message without the field: its default. */
+  /** Name that readers assume for a message without the field: its default. */
   private static <M extends U2SAData> Optional<String> unset(MessageType<M> type, String field) {
     return type.field(field).flatMap(each -> each.get(type.create())).map(String::valueOf);
   }

@@ -22,9 +22,9 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Assigns source names to connections: the first connection to publish under a name owns it until
- * it closes, or until another one of the same sender takes over. A reconnecting or restarted
- * service is therefore never locked out by its own half-open connection, and a silent connection
- * loses its names to other senders.
+ * it closes, or until another connection from the same sender takes over. A reconnecting or
+ * restarted service is therefore never locked out by its own half-open connection, and a silent
+ * connection loses its names to other senders.
  *
  * <p>The vehicle, i.e. the broker's process and the processes that it started, takes any name from
  * others. A name under which a service of the vehicle has reported health stays reserved until that
@@ -32,14 +32,14 @@ import org.u2sa.messages.schema.U2SAData;
  * reserved permanently, because actuators would believe an impostor while the Safety Manager
  * restarts.
  *
- * <p>Failsafes have two writers, the Safety Manager and, while that is lost, the Health Monitor,
- * which may be of different runs. Their names have no owner: they are accepted from the vehicle,
+ * <p>Failsafes have two writers, which may belong to different runs: the Safety Manager and, while
+ * that is lost, the Health Monitor. Their names have no owner: they are accepted from the vehicle,
  * from clients that may publish the arming state, and from the sender that runs the monitor.
  *
  * <p>For the network's thread only, except where stated otherwise.
  */
 public final class SourceNames {
-  /** The kind of refusal. */
+  /** Reason for refusing a message whose source name is taken. */
   public static final String TAKEN = "its source name belongs to another connection";
 
   private static final int MAX_HELD = 4_096; // per connection; names beyond it have no owner

@@ -13,10 +13,10 @@ import org.u2sa.interfaces.mqtt.MqttTransport;
 /** A server of another protocol beside the embedded broker. */
 public interface ClientBridge extends AutoCloseable {
   /**
-   * Where a bridge listens, and how its clients reach the broker.
+   * Address of a bridge and access to the broker for its clients.
    *
-   * @param address where it listens
-   * @param broker the broker, without anybody's rights
+   * @param address address on which it listens
+   * @param broker the broker, without any user's rights
    * @param security users and certificate of a secured broker; empty: none
    * @param everybodyCommands whether clients without a name have all rights
    * @param log receives lines for the operator
@@ -27,7 +27,7 @@ public interface ClientBridge extends AutoCloseable {
       Optional<SecurityDirectory> security,
       boolean everybodyCommands,
       Consumer<String> log) {
-    /** The broker as its user sees it; an empty name is anonymous. */
+    /** The broker as accessed by a user; an empty name is anonymous. */
     public MqttTransport as(String user, char[] password) {
       String authority = security.map(each -> each.authority().toString()).orElse("");
       return broker.as(
@@ -43,7 +43,7 @@ public interface ClientBridge extends AutoCloseable {
   /**
    * Starts the bridge of a protocol.
    *
-   * @throws BadInputException if none is on the class path
+   * @throws BadInputException if no bridge for it is on the class path
    */
   static ClientBridge start(String protocol, Setting setting) {
     try {

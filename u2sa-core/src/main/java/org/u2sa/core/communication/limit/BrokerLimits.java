@@ -8,7 +8,7 @@ import org.u2sa.interfaces.time.Clock;
 public record BrokerLimits(
     @Variable(min = 4, max = 100_000, ifAbsent = 512)
         @Description(
-            "Maximum connections to the broker; fewer where the process may have less than 1,152 files open.")
+            "Maximum connections to the broker; fewer if the process may open less than 1,152 files.")
         int maxClients,
     @Variable(min = 10, max = 10_000_000, ifAbsent = 100_000)
         @Description(
@@ -106,9 +106,9 @@ public record BrokerLimits(
   public static final int READ_AT_ONCE = 16 * 1_024;
 
   /**
-   * These limits with no more clients than leave half of the process's open files to connections
-   * that have not logged in, after what its services need: otherwise clients of any role could keep
-   * operators out.
+   * These limits with fewer clients if necessary, so that half of the open files not needed by
+   * services remain for connections that have not logged in: otherwise clients of any role could
+   * lock operators out.
    */
   BrokerLimits within(int openFiles) {
     int clients = Math.max(MIN_CLIENTS, (openFiles - OWN_FILES) / 2);

@@ -14,7 +14,7 @@ public final class CostlyTime {
 
   private final Allowance shared; // [s]
   private Object last; // client that asked last
-  private long sinceMicros; // start of the time in which no other client asked
+  private long sinceMicros; // start of the period in which no other client asked
   private double pieceS; // remaining time of a single client
   private long tookMicros; // time of the last charge
 
@@ -39,7 +39,7 @@ public final class CostlyTime {
   }
 
   /**
-   * Charges time that a client's long message took, or will take.
+   * Charges time that a client's long message took or will take.
    *
    * @param seconds time charged, which may exceed the remaining allowance
    */

@@ -10,14 +10,14 @@ import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Files and connections that the operating system lets this process have open. */
+/** Maximum number of files and connections that this process may open. */
 public final class OpenFiles {
   private static final Path LIMITS = Paths.get("/proc/self/limits"); // Linux and Android
   private static final Pattern SOFT = Pattern.compile("Max open files +(\\d{1,9}) ");
 
   private OpenFiles() {}
 
-  /** The limits with as many clients as their number allows; reports fewer than configured. */
+  /** The limits with as many clients as this allows; reports a reduction. */
   public static BrokerLimits fitted(BrokerLimits configured, Consumer<String> log) {
     OptionalInt openFiles = limit();
     BrokerLimits limits =
@@ -31,7 +31,7 @@ public final class OpenFiles {
     return limits;
   }
 
-  /** Their number; empty if there is no limit, or the system does not tell. */
+  /** The maximum; empty if unlimited or unknown. */
   static OptionalInt limit() {
     try {
       return limit(new String(Files.readAllBytes(LIMITS), StandardCharsets.US_ASCII));

@@ -13,7 +13,7 @@ public final class TopicRoute {
   /**
    * A subscribed connection.
    *
-   * @param eachMatters whether it asked for QoS 1 or more
+   * @param eachMatters whether any of its filters has QoS 1 or 2
    */
   public record Listener(String connection, boolean eachMatters) {}
 

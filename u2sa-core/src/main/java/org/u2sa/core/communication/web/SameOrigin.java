@@ -34,7 +34,7 @@ public final class SameOrigin {
   /**
    * The rule of a server.
    *
-   * @param isEncrypted whether it uses TLS; then its certificate says which names are its own
+   * @param isEncrypted whether it uses TLS; its certificate then states its names
    * @param bound address on which it listens
    */
   public static SameOrigin of(boolean isEncrypted, InetAddress bound) {
@@ -44,7 +44,7 @@ public final class SameOrigin {
         String own = InetAddress.getLocalHost().getHostName().toLowerCase(Locale.ROOT);
         names.addAll(List.of(own, own + ".local"));
       } catch (UnknownHostException e) {
-        return new SameOrigin(isEncrypted, false, names); // nameless: reached by address only
+        return new SameOrigin(isEncrypted, false, names); // without a name: reached by address only
       }
     }
     return new SameOrigin(isEncrypted, bound.isLoopbackAddress(), names);
@@ -63,7 +63,7 @@ public final class SameOrigin {
         || isLocal && host.startsWith("127.") && ADDRESS.matcher(host).matches();
   }
 
-  /** Whether a request comes from a page of this server. Programs that name no origin do not. */
+  /** Whether a request comes from a page of this server; false without an Origin header. */
   boolean isOwnPage(HttpHeaders headers) {
     String own = (isEncrypted ? "https://" : "http://") + headers.get(HttpHeaderNames.HOST, "");
     List<String> origins = headers.getAll(HttpHeaderNames.ORIGIN);

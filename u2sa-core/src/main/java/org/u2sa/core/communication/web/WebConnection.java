@@ -22,7 +22,7 @@ import java.util.function.Consumer;
 
 /**
  * One connection to the operator's page: serves files until the page opens its MQTT WebSocket, and
- * passes on only what MQTT needs of that. Confined to its connection's thread.
+ * then passes on only what MQTT needs. Confined to its connection's thread.
  */
 public final class WebConnection extends ChannelInboundHandlerAdapter {
   /** Path of the WebSocket. */
@@ -31,7 +31,7 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
   /** Longest WebSocket frame [bytes]; an MQTT packet may span several. */
   public static final int LONGEST_FRAME = 16 * 1_024;
 
-  /** Ends before the broker would count the connection as one that fails to log in. */
+  /** Timeout; shorter than the broker's for connections that do not log in. */
   private static final long FILES_WITHIN_MS = 8_000;
 
   private static final Set<HttpMethod> READING = Set.of(HttpMethod.GET, HttpMethod.HEAD);
@@ -39,7 +39,7 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
   private final WebResponses responses;
   private final SameOrigin origin;
   private final Consumer<String> putOut;
-  private boolean isAnswering; // a response is not sent completely
+  private boolean isAnswering; // a response has not been sent completely
   private boolean isUpgraded;
   private ScheduledFuture<?> end;
 
@@ -80,8 +80,8 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Fragments, texts and pings would cost memory or answers that nobody bounds; a browser's page
-   * cannot send pings, and this one sends neither of the others.
+   * Rejects fragments, texts and pings, because they would cost unbounded memory or answers; a
+   * browser's page cannot send pings, and this page sends neither of the others.
    */
   private void frame(ChannelHandlerContext ctx, WebSocketFrame frame) {
     boolean isMqtt = frame instanceof BinaryWebSocketFrame && frame.isFinalFragment();
@@ -89,7 +89,7 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
       ctx.fireChannelRead(frame);
     } else {
       frame.release();
-      putOut.accept("connection closed, a WebSocket frame is not binary and whole");
+      putOut.accept("connection closed, WebSocket frame is not binary or is incomplete");
     }
   }
 
@@ -108,7 +108,7 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
 
   private void answer(ChannelHandlerContext ctx, Object message) {
     if (isAnswering || isUpgraded || !(message instanceof HttpRequest request)) {
-      putOut.accept("connection closed, HTTP requests come without waiting for the answers");
+      putOut.accept("connection closed, HTTP requests sent without waiting for the answers");
       return;
     }
     FullHttpResponse response = response(request);

@@ -83,7 +83,7 @@ public final class WebResponses {
             isBare ? Unpooled.EMPTY_BUFFER : Unpooled.wrappedBuffer(content));
     HttpHeaders headers = response.headers();
     headers.set(HttpHeaderNames.ETAG, file.tag);
-    headers.set(HttpHeaderNames.CACHE_CONTROL, "no-cache"); // ask each time whether it changed
+    headers.set(HttpHeaderNames.CACHE_CONTROL, "no-cache"); // revalidate each time
     headers.set(HttpHeaderNames.VARY, HttpHeaderNames.ACCEPT_ENCODING);
     if (!isKnown) {
       headers.set(HttpHeaderNames.CONTENT_TYPE, file.mediaType);
@@ -95,7 +95,7 @@ public final class WebResponses {
     return response;
   }
 
-  /** A response was sent, or its connection is closed. */
+  /** Called when a response has been sent or its connection has closed. */
   void sent(HttpResponseStatus status, int bytes) {
     if (status.equals(HttpResponseStatus.PARTIAL_CONTENT)) {
       tiles.sent(bytes);
@@ -141,7 +141,7 @@ public final class WebResponses {
       byte[] digest = MessageDigest.getInstance("SHA-256").digest(content);
       return '"' + Base64.getUrlEncoder().withoutPadding().encodeToString(digest) + '"';
     } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("this Java has no SHA-256", e);
+      throw new IllegalStateException("SHA-256 is unavailable in this Java", e);
     }
   }
 }

@@ -18,20 +18,20 @@ import java.util.regex.Pattern;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * A file of map tiles (PMTiles, version 3), of which the page reads one range per request. No
- * log-in is needed for it, as for the page itself. Thread-safe.
+ * A file of map tiles (PMTiles, version 3); the page reads one range per request. Like the page
+ * itself, it needs no log-in. Thread-safe.
  */
 public final class WebTiles {
   /** Path of the file at the web port. */
   static final String PATH = "/tiles.pmtiles";
 
-  /** Longest range: what a connection's thread reads at once. */
+  /** Maximum range, read by a connection's thread in one go. */
   static final int LONGEST_RANGE = 1 << 20;
 
   private static final Pattern RANGE = Pattern.compile("bytes=([0-9]{1,18})-([0-9]{1,18})");
   private static final byte[] MAGIC = {'P', 'M', 'T', 'i', 'l', 'e', 's', 3};
 
-  /** Bytes of ranges that are being sent: nobody who asks for tiles has logged in. */
+  /** Maximum bytes of ranges being sent, because clients that request tiles have not logged in. */
   private static final long LARGEST_UNSENT =
       Math.min(16L << 20, Runtime.getRuntime().maxMemory() / 16);
 
@@ -47,7 +47,7 @@ public final class WebTiles {
   /**
    * Opens a file, for as long as the process runs.
    *
-   * @throws BadInputException if it is not there, or no PMTiles file
+   * @throws BadInputException if it is missing or not a PMTiles file
    */
   public static WebTiles open(Path path) {
     if (!Files.isRegularFile(path)) {
@@ -59,7 +59,7 @@ public final class WebTiles {
       if (file.read(start, 0) != MAGIC.length || !Arrays.equals(start.array(), MAGIC)) {
         file.close();
         throw new BadInputException(
-            "WEB TILES: " + path + ": no PMTiles of version 3; ./u2sa does not convert others");
+            "WEB TILES: " + path + ": not PMTiles version 3; other formats are not converted");
       }
       return new WebTiles(file, file.size());
     } catch (IOException e) {
@@ -68,8 +68,8 @@ public final class WebTiles {
   }
 
   /**
-   * The range that a request names; exactly one, within the file, of at most 1 MiB. Whoever sends
-   * it calls {@link #sent}.
+   * The requested range: exactly one, within the file, at most 1 MiB. The sender must call {@link
+   * #sent}.
    */
   FullHttpResponse answer(HttpRequest request) {
     Matcher range = RANGE.matcher(request.headers().get(HttpHeaderNames.RANGE, ""));
@@ -110,7 +110,7 @@ public final class WebTiles {
     return response;
   }
 
-  /** A range was sent, or its connection is closed. */
+  /** Called when a range has been sent or its connection has closed. */
   void sent(int bytes) {
     underWay.addAndGet(-bytes);
   }

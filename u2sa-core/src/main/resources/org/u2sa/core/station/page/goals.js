@@ -114,7 +114,7 @@ function readGoal(element, classes, refuse) {
     const field = ALIASES[child.name] || child.name;
     if (['end', 'repeat'].includes(child.name) || child.name === 'next' && child.attributes.if !== undefined) goal.links.push(child.source);
     else if (field === 'uid') goal.uid = child.text;
-    else if (!known.variables.some(each => each.name === field)) throw refuse(child, `is no field of ${type}; expected one of ${known.variables.map(each => each.name).join(', ')}`);
+    else if (!known.variables.some(each => each.name === field)) throw refuse(child, `is not a field of ${type}; expected one of ${known.variables.map(each => each.name).join(', ')}`);
     else if (!child.text) throw refuse(child, 'is empty');
     else if (field === 'next' && goal.fields.next) goal.fields.next += ', ' + child.text;
     else if (field in goal.fields) throw refuse(child, 'appears twice');

@@ -92,7 +92,7 @@ class WebTilesTest {
 
     assertThatThrownBy(() -> WebTiles.open(other))
         .isInstanceOf(BadInputException.class)
-        .hasMessageStartingWith("WEB TILES: " + other + ": no PMTiles of version 3");
+        .hasMessageStartingWith("WEB TILES: " + other + ": not PMTiles version 3");
     assertThatThrownBy(() -> WebTiles.open(folder.resolve("none")))
         .hasMessageContaining("no such file");
   }

@@ -10,8 +10,8 @@ import org.u2sa.messages.frame.Geodetic;
  * A command in either of its two forms.
  *
  * @param id MAV_CMD
- * @param frame MAV_FRAME; of COMMAND_LONG, which has none, as the autopilot takes it
- * @param latitude fifth parameter, of COMMAND_INT in degrees; NaN: none
+ * @param frame MAV_FRAME; COMMAND_LONG has none, so the one that the presented autopilot assumes
+ * @param latitude fifth parameter, in degrees for COMMAND_INT; NaN: none
  * @param longitude sixth parameter
  * @param altitude seventh parameter
  */

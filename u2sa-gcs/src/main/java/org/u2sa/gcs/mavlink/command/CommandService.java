@@ -35,7 +35,7 @@ public final class CommandService {
     this.identity = identity;
   }
 
-  /** Handles a message; false if it is not of this protocol. */
+  /** Handles a message; false if it does not belong to this protocol. */
   @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof CommandLong command) {
@@ -57,7 +57,7 @@ public final class CommandService {
       return;
     }
     if (!pending.add(command.id())) {
-      return; // a repetition: the first is still to be answered
+      return; // a repetition: the first has not been answered yet
     }
     boolean isKnown =
         vehicle.obey(

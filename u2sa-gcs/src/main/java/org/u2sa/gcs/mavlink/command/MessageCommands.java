@@ -14,7 +14,7 @@ import org.u2sa.gcs.mavlink.telemetry.MessageRates;
 import org.u2sa.gcs.mavlink.telemetry.Telemetry;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 
-/** Commands that ask for messages, or set their rates. */
+/** Handles commands that request messages or set their rates. */
 public final class MessageCommands {
   private static final int GET_HOME = 410; // MAV_CMD numbers
   private static final int GET_INTERVAL = 510;
@@ -49,7 +49,7 @@ public final class MessageCommands {
     this.station = station;
   }
 
-  /** Obeys a command; empty if it is none of these. */
+  /** Executes a command; empty if it is not one of these. */
   Optional<MavResult> obey(Command command) {
     return switch (command.id()) {
       case GET_HOME -> Optional.of(request(Telemetry.HOME_POSITION, 0));

@@ -40,7 +40,7 @@ final class ModeOrders {
       case MISSION -> mission(answer);
       case RETURN -> give(MissionAction.RETURN, Optional.empty(), answer);
       case LAND -> give(MissionAction.LAND, Optional.empty(), answer);
-      case GO_TO, MANUAL -> answer.done(false, "expected a place to go to, or a driver");
+      case GO_TO, MANUAL -> answer.done(false, "expected a position to go to, or a driver");
     }
   }
 
@@ -86,8 +86,8 @@ final class ModeOrders {
   }
 
   /**
-   * Of these two orders, the first ends a pause, and the second returns from home or another place
-   * to the mission.
+   * Needs two orders: the first ends a pause, the second returns from home or another place to the
+   * mission.
    */
   private void resume(int times, Answer answer) {
     give(
@@ -131,17 +131,14 @@ final class ModeOrders {
     goal.nextIf(GoalResult.DONE, List.of());
     altitudeM.ifPresent(goal::z);
     if (altitudeM.isPresent() && vehicle.kind() != VehicleKind.PLANE) {
-      goal.verticalThreshold(VERTICAL_THRESHOLD_M); // else a copter is there before it has climbed
+      goal.verticalThreshold(VERTICAL_THRESHOLD_M); // so that a copter climbs before it arrives
     }
     speed.ifPresent(goal::speed);
     orders.tell(Channels.GOAL_UPDATES, goal);
     give(MissionAction.GOTO, Optional.of(uid), answer);
   }
 
-  /**
-   * Threshold of the mission's first waypoint, as a measure of what counts as near for this
-   * vehicle.
-   */
+  /** Threshold of the mission's first waypoint, as a typical threshold for this vehicle. */
   private double thresholdM() {
     return vehicle.report().stream()
         .flatMap(report -> report.goals().stream())

@@ -13,8 +13,8 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.safety.ManualDrive;
 
 /**
- * Sticks of one station: MANUAL_CONTROL and RC_CHANNELS_OVERRIDE. They count in the mode Manual
- * only, and on the connection on which the station chose it.
+ * Sticks of one station: MANUAL_CONTROL and RC_CHANNELS_OVERRIDE. They count only in the mode
+ * Manual and on the connection on which the station chose it.
  */
 public final class StickInput {
   private static final double FULL = 1000.0;
@@ -55,7 +55,7 @@ public final class StickInput {
     this.station = station;
   }
 
-  /** Handles a message; false if it is not about sticks. */
+  /** Handles a message; false if it does not concern sticks. */
   public boolean handle(Object message, Sender from) {
     if (message instanceof ManualControl sticks) {
       if (sticks.target() == mavlinkId && isDriver(from)) {

@@ -4,7 +4,7 @@ import java.util.OptionalInt;
 
 /**
  * The axis z of MANUAL_CONTROL, −1000…1000 with rest at 0 or, as stations of PX4 send it, 0…1000
- * with rest at 500. Where it rests shows in the first message of the mode Manual.
+ * with rest at 500. The first message in the mode Manual shows where it rests.
  */
 final class ThrottleStick {
   static final String NOT_AT_REST =
@@ -17,7 +17,7 @@ final class ThrottleStick {
   private OptionalInt rest = OptionalInt.empty();
   private boolean isSeen;
 
-  /** Takes a value; true if it is the first one and not at rest, so that the axis is ignored. */
+  /** Takes a value; true if it is the first value and not at rest; the axis is then ignored. */
   boolean see(int z) {
     if (isSeen) {
       return false;

@@ -34,9 +34,9 @@ public final class VehicleCommands {
   private static final Set<Integer> BY_NAVIGATION =
       Set.of(RETURN, LAND, TAKE_OFF, REPOSITION, PAUSE_CONTINUE, SET_CURRENT, START);
   private static final float FORCED = 21_196.0f; // second parameter of ARM
-  private static final double HIGH_M = 3.0; // above the home: in the air
+  private static final double HIGH_M = 3.0; // height above home that counts as in the air
   private static final double TAKE_OFF_M = 50.0;
-  private static final double AHEAD_M = 2000.0; // a plane cannot climb on the spot
+  private static final double AHEAD_M = 2000.0; // a plane cannot climb vertically
 
   private final VehicleStatus vehicle;
   private final VehicleOrders orders;
@@ -84,7 +84,7 @@ public final class VehicleCommands {
     }
   }
 
-  /** Ends driving by hand, if active, before an order that makes navigation lead the vehicle. */
+  /** Ends driving by hand, if active, before an order that hands the vehicle to navigation. */
   private void byNavigation(Runnable then, Answer answer) {
     Optional<String> driver = vehicle.driver();
     if (driver.isEmpty()) {
@@ -104,7 +104,7 @@ public final class VehicleCommands {
   }
 
   /**
-   * Obeys a command; false if it is none of these.
+   * Executes a command; false if it is not one of these.
    *
    * @param station MAVLink system ID of the station
    */
@@ -152,7 +152,7 @@ public final class VehicleCommands {
     }
   }
 
-  /** Whether the vehicle is in the air, as far as is known: no wheels say so, or above its home. */
+  /** Whether the vehicle is in the air: by its wheels or, without any, its height above home. */
   private boolean flies() {
     if (vehicle.kind().isOnSurface() || !vehicle.isArmed()) {
       return false;

@@ -25,7 +25,7 @@ enum EventCause {
   FAILSAFE_MATRIX,
   OTHER;
 
-  /** Beginnings of the Safety Manager's texts. */
+  /** Prefixes of the Safety Manager's texts. */
   String words() {
     return name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }

@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.u2sa.gcs.mavlink.telemetry.Uptime;
 
 /** The newest events of a vehicle, numbered from 1, modulo 65 536. Confined to one thread. */
-@SuppressWarnings("deprecation") // the library is older than the message's final form
+@SuppressWarnings("deprecation") // the library predates the message's final form
 final class EventLog {
   private static final int KEPT = 64;
   private static final int ARGUMENT_BYTES = 40;

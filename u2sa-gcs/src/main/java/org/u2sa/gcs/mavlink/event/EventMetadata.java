@@ -54,7 +54,7 @@ public final class EventMetadata {
     }
     return new JsonText()
         .put("type", "uint8_t")
-        .put(DESCRIPTION, "What the vehicle does instead")
+        .put(DESCRIPTION, "Action of the vehicle")
         .put("entries", entries);
   }
 

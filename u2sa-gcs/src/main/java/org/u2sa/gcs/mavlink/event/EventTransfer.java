@@ -9,7 +9,7 @@ import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
 /** Sends events to one station, and repeats missed ones (mavlink.io/en/services/events). */
-@SuppressWarnings("deprecation") // the library is older than the messages' final form
+@SuppressWarnings("deprecation") // the library predates the final form of these messages
 public final class EventTransfer {
   private static final int SEQUENCES = 0x1_0000;
   private static final int MAX_ANSWERS = 64;
@@ -32,7 +32,7 @@ public final class EventTransfer {
     }
   }
 
-  /** Sends events again; false if the message is no request for that. */
+  /** Sends events again; false if the message does not request that. */
   public boolean handle(Object message, Sender from) {
     if (!(message instanceof RequestEvent request)) {
       return false;

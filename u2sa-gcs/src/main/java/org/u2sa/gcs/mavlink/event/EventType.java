@@ -6,14 +6,14 @@ import java.util.List;
 enum EventType {
   FAILSAFE(
       "Failsafe {1}: {2}",
-      "The vehicle no longer does what it was told, because of what is listed.",
+      "The vehicle suspends its orders for the listed reasons.",
       2,
       new Argument("action", EventMetadata.ACTION),
       new Argument("causes", EventMetadata.CAUSES)),
-  FAILSAFE_OVER("Failsafe over", "The vehicle does again what it is told.", 5),
+  FAILSAFE_OVER("Failsafe over", "The vehicle follows its orders again.", 5),
   ARMING_REFUSED(
       "Not armed: {1}",
-      "Somebody asked to arm the vehicle; a text says more about each reason.",
+      "Arming was refused; a status text details each reason.",
       3,
       new Argument("reasons", EventMetadata.CAUSES)),
   ARMED("Armed", "The vehicle may move.", 6),
@@ -21,7 +21,7 @@ enum EventType {
   ITEM_REACHED(
       "Mission item {1} reached",
       "Numbered as in the mission's download.", 6, new Argument("item", "uint16_t")),
-  MISSION_OVER("Mission over", "The vehicle has nothing more to do and holds.", 5);
+  MISSION_OVER("Mission over", "The mission is complete and the vehicle holds.", 5);
 
   /**
    * A number that an event carries.
@@ -69,7 +69,7 @@ enum EventType {
     return AUTOPILOT | number();
   }
 
-  /** For logs and for people: the same. */
+  /** The same level for logs and for people. */
   int levels() {
     return level << 4 | level;
   }

@@ -99,7 +99,7 @@ public final class VehicleEvents {
   }
 
   /** CURRENT_EVENT_SEQUENCE. The first one announces that the numbers restart. */
-  @SuppressWarnings("deprecation") // the library is older than the message's final form
+  @SuppressWarnings("deprecation") // the library predates the message's final form
   public Optional<Object> sequence() {
     CurrentEventSequence.Builder message = CurrentEventSequence.builder().sequence(log.newest());
     return Optional.of(

@@ -84,7 +84,7 @@ public final class ComponentMetadataFiles {
   }
 
   /** COMPONENT_METADATA; empty until a service has announced its variables. */
-  @SuppressWarnings("deprecation") // the library is older than the message's final form
+  @SuppressWarnings("deprecation") // the library predates the message's final form
   public Optional<Object> message() {
     renew();
     return madeOf == 0

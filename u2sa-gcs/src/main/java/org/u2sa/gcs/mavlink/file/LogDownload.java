@@ -36,7 +36,7 @@ public final class LogDownload {
     this.station = station;
   }
 
-  /** Handles a message, if it is about logs. */
+  /** Handles a message if it concerns logs. */
   public void handle(Object message) {
     if (message instanceof LogRequestList request) {
       list(request);
@@ -70,7 +70,7 @@ public final class LogDownload {
 
   private void begin(LogRequestData request) {
     if (logs.isEmpty()) {
-      renew(); // a station may know the list from before
+      renew(); // a station may know the list from an earlier connection
     }
     if (request.id() < 1 || request.id() > logs.size()) {
       return; // there is no answer for unknown logs

@@ -7,7 +7,7 @@ import java.util.Optional;
 
 /**
  * The files of a vehicle, all of them virtual: component metadata, and recordings if there is a
- * folder for them. No path of the host can be named.
+ * folder for them. No path of the host is accessible.
  */
 public final class OfferedFiles {
   private static final String LOGS = "logs";

@@ -9,7 +9,7 @@ import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
  * A configuration variable as a parameter: numbers as they are, flags as 0 and 1, choices as their
- * index. Free texts are no parameters.
+ * index. Free texts are not parameters.
  *
  * @param name at most 16 characters
  * @param service the service whose variable it is
@@ -40,7 +40,7 @@ record Parameter(String name, String service, ConfigurationVariable variable) {
         default -> integer(Math.max(0, choices(variable).indexOf(text)));
       };
     } catch (NumberFormatException e) {
-      return integer(0); // the service itself refuses such a text
+      return integer(0); // the service refuses such text
     }
   }
 
@@ -50,7 +50,7 @@ record Parameter(String name, String service, ConfigurationVariable variable) {
         Math.max(-LARGEST_INT - 1, Math.min(LARGEST_INT, number)));
   }
 
-  /** Text of a number in the variable's declared form; empty if it has no such value. */
+  /** A number as text in the variable's declared form; empty if that is impossible. */
   Optional<String> text(double number) {
     if (Double.isNaN(number) || Double.isInfinite(number)) {
       return Optional.empty();

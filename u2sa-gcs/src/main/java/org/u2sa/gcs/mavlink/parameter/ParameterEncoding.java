@@ -4,7 +4,7 @@ import io.dronefleet.mavlink.common.MavParamType;
 
 /**
  * The two encodings of integers in PARAM_VALUE and PARAM_SET (mavlink.io/en/services/parameter):
- * their bits in the place of a float's, or their value cast to float.
+ * their bits in place of a float's, or their value cast to float.
  */
 final class ParameterEncoding {
   private ParameterEncoding() {}

@@ -81,8 +81,7 @@ public final class ParameterFile {
    * are left out.
    *
    * @param origin name of the file, for errors
-   * @throws BadInputException naming every line that is no parameter of this vehicle, or has a
-   *     value that it cannot have
+   * @throws BadInputException naming every line with an unknown parameter or an invalid value
    */
   public List<ConfigurationTransaction> changes(String origin, String text) {
     List<String> refusals = new ArrayList<>();

@@ -10,7 +10,7 @@ import org.u2sa.messages.contract.ConfigurationResponse;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * Description of each parameter for stations: text, unit, range and choices, as
+ * Description of each parameter for stations: text, unit, range and choices, in the format of
  * COMP_METADATA_TYPE_PARAMETER; without values.
  */
 public final class ParameterMetadata {

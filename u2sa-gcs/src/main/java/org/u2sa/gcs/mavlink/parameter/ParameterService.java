@@ -43,7 +43,7 @@ public final class ParameterService {
     table = new ParameterTable(vehicle.configurations().byService());
   }
 
-  /** Handles a message; false if it is not of this protocol. */
+  /** Handles a message; false if it does not belong to this protocol. */
   public boolean handle(Object message) {
     if (message instanceof ParamRequestList) {
       renew();

@@ -40,8 +40,8 @@ public final class FenceBook {
   /**
    * An upload.
    *
-   * @param xml the whole fence with it; empty: none is left
-   * @param parts its areas or rally points
+   * @param xml the whole resulting fence; empty: none is left
+   * @param parts the uploaded areas or rally points
    */
   record Upload(int type, String name, String xml, List<?> parts, List<MissionItem> items) {}
 
@@ -123,7 +123,7 @@ public final class FenceBook {
   }
 
   private Content content() {
-    FenceState state = vehicle.fence().orElseThrow(() -> refusal("no Safety Manager was heard"));
+    FenceState state = vehicle.fence().orElseThrow(() -> refusal("no Safety Manager found"));
     if (state.file().isEmpty()) {
       return new Content(List.of(), List.of(), List.of());
     }
@@ -137,7 +137,7 @@ public final class FenceBook {
     }
   }
 
-  /** Rally points that stay when the areas change; none if plans cannot say where they are. */
+  /** Rally points that stay when the areas change; none if plans cannot express their positions. */
   private List<StationPlan.Place> presentRally() {
     try {
       return content().rally();

@@ -17,7 +17,7 @@ final class FenceItems implements ItemStore {
 
   /**
    * @param type MAV_MISSION_TYPE
-   * @param noun for the items in texts
+   * @param noun name of the items in texts
    */
   FenceItems(int type, String what, VehicleOrders orders, FenceBook book, MissionAnswers answers) {
     this.type = type;
@@ -64,7 +64,7 @@ final class FenceItems implements ItemStore {
     replace(List.of(), from);
   }
 
-  /** Removes the whole fence, and acknowledges only if that was refused. */
+  /** Removes the whole fence; acknowledges only a refusal. */
   void removeAll(Runnable then, int type, Sender from) {
     orders.fence(
         new FenceOrder().action(FenceAction.REMOVE),

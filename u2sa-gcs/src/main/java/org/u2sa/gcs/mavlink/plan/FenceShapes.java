@@ -21,9 +21,9 @@ final class FenceShapes {
   private FenceShapes() {}
 
   /**
-   * Areas that items stand for.
+   * Areas represented by items.
    *
-   * @throws PlanRefusal naming an item that is none, or does not fit the others
+   * @throws PlanRefusal naming an item that is not an area, or does not fit the others
    */
   static List<StationPlan.Area> areas(List<MissionItem> items) {
     List<StationPlan.Area> areas = new ArrayList<>();
@@ -62,12 +62,12 @@ final class FenceShapes {
           from,
           "begins a polygon of "
               + first.param1()
-              + " corners; expected 3 or more, and not beyond the last item");
+              + " corners; expected at least 3, all among the items");
     }
     for (int k = from; k < from + count; k++) {
       MissionItem item = items.get(k);
       if (item.command() != first.command() || item.param1() != first.param1()) {
-        throw refusal(k, "is not of the polygon that item " + (from + 1) + " begins");
+        throw refusal(k, "does not belong to the polygon that item " + (from + 1) + " starts");
       }
     }
     return count;

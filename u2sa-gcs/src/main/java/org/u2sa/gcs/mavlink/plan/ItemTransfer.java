@@ -18,7 +18,7 @@ final class ItemTransfer {
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
 
   /**
-   * @param noun for the items in texts
+   * @param noun name of the items in texts
    */
   ItemTransfer(int type, String what, ItemStore store, MissionAnswers answers) {
     this.type = type;
@@ -28,7 +28,7 @@ final class ItemTransfer {
     upload = new MissionUpload(type, what, answers, store::replace);
   }
 
-  /** The station asks how many there are. */
+  /** Handles the station's request for the number of items. */
   void list(Sender from) {
     try {
       outgoing = store.listed();
@@ -47,7 +47,7 @@ final class ItemTransfer {
                 .build());
   }
 
-  /** The station asks for one. */
+  /** Handles the station's request for one item. */
   void item(int seq, Sender from) {
     if (seq < 0 || seq >= outgoing.size()) {
       answers.acknowledge(MavMissionResult.MAV_MISSION_INVALID_SEQUENCE, type, from);
@@ -56,7 +56,7 @@ final class ItemTransfer {
     answers.station().send(outgoing.get(seq).message(seq, store.isCurrent(seq), type, from));
   }
 
-  /** The station announces new ones. */
+  /** Handles the station's announcement of new items. */
   void begin(int count, Sender from) {
     if (count == 0) {
       store.clear(type, from);
@@ -65,7 +65,7 @@ final class ItemTransfer {
     }
   }
 
-  /** The station sends one. */
+  /** Handles one item from the station. */
   void take(MissionItemInt item, Sender from) {
     upload.take(item, from);
   }

@@ -10,7 +10,7 @@ import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.plan.PlanItem;
 
 /**
- * A mission item as it travels (MISSION_ITEM_INT); equal items are equal on the wire.
+ * A mission item in wire format (MISSION_ITEM_INT); equal items are equal on the wire.
  *
  * @param frame MAV_FRAME
  * @param command MAV_CMD
@@ -86,7 +86,7 @@ record MissionItem(
     return new PlanItem(command, frame, parameters, autocontinue != 0, id).withoutHeading0();
   }
 
-  /** The shortest decimal number that is this one on the wire. */
+  /** The shortest decimal number with this wire representation. */
   private static double decimal(float value) {
     return Double.parseDouble(Float.toString(value));
   }

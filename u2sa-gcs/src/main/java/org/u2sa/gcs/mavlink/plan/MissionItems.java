@@ -82,7 +82,7 @@ final class MissionItems implements ItemStore {
     vehicle.wantReport();
   }
 
-  /** A mission needs at least one goal, so clearing sets one: to hold at the present position. */
+  /** A mission needs at least one goal, so clearing sets one: hold the present position. */
   @Override
   public void clear(int type, Sender from) {
     Optional<StateInformation> here =

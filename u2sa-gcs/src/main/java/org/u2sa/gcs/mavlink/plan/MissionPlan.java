@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param origin name under which the Mission Manager knows it
  * @param items in order
- * @param goals name of the goal that each item stands for; an action has the name of the next
+ * @param goals name of the goal that each item represents; an action has the name of the next
  *     place, "" after the last
  */
 record MissionPlan(String origin, List<MissionItem> items, List<String> goals) {
@@ -18,6 +18,6 @@ record MissionPlan(String origin, List<MissionItem> items, List<String> goals) {
 
   /** Index of the item that is a goal; −1 if none is. */
   int indexOf(String goal) {
-    return goals.lastIndexOf(goal); // actions before the place have its name too
+    return goals.lastIndexOf(goal); // actions before the place also have its name
   }
 }

@@ -42,7 +42,7 @@ public final class MissionService {
   private final Map<Integer, ItemTransfer> transfers;
 
   /**
-   * @param book shared by all stations, as the fence's
+   * @param book mission, shared by all stations like the fence's
    */
   public MissionService(
       VehicleStatus vehicle,
@@ -64,7 +64,7 @@ public final class MissionService {
             RALLY, new ItemTransfer(RALLY, "rally points", rally, answers));
   }
 
-  /** Handles a message; false if it is not of this protocol. */
+  /** Handles a message; false if it does not belong to this protocol. */
   @SuppressWarnings("deprecation") // stations still send these
   public boolean handle(Object message, Sender from) {
     if (message instanceof MissionRequestList request) {

@@ -22,7 +22,7 @@ final class MissionUpload {
   private static final long RETRY_MICROS = 400_000; // MAVSDK gives up after 2.5 s without a request
   private static final int MAX_RETRIES = 40;
   private static final int BACK =
-      3; // items by which a request can be late at a round trip of 0.2 s
+      3; // items received before a request arrives, at a round trip of 0.2 s
 
   /** An upload under way. */
   private static final class Incoming {
@@ -53,7 +53,7 @@ final class MissionUpload {
 
   /**
    * @param type MAV_MISSION_TYPE
-   * @param noun for the upload in texts
+   * @param noun name of the upload in texts
    */
   MissionUpload(int type, String what, MissionAnswers answers, Complete complete) {
     this.type = type;
@@ -108,7 +108,7 @@ final class MissionUpload {
       if (item.seq() == upload.asked) {
         ask(upload, upload.asked + 1);
       }
-      return; // a repetition: the item asked for is on its way, or is asked for again
+      return; // a repetition: the requested item is on its way or will be requested again
     }
     upload.items.add(MissionItem.of(item));
     upload.retries = 0;
@@ -122,8 +122,8 @@ final class MissionUpload {
   }
 
   /**
-   * Requests missing items again, then from an earlier item on: MAVSDK goes back when a late
-   * request reaches it, and from then on ignores requests beyond its next item.
+   * Requests missing items again, then from an earlier item on: MAVSDK goes back when it receives a
+   * late request, and then ignores requests beyond its next item.
    */
   void step(long micros) {
     nowMicros = micros;
@@ -134,7 +134,7 @@ final class MissionUpload {
     if (upload.retries++ < MAX_RETRIES) {
       boolean isOdd = upload.retries % 2 == 1;
       int back = BACK * (upload.retries / 2) - (isOdd && upload.retries > 1 ? 1 : 0);
-      ask(upload, Math.max(0, upload.items.size() - back)); // each, and then the one after it
+      ask(upload, Math.max(0, upload.items.size() - back)); // each item, and then the one after it
     } else {
       incoming = Optional.empty();
       answers.acknowledge(MavMissionResult.MAV_MISSION_OPERATION_CANCELLED, type, upload.from);

@@ -21,7 +21,7 @@ final class PlanReader {
   private final Optional<StationPlan.Place> home;
 
   /**
-   * @param home for altitudes relative to it, and to return to
+   * @param home home position, for relative altitudes and for returning
    * @param uploaded items in order
    * @param first sequence number of the first
    * @throws PlanRefusal if an item cannot be expressed
@@ -83,7 +83,7 @@ final class PlanReader {
       if (item.command() == PlanItem.TAKE_OFF || item.command() == PlanItem.LAND) {
         throw refusal(item, "this vehicle neither takes off nor lands");
       }
-      item = item.with(PlanItem.PARAMETERS, Double.NaN); // its altitude is that of the surface
+      item = item.with(PlanItem.PARAMETERS, Double.NaN); // its altitude is the surface's
     }
     if (kind != VehicleKind.PLANE && item.command() == PlanItem.LOITER_TURNS) {
       throw refusal(item, "this vehicle stays in place; it does not fly turns");

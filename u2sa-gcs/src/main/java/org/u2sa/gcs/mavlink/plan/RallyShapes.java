@@ -10,7 +10,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
 import org.u2sa.gcs.plan.StationPlan;
 import org.u2sa.messages.frame.Geodetic;
 
-/** Places to return to as items and back (mavlink.io/en/services/mission, rally points). */
+/** Rally points as items and back (mavlink.io/en/services/mission, rally points). */
 final class RallyShapes {
   private static final int RALLY_POINT = 5100; // MAV_CMD_NAV_RALLY_POINT
   private static final Set<Integer> ABOVE_SEA = Set.of(0, 5); // MAV_FRAME_GLOBAL, _INT
@@ -22,9 +22,9 @@ final class RallyShapes {
   private RallyShapes() {}
 
   /**
-   * Places that items stand for; without altitudes for a vehicle on the ground or water.
+   * Rally points represented by items; without altitudes for a vehicle on the ground or water.
    *
-   * @param home for altitudes relative to it
+   * @param home home position, for relative altitudes
    * @throws PlanRefusal naming an item that the vehicle cannot use
    */
   static List<StationPlan.Place> places(
@@ -75,7 +75,7 @@ final class RallyShapes {
         MavMissionResult.MAV_MISSION_UNSUPPORTED, "rally point " + (index + 1) + ": " + why);
   }
 
-  /** Items of places; one without an altitude is at that of the home. */
+  /** Items of rally points; one without an altitude gets the home's. */
   static List<MissionItem> items(List<StationPlan.Place> places) {
     List<MissionItem> items = new ArrayList<>();
     for (StationPlan.Place place : places) {

@@ -74,7 +74,7 @@ public final class MessageRates {
     if (source == null || Double.isNaN(micros)) {
       return false;
     }
-    if (id != Telemetry.HEARTBEAT) { // without it the vehicle counts as lost
+    if (id != Telemetry.HEARTBEAT) { // without heartbeats the vehicle counts as lost
       intervals.put(
           id,
           micros == 0.0

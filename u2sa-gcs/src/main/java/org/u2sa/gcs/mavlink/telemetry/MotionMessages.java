@@ -58,7 +58,7 @@ final class MotionMessages {
             });
   }
 
-  /** The estimate as a fix, without which stations do not draw the vehicle. */
+  /** The estimate as a GPS fix, because stations need one to draw the vehicle. */
   Optional<Object> gps() {
     return placement
         .global()

@@ -27,7 +27,7 @@ public final class Placement {
         : Optional.empty();
   }
 
-  /** Home, or the first known place without one; empty if neither is on the earth. */
+  /** Home, or else the first known position; empty if neither is on the earth. */
   public Optional<Geodetic> home() {
     Optional<Geodetic> first =
         vehicle
@@ -40,7 +40,7 @@ public final class Placement {
     return vehicle.home().flatMap(home -> place(home, first)).or(() -> first);
   }
 
-  /** A home in a mission has no altitude; that of the first known place stands for it. */
+  /** A mission's home has no altitude; the first known position's is used. */
   private static Optional<Geodetic> place(Waypoint home, Optional<Geodetic> first) {
     return place(home)
         .map(
@@ -80,8 +80,8 @@ public final class Placement {
   }
 
   /**
-   * Velocity along north, east, down [m/s]; absent components are 0, absent altogether if no
-   * horizontal one is known.
+   * Velocity along north, east, down [m/s]; unknown components are 0; empty if no horizontal one is
+   * known.
    */
   public Optional<Point> velocity() {
     return vehicle.state().flatMap(Placement::velocity);

@@ -121,7 +121,7 @@ final class SurroundingsMessages {
     return EnumValue.of(flag).value();
   }
 
-  /** Motion of the air, by motion over ground and through the air. */
+  /** Wind, from the motion over ground and through the air. */
   Optional<Object> wind() {
     Optional<StateInformation> state =
         placement.attitude().filter(now -> now.fluidxDot().isPresent());

@@ -9,7 +9,7 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleStatus;
 import org.u2sa.gcs.mavlink.vehicle.VehicleSurroundings;
 
-/** The messages that stations can have regularly or on request, by message ID. */
+/** The messages available to stations regularly or on request, by message ID. */
 public final class Telemetry {
   /** HEARTBEAT. */
   public static final int HEARTBEAT = 0;

@@ -16,7 +16,7 @@ public enum Identity {
   ARDUPILOT(MavAutopilot.MAV_AUTOPILOT_ARDUPILOTMEGA),
   GENERIC(MavAutopilot.MAV_AUTOPILOT_GENERIC);
 
-  private static final int PX4_EXTERNAL = 11; // sub mode of the first mode from outside PX4
+  private static final int PX4_EXTERNAL = 11; // sub mode of PX4's first external mode
   private static final long FIRST_PLANNER = 100; // beyond all modes of ArduPilot
   private static final int PX4_AUTO = 4; // px4_custom_mode.h: main mode in byte 2, sub mode in 3
   private static final int PX4_MAIN_SHIFT = 16;
@@ -33,7 +33,7 @@ public enum Identity {
     return autopilot;
   }
 
-  /** Whether integer parameters travel as numbers cast to float, not as their bits. */
+  /** Whether integer parameters are sent as numbers cast to float instead of as raw bits. */
   public boolean castsParameters() {
     return this == ARDUPILOT;
   }
@@ -51,7 +51,7 @@ public enum Identity {
   /**
    * Parses a name, such as "px4".
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if the name is unknown
    */
   public static Identity parse(String text) {
     for (Identity each : values()) {

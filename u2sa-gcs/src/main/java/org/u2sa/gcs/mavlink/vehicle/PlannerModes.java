@@ -6,7 +6,7 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
  * Classes that can replace the vehicle's Path Planner, including those from jars. Each is a
- * separate mode; Mission is the class heard first. Messages may arrive on any thread.
+ * separate mode; Mission is the first class received. Messages may arrive on any thread.
  */
 public final class PlannerModes {
   private static final String ROLE = "PATH_PLANNER";
@@ -16,8 +16,8 @@ public final class PlannerModes {
   /**
    * The known planner and its classes.
    *
-   * @param service its name; empty if none was heard
-   * @param usual class that was heard first
+   * @param service its name; empty if unknown
+   * @param usual class received first
    * @param running its class
    * @param others classes other than the usual one
    * @param version counts changes of the list
@@ -66,7 +66,7 @@ public final class PlannerModes {
     return simple.substring(0, Math.min(MAX_LABEL, simple.length()));
   }
 
-  /** Index of the class that runs; empty if it is that of the mode Mission. */
+  /** Index of the running class; empty if it is that of the mode Mission. */
   public Optional<Integer> running() {
     int index = known.others().indexOf(known.running());
     return index < 0 ? Optional.empty() : Optional.of(index);

@@ -41,7 +41,7 @@ public final class ServiceConfigurations {
     }
   }
 
-  /** A station that reads a value it has just set must not get the old one. */
+  /** A station that reads back a value must not receive the old one. */
   private static ConfigurationResponse with(
       ConfigurationResponse before, List<? extends ConfigurationAssignment> assignments) {
     List<ConfigurationVariable> variables = new ArrayList<>();
@@ -69,7 +69,7 @@ public final class ServiceConfigurations {
     return byService;
   }
 
-  /** Number of configurations heard; a change means that one may have changed. */
+  /** Number of configurations received; a change means that one may have changed. */
   public long changes() {
     return changes.get();
   }

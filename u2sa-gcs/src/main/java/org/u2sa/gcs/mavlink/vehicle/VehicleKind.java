@@ -33,7 +33,7 @@ public enum VehicleKind {
   /**
    * Parses a name, such as "rover".
    *
-   * @throws IllegalArgumentException if it is none
+   * @throws IllegalArgumentException if the name is unknown
    */
   public static VehicleKind parse(String text) {
     for (VehicleKind each : values()) {

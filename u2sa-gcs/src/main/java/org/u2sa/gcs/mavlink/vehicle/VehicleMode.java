@@ -26,7 +26,7 @@ public enum VehicleMode {
     return label;
   }
 
-  /** MAV_STANDARD_MODE; 0 if none has this meaning. */
+  /** MAV_STANDARD_MODE; 0 if no standard mode has this meaning. */
   public int standard() {
     return standard;
   }

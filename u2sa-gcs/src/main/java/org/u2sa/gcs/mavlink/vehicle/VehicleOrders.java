@@ -97,7 +97,7 @@ public final class VehicleOrders {
         answer);
   }
 
-  /** Stops the vehicle; accepted once a service reports that the stop is in force there. */
+  /** Stops the vehicle; accepted once a service reports that the stop is in force. */
   public void stop(String reason, Answer answer) {
     send(
         UUID.randomUUID().toString(),
@@ -116,7 +116,7 @@ public final class VehicleOrders {
   /**
    * Replaces the Path Planner's class.
    *
-   * @param index of a class; empty: that of the mode Mission
+   * @param index index of a class; empty: that of the mode Mission
    */
   public void plan(PlannerModes planners, Optional<Integer> index, Answer answer) {
     String id = UUID.randomUUID().toString();
@@ -141,7 +141,7 @@ public final class VehicleOrders {
   /**
    * Begins or ends driving by hand.
    *
-   * @param driver who drives
+   * @param driver name of the driver
    */
   public void manual(boolean active, String driver, Answer answer) {
     String id = UUID.randomUUID().toString();
@@ -173,7 +173,7 @@ public final class VehicleOrders {
     send(id, Kind.OTHER, Channels.CONFIGURATION, change.requestId(id).author(operator), answer);
   }
 
-  /** Publishes a message that is not answered. */
+  /** Publishes a message that expects no answer. */
   public void tell(Channel<?> channel, U2SAData message) {
     publisher.publish(channel, message);
   }
@@ -252,7 +252,7 @@ public final class VehicleOrders {
             .answer()
             .done(
                 false,
-                "no answer from the vehicle: the bridge's user may lack the role operator, or nobody there handles it");
+                "no answer from the vehicle: the bridge's user may lack the role operator, or no service there handles it");
       }
     }
   }

@@ -34,16 +34,16 @@ public final class VehicleStatus {
   /** Goal that a go-to order without a speed adds to the mission. */
   public static final String GO_TO = "go-to";
 
-  /** Goal of orders with a speed; another one, as an update cannot take a speed away. */
+  /** Goal of orders with a speed; separate, because an update cannot remove a speed. */
   public static final String GO_TO_AT_SPEED = "go-to at speed";
 
   /** Goal that names the home position. */
   public static final String HOME = "home";
 
-  /** Beginning of the names of goals that a landing adds to the mission. */
+  /** Prefix of the names of goals that a landing adds to the mission. */
   public static final String LAND_PREFIX = "LAND ";
 
-  /** Beginning of the UIDs of goals that lead to a place to return to. */
+  /** Prefix of the UIDs of goals that lead to a place to return to. */
   public static final String RETURN_PREFIX = "RETURN ";
 
   /** Channels to subscribe to. */
@@ -88,7 +88,7 @@ public final class VehicleStatus {
 
   /**
    * @param micros real time [µs]
-   * @param statedKind kind of the vehicle; empty: by its control service
+   * @param statedKind kind of the vehicle; empty: determined by its control service
    */
   public VehicleStatus(
       LongSupplier micros, Optional<VehicleKind> statedKind, VehicleOrders orders) {
@@ -133,7 +133,7 @@ public final class VehicleStatus {
   private void take(EmergencyStop stop) {
     if (stop.active()) {
       if (stops.size()
-          < MAX_STOPS) { // of a flood of more, the rest are ignored until the others expire
+          < MAX_STOPS) { // beyond this number, further ones are ignored until others expire
         stops.add(stop.identity());
       }
     } else if (stop.lifts().isEmpty()) {
@@ -143,9 +143,7 @@ public final class VehicleStatus {
     }
   }
 
-  /**
-   * Requests data that has changed since the last call. Not to be called on the transport's thread.
-   */
+  /** Requests data that has changed since the last call. Do not call on the transport's thread. */
   public void refresh() {
     if (isReportWanted) {
       isReportWanted = false;
@@ -219,7 +217,7 @@ public final class VehicleStatus {
   /** Reasons against arming; empty if there are none or none is known. */
   public List<String> reasonsAgainstArming() {
     return arming == null
-        ? List.of("no Safety Manager was heard")
+        ? List.of("no Safety Manager found")
         : arming.armed() ? List.of() : arming.reasons();
   }
 

@@ -7,14 +7,14 @@ import org.u2sa.messages.frame.Point;
 /**
  * A gate between two buoys on a level plane with axes north and east [m].
  *
- * @param left buoy to the left of a boat that passes
- * @param right buoy to the right
+ * @param left buoy to port of a passing boat
+ * @param right buoy to starboard
  */
 public record Gate(Point left, Point right) {
   private static final double NARROWEST_M = 1.5;
   private static final double WIDEST_M = 4.0;
 
-  /** Gates between buoys of two colours: each left buoy with the nearest right one, if alone. */
+  /** Gates of two colours: each left buoy with its nearest right one, if unambiguous. */
   public static List<Gate> among(List<Point> lefts, List<Point> rights) {
     List<Gate> gates = new ArrayList<>();
     for (Point left : lefts) {
@@ -54,7 +54,7 @@ public record Gate(Point left, Point right) {
     return Point.of((right.y() - left.y()) / width, (left.x() - right.x()) / width, 0.0);
   }
 
-  /** Distance to go along the way until the gate [m]; negative behind it. */
+  /** Distance to go to the gate along its axis [m]; negative beyond it. */
   public double aheadM(Point from) {
     Point way = way();
     Point middle = middle();
@@ -68,14 +68,14 @@ public record Gate(Point left, Point right) {
     return (from.y() - middle.y()) * way.x() - (from.x() - middle.x()) * way.y();
   }
 
-  /** Place on its axis, this far beyond the gate [m]. */
+  /** Point on its axis at this distance beyond the gate [m]. */
   public Point beyond(double metres) {
     Point way = way();
     Point middle = middle();
     return Point.of(middle.x() + metres * way.x(), middle.y() + metres * way.y(), 0.0);
   }
 
-  /** Whether a move leads through it in its direction. */
+  /** Whether a movement passes through the gate in its direction. */
   public boolean isPassed(Point before, Point now) {
     double from = aheadM(before);
     double to = aheadM(now);

@@ -10,11 +10,11 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanarShape;
 
 /**
- * Plans the way onto a gate's axis for a boat that needs steerage way: arcs and straights clear of
- * every object, which end several boat lengths before the gate, in its direction.
+ * Plans the path onto a gate's axis for a boat that needs steerage way: arcs and straights clear of
+ * every object, ending several boat lengths in front of the gate, in its direction.
  *
- * @param path to the start of the straight run to the gate
- * @param gate as it was known
+ * @param path path to the start of the straight run to the gate
+ * @param gate the gate as known when planning
  * @param runM length of the straight run [m]
  */
 public record GateApproach(SailingPath path, Gate gate, double runM) {
@@ -26,16 +26,16 @@ public record GateApproach(SailingPath path, Gate gate, double runM) {
   private static final double TIGHT_COST = 4.0; // per metre of a smaller radius
   private static final double NEAR_COST = 10.0; // per metre nearer to an object than this:
   private static final double WELL_CLEAR_M = 2.5;
-  private static final double CLEAR_M = 0.95; // of arcs: half the beam, and 0.6 m
-  private static final double RUN_CLEAR_M = 0.7; // of the run, which may lead through a gate
-  private static final double LEAVING_M = 1.5; // part in which the boat may leave a gate
+  private static final double CLEAR_M = 0.95; // clearance of arcs: half the beam and 0.6 m
+  private static final double RUN_CLEAR_M = 0.7; // clearance of the run, also through a gate
+  private static final double LEAVING_M = 1.5; // length within which the boat may be leaving a gate
   private static final double LEAVING_CLEAR_M = 0.45;
-  private static final double FAR_M = 10.0; // before a gate, while no way to it is clear
+  private static final double FAR_M = 10.0; // distance to wait at while no path is clear
   private static final double[] FAR_ASIDE_M = {0.0, 3.0, -3.0, 6.0, -6.0};
   private static final double ROOM_M = 2.5; // between that place and all objects
   private static final double BEFORE_M = 1.5; // end of the part of the run that is checked
 
-  /** The best way from a pose; empty if none is clear. */
+  /** The best path from a pose; empty if none is clear. */
   public static Optional<GateApproach> plan(Pose from, Gate gate, List<PlanarShape> objects) {
     Point way = gate.way();
     double heading = Math.atan2(way.y(), way.x());
@@ -69,7 +69,7 @@ public record GateApproach(SailingPath path, Gate gate, double runM) {
     return Optional.ofNullable(best);
   }
 
-  /** A place before the gate from which a way may be found, on its axis if there is room. */
+  /** A point in front of the gate from which a path may be found, on its axis if there is room. */
   public static Point before(Gate gate, List<PlanarShape> objects) {
     Point onAxis = gate.beyond(-FAR_M);
     Point way = gate.way();
@@ -82,7 +82,7 @@ public record GateApproach(SailingPath path, Gate gate, double runM) {
     return onAxis;
   }
 
-  /** How far the start of the run is from where it would be by a newer estimate of the gate [m]. */
+  /** Shift of the start of the run under a newer estimate of the gate [m]. */
   public double movedM(Gate newer) {
     return newer.beyond(-runM).minus(gate.beyond(-runM)).distance();
   }

@@ -3,7 +3,7 @@ package org.u2sa.scenarios.roboboat.gate;
 import org.u2sa.messages.frame.Point;
 
 /**
- * The line to the middle of a gate and on to the next, on a level plane with axes north and east
+ * The line through the middle of a gate to the next one, on a level plane with axes north and east
  * [m].
  *
  * @param from start of the line
@@ -25,7 +25,7 @@ public record GateLine(Point from, Point over, Point to) {
     return Math.max(MIN_LENGTH_M, from.flatDistanceTo(over));
   }
 
-  /** Place this far ahead of a boat that is abreast of the piece to the gate. */
+  /** Point at a distance ahead of a boat that is abreast of the segment to the gate. */
   public Point ahead(Point here, double metres) {
     double length = lengthM();
     double along =

@@ -6,16 +6,16 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.messages.frame.Point;
 
-/** The gates of a channel as they are known, which have been passed, and which is next. */
+/** The known gates of a channel: those passed, and the next one. */
 public final class GateSequence {
   private static final double SAME_M = 2.0; // two gates this near are the same
   private static final double BEHIND_M = 1.0; // a gate is still ahead
-  private static final double REACH_M = 30.0; // to the next gate
-  private static final double KEPT_M = 4.0; // a gate this near is kept if a buoy is lost from sight
+  private static final double REACH_M = 30.0; // maximum distance to the next gate
+  private static final double KEPT_M = 4.0; // closer gates are kept if a buoy is lost
 
   private final List<Point> passed = new ArrayList<>(); // their middles
   private List<Gate> gates = List.of(); // newest
-  private Optional<Point> before = Optional.empty(); // place of the boat at the last state
+  private Optional<Point> before = Optional.empty(); // position of the boat at the last state
   private Optional<Gate> last = Optional.empty();
   private Optional<Gate> aimed = Optional.empty(); // gate to be passed, at the last state
 
@@ -71,14 +71,14 @@ public final class GateSequence {
     return nearest(gate.middle(), SAME_M);
   }
 
-  /** The gate nearest to a place that has not been passed. */
+  /** The gate nearest to a point among those not yet passed. */
   public Optional<Gate> nearest(Point place, double withinM) {
     return gates.stream()
         .filter(gate -> !isPassed(gate) && gate.middle().flatDistanceTo(place) < withinM)
         .min(Comparator.comparingDouble(gate -> gate.middle().flatDistanceTo(place)));
   }
 
-  /** The gate nearest to a place, ahead of it and behind another gate. */
+  /** The gate nearest to a point that is ahead of it and beyond another gate. */
   public Optional<Gate> next(Point here, Gate behind) {
     return gates.stream()
         .filter(gate -> !isPassed(gate) && gate.aheadM(here) > -BEHIND_M)

@@ -6,10 +6,10 @@ import org.u2sa.planning.curve.Pose;
 
 /** A way over the water as closely spaced poses, sailed in order. Not thread-safe. */
 public final class SailingPath {
-  /** Largest distance between two poses [m]. */
+  /** Maximum distance between two poses [m]. */
   static final double SPACING_M = 0.25;
 
-  private static final int WINDOW = 12; // poses ahead in which the nearest one is sought
+  private static final int WINDOW = 12; // number of poses ahead searched for the nearest one
 
   private final List<Pose> poses;
   private int at; // pose nearest to the boat
@@ -38,12 +38,12 @@ public final class SailingPath {
     return awayM(at, here);
   }
 
-  /** Length that is left, at most [m]. */
+  /** Remaining length, at most [m]. */
   public double leftM() {
     return (poses.size() - 1 - at) * SPACING_M;
   }
 
-  /** Place this far along the path; straight on beyond its end. */
+  /** Point at this distance along the path; straight on beyond its end. */
   public Point ahead(double metres) {
     int steps = (int) Math.ceil(metres / SPACING_M);
     int index = Math.min(poses.size() - 1, at + steps);

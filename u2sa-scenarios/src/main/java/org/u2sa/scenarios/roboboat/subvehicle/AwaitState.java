@@ -12,15 +12,15 @@ import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.Pursuit;
 
 /**
- * The carrier's part of a {@link FetchGoal}: presses its bow against the dock, lest wind and
- * current carry it off, while the sub-vehicle is out. The sub-vehicle's report ends the goal;
+ * The carrier's part of a {@link FetchGoal}: presses its bow against the dock while the sub-vehicle
+ * is away, so that wind and current do not carry it off. The sub-vehicle's report ends the goal;
  * without one, the carrier gives up.
  */
 final class AwaitState implements PlannerState {
-  private static final double BEYOND_LIMIT_S = 40.0; // for switching on, return and landing
+  private static final double BEYOND_LIMIT_S = 40.0; // time for start-up, return and landing
 
   private static final double PRESSES_M = 0.5;
-  private static final double PRESSES_MPS = 0.3; // which the wall keeps it from
+  private static final double PRESSES_MPS = 0.3; // speed commanded against the wall
 
   private long beganMicros;
 
@@ -46,7 +46,8 @@ final class AwaitState implements PlannerState {
       return new Plan(
           List.of(),
           Plan.Progress.ABANDONED,
-          String.format(Locale.ROOT, "given up: no report of the sub-vehicle for %.0f s", waitedS));
+          String.format(
+              Locale.ROOT, "given up: no report from the sub-vehicle for %.0f s", waitedS));
     }
     NavigationPoint against = NavigationPoint.at(Point.of(PRESSES_M, 0.0, 0.0));
     return Plan.underWay(List.of(against.speed(PRESSES_MPS).turn(0.0)));

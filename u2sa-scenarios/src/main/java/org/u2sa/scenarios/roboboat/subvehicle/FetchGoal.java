@@ -6,10 +6,10 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * An object to be fetched by a hovering aircraft: fly there, grip it, and land where the aircraft
- * stood, or where its deck is since (thesis 4.2.1.3). The position is the one of the aircraft when
- * it grips, z included; both thresholds apply to it. {@link #arrivedAt} is when the gripper was
- * first at the object.
+ * An object to be fetched by a hovering aircraft: fly there, grip it, and land at the starting
+ * point, or where the deck has moved to (thesis 4.2.1.3). The position is that of the aircraft when
+ * it grips, including z; both thresholds apply to it. {@link #arrivedAt} is when the gripper first
+ * reached the object.
  */
 public final class FetchGoal extends Waypoint {
   private static final Schema<FetchGoal> SCHEMA =
@@ -33,7 +33,7 @@ public final class FetchGoal extends Waypoint {
     return TYPE;
   }
 
-  /** Height of the flight above the higher one of start and object [m]; defaults to 2. */
+  /** Flight height above the start or the object, whichever is higher [m]; defaults to 2. */
   public double height() {
     return get(HEIGHT).orElse(USUAL_HEIGHT_M);
   }
@@ -42,7 +42,7 @@ public final class FetchGoal extends Waypoint {
     return put(HEIGHT, metres);
   }
 
-  /** Time that the gripper has to stay at the object [s]; defaults to 2. */
+  /** Time for which the gripper must stay at the object [s]; defaults to 2. */
   public double gripTime() {
     return get(GRIP_TIME).orElse(USUAL_GRIP_S);
   }
@@ -51,9 +51,7 @@ public final class FetchGoal extends Waypoint {
     return put(GRIP_TIME, seconds);
   }
 
-  /**
-   * Time from the take-off after which the aircraft returns without the object [s]; defaults to 60.
-   */
+  /** Time after take-off at which the aircraft returns without the object [s]; defaults to 60. */
   public double limit() {
     return get(LIMIT).orElse(USUAL_LIMIT_S);
   }

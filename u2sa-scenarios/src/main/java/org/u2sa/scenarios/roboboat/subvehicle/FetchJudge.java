@@ -3,12 +3,12 @@ package org.u2sa.scenarios.roboboat.subvehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Judges by the truth whether the quadrotor grips the puck, and is back on the deck before the boat
- * leaves the dock.
+ * Judges by ground truth whether the quadrotor grips the puck and returns to the deck before the
+ * boat leaves the dock.
  */
 public final class FetchJudge {
-  private static final double DECK_M = 0.5; // from the boat's centre
-  private static final double LANDED_M = 0.3; // of the aircraft above the deck
+  private static final double DECK_M = 0.5; // distance from the boat's centre
+  private static final double LANDED_M = 0.3; // height of the aircraft above the deck
 
   private final PuckGripper gripper;
   private boolean isBack;
@@ -32,17 +32,17 @@ public final class FetchJudge {
     isBack |= gripper.isHolding() && isOnDeck && !isLeft;
   }
 
-  /** Whether it gripped the puck. */
+  /** Whether the quadrotor gripped the puck. */
   public boolean isGripped() {
     return gripper.isHolding();
   }
 
-  /** Whether it was back with the puck before the boat left. */
+  /** Whether the quadrotor returned with the puck before the boat left. */
   public boolean isBack() {
     return isBack;
   }
 
-  /** Whether the boat left without it. */
+  /** Whether the boat left without the quadrotor. */
   public boolean isLeftBehind() {
     return isLeft;
   }

@@ -18,8 +18,8 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Fetches an object with a hovering aircraft: straight up, above the object, straight down, grip,
- * and the same way back to where the aircraft stood. It begins to descend within the horizontal
+ * Fetches an object with a hovering aircraft: climbs vertically, flies above the object, descends,
+ * grips, and returns the same way to the starting point. It begins to descend within the horizontal
  * threshold of the vertical line, and climbs again beyond twice the threshold. If its {@link
  * GripperSensor} feels nothing in the gripper, it tries again beside the expected place.
  */
@@ -30,7 +30,7 @@ final class FetchState implements PlannerState {
   private static final double USUAL_VERTICAL_M = 0.15; // without a vertical threshold
   private static final double BREAK_OFF = 2.0; // off the line to break off a descent [thresholds]
   private static final double FEEL_S = 1.5; // time after the grip until the load counts as missing
-  private static final double BESIDE_M = 0.3; // from the expected place of further attempts
+  private static final double BESIDE_M = 0.3; // offset of further attempts from the expected place
   private static final Point[] BESIDE = { // north, east; in turn
     Point.ORIGIN,
     Point.of(BESIDE_M, 0.0, 0.0),
@@ -53,12 +53,12 @@ final class FetchState implements PlannerState {
   private Place deck;
   private FetchGoal goal;
   private long beganMicros;
-  private long thereMicros; // since when at the object or on the deck; Long.MIN_VALUE: not there
+  private long thereMicros; // arrival at object or deck; Long.MIN_VALUE: not there
   private boolean gripped;
-  private int misses; // times that the gripper closed and held nothing
+  private int misses; // number of times the gripper closed without holding anything
 
   /**
-   * @param isHolding whether the gripper holds an object; true without a sensor that could tell
+   * @param isHolding whether the gripper holds an object; true without a sensor to tell
    */
   FetchState(BooleanSupplier isHolding) {
     this.isHolding = isHolding;
@@ -196,7 +196,7 @@ final class FetchState implements PlannerState {
     return Clock.seconds(vehicle.timestampMicros() - micros);
   }
 
-  /** The way to where the aircraft is to be: north, east, down [m]. */
+  /** Vector to the aircraft's target position: north, east, down [m]. */
   private Point toGo(FetchGoal wanted, Place object, Vehicle vehicle) {
     Point way = vehicle.nedOf(target(wanted, object));
     return phase == Phase.CROSS || phase == Phase.DESCEND
@@ -204,7 +204,7 @@ final class FetchState implements PlannerState {
         : way;
   }
 
-  /** Where the aircraft is to be in this phase, at the first attempt. */
+  /** Target position of this phase at the first attempt. */
   private Place target(FetchGoal wanted, Place object) {
     double flight =
         Math.max(deck.upM().orElseThrow(), object.upM().orElseThrow()) + wanted.height();

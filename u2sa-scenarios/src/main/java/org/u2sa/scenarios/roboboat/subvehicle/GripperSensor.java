@@ -17,9 +17,9 @@ import org.u2sa.messages.marine.Puck;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Tells by the load cell from which the gripper hangs whether it holds a puck. The vehicle has no
- * World Modeler, so the sensor publishes the whole list of objects: a puck at the vehicle's place
- * in BODY, or none. Out: objects.
+ * Detects by the gripper's load cell whether it holds a puck. The vehicle has no World Modeler, so
+ * the sensor publishes the complete list of objects: a puck at the vehicle's position in BODY, or
+ * none. Out: objects.
  */
 public final class GripperSensor extends DeviceSensor<LoadCell.Load> {
   private static final String HELD = "held"; // name of an object in the gripper
@@ -37,7 +37,7 @@ public final class GripperSensor extends DeviceSensor<LoadCell.Load> {
   private record Variables(
       @Variable(unit = "N", min = 0.01, max = 1_000, ifAbsent = 0.8)
           @Description(
-              "Load from which the gripper holds an object: about half the object's weight.")
+              "Load above which the gripper holds an object: about half the object's weight.")
           double heldLoad,
       @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 0.5)
           @Description("Time constant of the smoothed load.")
@@ -68,7 +68,7 @@ public final class GripperSensor extends DeviceSensor<LoadCell.Load> {
         new ObjectList().objects(smoothedN < variables.heldLoad() ? List.of() : List.of(held())));
   }
 
-  /** Whether a list of it has an object in the gripper. */
+  /** Whether one of its object lists contains a gripped object. */
   static boolean isHolding(List<ObjectDescription> objects) {
     return objects.stream().anyMatch(each -> each.uid().equals(HELD));
   }

@@ -5,17 +5,17 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * The puck on the dock and the passive gripper below the quadrotor, which takes it after a while
- * above it. Thread-safe.
+ * The puck on the dock and the passive gripper below the quadrotor, which grips the puck after some
+ * time above it. Thread-safe.
  */
 public final class PuckGripper {
   private static final double REACH_M = 0.25; // level
-  private static final double LOW_M = 0.4; // of the aircraft above the deck, at the puck
+  private static final double LOW_M = 0.4; // height of the aircraft above the deck, at the puck
   private static final double GRIP_S = 1.5;
   private static final double PUCK_KG = 0.165; // official: 156 to 170 g
 
   private final Point puck; // east, north [m]
-  private double sinceS = Double.NaN; // when it came to the puck
+  private double sinceS = Double.NaN; // time of arrival at the puck
   private boolean isHolding;
 
   /**
@@ -33,12 +33,12 @@ public final class PuckGripper {
     isHolding |= quadrotor.timeS() - sinceS >= GRIP_S;
   }
 
-  /** Whether it holds the puck. */
+  /** Whether the gripper holds the puck. */
   synchronized boolean isHolding() {
     return isHolding;
   }
 
-  /** Load of the cell from which it hangs, beyond its own weight [N]. */
+  /** Load on the gripper's load cell beyond its own weight [N]. */
   double loadN() {
     return isHolding() ? PUCK_KG * Gravity.STANDARD_MPS2 : 0.0;
   }

@@ -20,8 +20,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.World;
 
 /**
- * The simulated quadrotor on a boat's deck, which starts there with services of its own when it is
- * switched on. Its world is a level plane at the deck's height, with the boat's wind.
+ * The simulated quadrotor on a boat's deck; its own services start when it is switched on. Its
+ * world is a level plane at the deck's height, with the boat's wind.
  */
 public final class QuadrotorOnDeck implements AutoCloseable {
   /** Height of the boat's deck and of the dock above the water [m]. */
@@ -39,9 +39,9 @@ public final class QuadrotorOnDeck implements AutoCloseable {
   private RunningSystem system; // likewise
 
   /**
-   * @param folder of its system file and vehicle file
-   * @param boat moored when it is switched on
-   * @param puck on the dock: east, north [m]
+   * @param folder folder of its system file and vehicle file
+   * @param boat boat, moored when the quadrotor is switched on
+   * @param puck position of the puck on the dock: east, north [m]
    */
   public QuadrotorOnDeck(Path folder, RunningVehicle boat, Point puck, Path logs, long seed) {
     this.folder = folder;

@@ -28,9 +28,9 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * Carries the Mission Manager's goal for the sub-vehicle to its system, at the place where the
- * world model has the object, and its report back (thesis 4.2.1.3). While the sub-vehicle is away,
- * it hears how far the carrier has moved. In: goals, objects, state. Out: goal-reports.
+ * Passes the Mission Manager's goal for the sub-vehicle to its system, at the object's mapped
+ * position, and passes its report back (thesis 4.2.1.3). While the sub-vehicle is away, it is told
+ * how far the carrier has moved. In: goals, objects, state. Out: goal-reports.
  */
 public final class SubVehicleLink extends PeriodicService {
   private static final double STEPS_PER_S = 5.0;
@@ -167,7 +167,7 @@ public final class SubVehicleLink extends PeriodicService {
     }
   }
 
-  /** What the sub-vehicle says, on its threads. */
+  /** Messages from the sub-vehicle, received on its threads. */
   private final class Radio implements Receiver {
     @Override
     public void receive(Channel<?> channel, U2SAData message) {

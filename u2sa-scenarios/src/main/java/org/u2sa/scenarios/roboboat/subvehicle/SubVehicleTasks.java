@@ -21,7 +21,7 @@ public final class SubVehicleTasks implements MessageTypeProvider, PlannerStateP
       VariableDeclaration.flag("GRIPPER FELT")
           .ifAbsent(false)
           .describedAs(
-              "Whether a GripperSensor tells what the gripper holds after a fetchGoal; a further attempt follows if it holds nothing.");
+              "Whether a GripperSensor reports if the gripper holds an object after a fetchGoal; if not, another attempt follows.");
 
   @Override
   public Collection<MessageType<?>> messageTypes() {

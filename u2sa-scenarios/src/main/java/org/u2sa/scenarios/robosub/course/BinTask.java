@@ -13,10 +13,10 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 /**
  * Two bins on the floor, into one of which two markers are dropped.
  *
- * @param right middle of the right one
- * @param wrong middle of the other
- * @param colours of the right and the other one
- * @param seed of where the markers fall
+ * @param right middle of the right bin
+ * @param wrong middle of the other bin
+ * @param colours colours of the right and the other bin
+ * @param seed seed of the markers' scatter
  */
 record BinTask(Point right, Point wrong, List<Colour> colours, long seed) implements CourseTask {
   private static final double INSIDE_M = 0.3; // from the middle

@@ -13,8 +13,8 @@ import org.u2sa.messages.marine.Colour;
 /**
  * Buoys to be bumped in order.
  *
- * @param places of the buoys, in this order
- * @param colours of the buoys
+ * @param places positions of the buoys, in this order
+ * @param colours colours of the buoys
  */
 record BuoysTask(List<Point> places, List<Colour> colours) implements CourseTask {
   private List<String> types() {

@@ -12,8 +12,8 @@ import org.u2sa.messages.marine.Pole;
 /**
  * A gate of a red, a white and a green pole, to be passed on one side of the white pole.
  *
- * @param middle place of the white pole
- * @param across from there to the green pole
+ * @param middle position of the white pole
+ * @param across vector from there to the green pole
  * @param isLeft whether to pass on the side of the red pole
  */
 record GateTask(Point middle, Point across, boolean isLeft) implements CourseTask {

@@ -11,9 +11,9 @@ import org.u2sa.messages.marine.PathMarker;
 /**
  * A marker on the floor that points to the next task.
  *
- * @param name of its goal, and of its type
- * @param place of its middle
- * @param headingRad clockwise from north
+ * @param name name of its goal and type
+ * @param place position of its middle
+ * @param headingRad its direction, clockwise from north
  */
 record MarkerTask(String name, Point place, double headingRad) implements CourseTask {
   private static final double OVER_M = 1.0;
@@ -46,7 +46,7 @@ record MarkerTask(String name, Point place, double headingRad) implements Course
 
     @Override
     public Optional<String> violation() {
-      return isFollowed ? Optional.empty() : Optional.of(name + ": never above it");
+      return isFollowed ? Optional.empty() : Optional.of(name + ": never above the marker");
     }
 
     @Override

@@ -14,7 +14,7 @@ import org.u2sa.messages.marine.Hoop;
  * A pinger on the floor below the ring to surface in, with a second ring beside it as a decoy
  * (thesis 4.3).
  *
- * @param pinger its place
+ * @param pinger position of the pinger
  * @param otherRing middle of the ring without pinger
  */
 public record PingerTask(Point pinger, Point otherRing) implements CourseTask {

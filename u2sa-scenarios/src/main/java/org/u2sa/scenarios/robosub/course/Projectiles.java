@@ -7,11 +7,11 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /** True paths of markers and torpedoes. Places are north, east and down of the start [m]. */
 final class Projectiles {
-  private static final double BELOW_M = 0.15; // of the dropper, below the vehicle's middle
+  private static final double BELOW_M = 0.15; // depth of the dropper below the vehicle's middle
   private static final double SINKING_MPS = 0.4;
   private static final double SLOWED_S = 0.3; // time constant of a marker's level speed
   private static final double DRIFT_MPS = 0.03; // standard deviation, north and east
-  private static final double SPREAD_RAD = 0.02; // of a torpedo's direction, both ways
+  private static final double SPREAD_RAD = 0.02; // spread of a torpedo's direction, either way
   private static final double REACH_M = 5.0;
 
   private final Random random;

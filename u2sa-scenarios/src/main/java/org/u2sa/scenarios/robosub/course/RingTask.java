@@ -12,7 +12,7 @@ import org.u2sa.messages.marine.Hoop;
 /**
  * A floating ring to surface in, where the run ends.
  *
- * @param middle of the ring
+ * @param middle middle of the ring
  */
 record RingTask(Point middle) implements CourseTask {
   static final String TYPE = "yellow hoop";

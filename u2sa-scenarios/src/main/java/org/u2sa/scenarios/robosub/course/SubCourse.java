@@ -11,11 +11,12 @@ import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
 /**
- * A layout. Places are north, east and down of the start, which faces north at the surface [m].
+ * A layout. Positions are north, east and down from the start at the surface [m], which faces
+ * north.
  *
  * @param stages tasks in order; those of one stage may be done in any order (thesis, figure 21)
- * @param currentEastMps of the water
- * @param currentNorthMps of the water
+ * @param currentEastMps eastward current
+ * @param currentNorthMps northward current
  */
 public record SubCourse(
     List<List<CourseTask>> stages, double currentEastMps, double currentNorthMps) {
@@ -26,7 +27,7 @@ public record SubCourse(
   static final double FLOOR_M = 3.7; // depth
   private static final double MAX_CURRENT_MPS = 0.05;
 
-  /** The layout of a seed: each marker on the floor points to the tasks beyond it. */
+  /** Generates the layout of a seed: each marker on the floor points to the tasks beyond it. */
   public static SubCourse of(long seed) {
     Random random = new Random(seed * 0x9E3779B97F4A7C15L);
     Walk walk = new Walk(random);

@@ -21,7 +21,7 @@ import org.u2sa.messages.schema.U2SAData;
 final class SubEvents {
   private static final Pattern SEEN = Pattern.compile("(\\d+); not sought by the goal (\\d+)");
 
-  private final Map<String, String> troubles = new LinkedHashMap<>(); // by words without figures
+  private final Map<String, String> troubles = new LinkedHashMap<>(); // by text without numbers
   private final Map<String, Integer> processed = new TreeMap<>(); // by detector
   private final Map<String, Integer> skipped = new TreeMap<>();
   private boolean isStopped;
@@ -86,7 +86,7 @@ final class SubEvents {
     return byDetector.values().stream().mapToInt(Integer::intValue).sum();
   }
 
-  /** Objects that the detectors' services published, and left out. */
+  /** Number of objects that the detection services published and omitted. */
   Map<String, Integer> counts() {
     Map<String, Integer> counts = new LinkedHashMap<>();
     counts.put("objectsProcessed", sum(processed));

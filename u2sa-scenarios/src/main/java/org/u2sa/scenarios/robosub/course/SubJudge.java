@@ -38,7 +38,7 @@ public final class SubJudge implements TruthObserver.Scorer {
   private static final List<String> RELEASES = List.of("DROPPER", "LAUNCHER");
   private static final double OPEN_PERCENT = 100.0;
 
-  private static final double DONE_S = 0.5; // from the last goal's report to the end
+  private static final double DONE_S = 0.5; // time from the last goal's report to the end
   private static final double STOPPED_S = 30.0; // time to rise after a failsafe
 
   private final SubCourse course;
@@ -59,7 +59,7 @@ public final class SubJudge implements TruthObserver.Scorer {
   private volatile boolean over;
 
   /**
-   * @param switchPercent level of a release now [%], by its name
+   * @param switchPercent current level of a release [%], by name
    */
   public SubJudge(
       SubCourse course,

@@ -22,7 +22,7 @@ final class SubObjects {
     return object.level().filter(ObjectLevel.HINDRANCE::equals).isPresent();
   }
 
-  /** Places an object, whose UID is its type; {@code at} is north, east, down of the start [m]. */
+  /** Places an object whose UID is its type; {@code at} is north, east, down from the start [m]. */
   static ObjectDescription placed(ObjectDescription object, String type, Point at) {
     object
         .uid(type)

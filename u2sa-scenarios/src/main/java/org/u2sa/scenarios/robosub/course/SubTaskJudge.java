@@ -6,8 +6,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores one task of a run by the truth. Places are north, east and down of the start [m]; text
- * returned by an event is logged.
+ * Scores one task of a run by ground truth. Positions are north, east and down from the start [m];
+ * text returned by an event is logged.
  */
 public interface SubTaskJudge {
   /** The vehicle's centre moved. */
@@ -18,7 +18,7 @@ public interface SubTaskJudge {
   /** The vehicle touched an object. */
   default void touched(String uid) {}
 
-  /** A mechanism of the vehicle released what it holds. */
+  /** Called when a mechanism of the vehicle has released its load. */
   default Optional<String> released(String actuator, VehicleTruth truth) {
     return Optional.empty();
   }
@@ -29,7 +29,7 @@ public interface SubTaskJudge {
   /** Its lines of the score sheet. */
   Map<String, Integer> counts();
 
-  /** Its other figures. */
+  /** Other metrics of the task. */
   default Map<String, Double> figures() {
     return Map.of();
   }

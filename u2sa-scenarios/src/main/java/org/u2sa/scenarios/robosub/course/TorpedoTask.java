@@ -13,11 +13,11 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 /**
  * Two upright hoops side by side, one of which is the target of two torpedoes.
  *
- * @param right middle of the right one
- * @param wrong middle of the other
- * @param headingRad of their normals, clockwise from north
- * @param colours of the right and the other one
- * @param seed of where the torpedoes go
+ * @param right middle of the right hoop
+ * @param wrong middle of the other hoop
+ * @param headingRad direction of their normals, clockwise from north
+ * @param colours colours of the right and the other hoop
+ * @param seed seed of the torpedoes' scatter
  */
 record TorpedoTask(Point right, Point wrong, double headingRad, List<Colour> colours, long seed)
     implements CourseTask {

@@ -1,13 +1,13 @@
 package org.u2sa.scenarios.suas.score;
 
-/** Counts how often a boundary was left; within 10 s after the last time it counts as one. */
+/** Counts boundary violations; several within 10 s of each other count as one. */
 public final class BoundaryCount {
   private static final double DEBOUNCE_S = 10.0;
 
   private double lastOutS = Double.NEGATIVE_INFINITY;
   private int count;
 
-  /** Adds a position of a later time; true if it counts again. */
+  /** Adds a later position; returns true if it counts as a new violation. */
   public boolean see(double timeS, boolean isInside) {
     if (isInside) {
       return false;

@@ -7,9 +7,9 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * Score of the targets: each counts the share of right fields (0.2), its place (0.3 · (150 ft − d)
- * / 150 ft), being reported in flight (0.3) and without a person (0.2), as in the rules of 2019. A
- * report counts for one target, the one that it fits best. Further reports cost 0.05 of a target
+ * Score of the targets: for each, the share of correct fields (0.2), its position (0.3 · (150 ft −
+ * d) / 150 ft), being reported in flight (0.3) and without human help (0.2), as in the rules of
+ * 2019. A report counts for the target that it fits best. Further reports cost 0.05 of a target
  * each.
  */
 public final class ObjectScore {
@@ -30,8 +30,8 @@ public final class ObjectScore {
   /**
    * A report and its target.
    *
-   * @param distanceM of the report from the target [m]
-   * @param rightFields number of right fields; the place within 15 m counts as the sixth elsewhere
+   * @param distanceM distance of the report from the target [m]
+   * @param rightFields number of correct fields, not including the position
    */
   public record Match(int target, int report, double distanceM, int rightFields, double score) {}
 

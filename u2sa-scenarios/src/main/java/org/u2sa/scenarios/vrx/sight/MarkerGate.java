@@ -8,9 +8,9 @@ import org.u2sa.messages.frame.Point;
 /**
  * A gate between two markers that have been seen, on a plane with axes north and east [m].
  *
- * @param port marker to be left to port
- * @param starboard marker to be left to starboard
- * @param place of the gate in the course, by the type of its port marker
+ * @param port marker to leave to port
+ * @param starboard marker to leave to starboard
+ * @param place the gate's position in the course, by the type of its port marker
  */
 public record MarkerGate(Point port, Point starboard, Place place) {
   /** First, in between, or last. */
@@ -30,7 +30,7 @@ public record MarkerGate(Point port, Point starboard, Place place) {
   private static final double NARROWEST_M = 10.0;
   private static final double WIDEST_M = 27.0;
 
-  /** Gates between markers that are each the other's nearest of the other side. */
+  /** Gates between markers of opposite sides that are mutually nearest. */
   public static List<MarkerGate> among(List<Port> ports, List<Point> starboards) {
     List<MarkerGate> gates = new ArrayList<>();
     for (Port port : ports) {
@@ -64,7 +64,7 @@ public record MarkerGate(Point port, Point starboard, Place place) {
     return Point.of((starboard.y() - port.y()) / width, (port.x() - starboard.x()) / width, 0.0);
   }
 
-  /** Distance to go along the way until the gate [m]; negative behind it. */
+  /** Distance to go to the gate along its axis [m]; negative beyond it. */
   public double aheadM(Point from) {
     Point to = middle().minus(from);
     return to.x() * way().x() + to.y() * way().y();
@@ -76,7 +76,7 @@ public record MarkerGate(Point port, Point starboard, Place place) {
     return from.y() * way().x() - from.x() * way().y();
   }
 
-  /** Place on its axis, this far beyond the gate [m]. */
+  /** Point on its axis at this distance beyond the gate [m]. */
   public Point beyond(double metres) {
     Point place = middle().plus(way().times(metres));
     return Point.of(place.x(), place.y(), 0.0);

@@ -12,7 +12,8 @@ public final class SeenSigns {
   private SeenSigns() {}
 
   /**
-   * Signs by type. Of several tracks of a sign, the most certain one: the others are old sightings.
+   * Signs by type. Of several tracks of a sign, the most certain counts; the others are old
+   * sightings.
    */
   public static Map<String, Point> of(PlannerView surroundings, StateInformation state) {
     Map<String, ObjectDescription> surest = new TreeMap<>();

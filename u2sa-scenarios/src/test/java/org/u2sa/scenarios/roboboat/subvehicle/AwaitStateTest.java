@@ -37,6 +37,6 @@ class AwaitStateTest {
     Plan plan = await.plan(at(111.0));
 
     assertThat(plan.progress()).isEqualTo(Plan.Progress.ABANDONED);
-    assertThat(plan.remark()).isEqualTo("given up: no report of the sub-vehicle for 101 s");
+    assertThat(plan.remark()).isEqualTo("given up: no report from the sub-vehicle for 101 s");
   }
 }

@@ -150,7 +150,7 @@ public final class FileElement {
   public String text(String name) {
     String text = value(name).orElseThrow(() -> lacks(name, "")).text();
     if (text.isEmpty()) {
-      throw value(name).orElseThrow().error("is empty; expected a text");
+      throw value(name).orElseThrow().error("is empty; expected text");
     }
     return text;
   }
