@@ -7,7 +7,10 @@ import java.util.function.Consumer;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.sim.world.World;
 
-/** Counts a vehicle's contacts with obstacles and, of vessels, with the ground; a continuous contact counts once. Not thread-safe. */
+/**
+ * Counts a vehicle's contacts with obstacles and, of vessels, with the ground; a continuous contact
+ * counts once. Not thread-safe.
+ */
 public final class ContactWatch {
   /**
    * Start of a contact.
