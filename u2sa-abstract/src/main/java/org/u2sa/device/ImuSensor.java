@@ -21,8 +21,6 @@ import org.u2sa.service.ServiceContext;
  * vehicle's position. Out: sensed-state.
  */
 public final class ImuSensor extends DeviceSensor<Orientation> {
-  private static final String INERTIAL = " inertial"; // suffix of the sensor's name
-
   private static final SensorKind<Imu> KIND =
       new SensorKind<>(
           "ImuSensor",
@@ -81,7 +79,7 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
             .specificForceY(force.y())
             .specificForceZ(force.z())
             .specificForceSigma(tuning.get().forceSigma());
-    inertial.sensorName(sensorName() + INERTIAL);
+    inertial.sensorName(sensorName() + InertialMeasurement.SUFFIX);
     return inertial;
   }
 

@@ -246,6 +246,42 @@ class FusingStateEstimatorTest {
   }
 
   @Test
+  void callback_ratesAndGyroscopesOfOneBiasedSensor_headingStaysRight() {
+    kit.with("DOMAIN", "WATER").start(FusingStateEstimator::new);
+    double bias = 0.002; // rad/s, a tenth of GYRO BIAS SIGMA
+    for (int i = 1; i <= 20_000; i++) {
+      kit.advance(0.01);
+      InertialMeasurement imu =
+          new InertialMeasurement()
+              .rollRate(0.0)
+              .pitchRate(0.0)
+              .yawRate(bias)
+              .specificForceX(0.0)
+              .specificForceY(0.0)
+              .specificForceZ(-9.793);
+      imu.sensorName("IMU" + InertialMeasurement.SUFFIX);
+      sense(imu);
+      sense(
+          new StateInformation()
+              .sensorName("IMU")
+              .phi(0.0)
+              .theta(0.0)
+              .psi(Math.PI / 2.0)
+              .psiSigma(0.035)
+              .phiDot(0.0)
+              .thetaDot(0.0)
+              .psiDot(bias));
+      if (i % 20 == 0) {
+        sense(fix("GPS"));
+        sense(heading());
+      }
+    }
+
+    assertThat(state().psiDot().getAsDouble()).as("without the bias").isCloseTo(0.0, within(3e-4));
+    assertThat(state().psi().getAsDouble()).isCloseTo(Math.PI / 2.0, within(0.01));
+  }
+
+  @Test
   void state_onTheGroundWithoutPositionAndSpeedForFiveSeconds_saysNoPositionUntilAFix() {
     kit.with("DOMAIN", "GROUND").with("LOST SIGMA", 1000.0).start(FusingStateEstimator::new);
     drive(20.0);

@@ -14,6 +14,9 @@ import org.u2sa.messages.schema.Schema;
  * does not know this class receives a StateInformation.
  */
 public class InertialMeasurement extends StateInformation {
+  /** What follows the sensor's name in the name of this source, apart from that of its state. */
+  public static final String SUFFIX = " inertial";
+
   private static final Schema<InertialMeasurement> SCHEMA =
       Schema.of(InertialMeasurement.class, InertialMeasurement::blank, StateInformation.TYPE);
   private static final NumberField<InertialMeasurement> ROLL_RATE =

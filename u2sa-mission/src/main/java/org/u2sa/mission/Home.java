@@ -26,7 +26,7 @@ public record Home(
   private static final double FULL_TURN_RAD = 2.0 * Math.PI;
 
   /** Name of the goal to which a vehicle returns on command; also of the home's element. */
-  static final String NAME = "home";
+  public static final String NAME = "home";
 
   /** Reads {@code <home>}. */
   static Home read(XmlElement home) {

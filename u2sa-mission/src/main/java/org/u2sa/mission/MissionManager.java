@@ -1,5 +1,7 @@
 package org.u2sa.mission;
 
+import java.io.IOException;
+import java.nio.file.Paths;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -55,6 +57,7 @@ public final class MissionManager extends PeriodicService {
           double defaultThreshold) {}
 
   private static final String NAME = "MissionManager";
+  private static final String DIGEST = "MISSION DIGEST"; // in the hand-over
   private static final long MANUAL_NEWS_MICROS =
       5 * Clock.MICROS_PER_SECOND; // older: of another run
   private static final double LIMITS_CHECKED_HZ = 5.0;
@@ -73,6 +76,7 @@ public final class MissionManager extends PeriodicService {
   private final Resumable resumable;
   private final MessageTypes messageTypes;
   private final ReturnPlaces returnPlaces = new ReturnPlaces(() -> this.home);
+  private String digest = ""; // of the mission file as loaded
   private Optional<Waypoint> home = Optional.empty();
   private boolean beginsAnew = true; // false after a takeover
   private long repeatDueMicros; // of the current goals, for a planner unaware of them
@@ -123,6 +127,11 @@ public final class MissionManager extends PeriodicService {
 
   private GoalSequence load() {
     Mission mission = files.load(MissionVariables.MISSION, settings.get().mission(), thresholdM());
+    try {
+      digest = SavedMission.digest(Paths.get(mission.origin()));
+    } catch (IOException e) {
+      throw new BadInputException(mission.origin() + ": " + e.getMessage(), e);
+    }
     home = Optional.empty();
     return sequence(mission);
   }
@@ -193,6 +202,7 @@ public final class MissionManager extends PeriodicService {
   @Override
   protected void handOver(HandOver state) {
     state.text(MissionVariables.MISSION, settings.get().mission());
+    state.text(DIGEST, digest);
     state.number(MissionVariables.DEFAULT_THRESHOLD, thresholdM());
     limits.handOver(state);
     run.progress().handOver(state);
@@ -200,8 +210,11 @@ public final class MissionManager extends PeriodicService {
 
   @Override
   protected void takeOver(HandOver state) {
+    boolean isItsFile =
+        state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent();
+    // a recording executed again has a copy elsewhere
     boolean same =
-        state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent()
+        (isItsFile || state.text(DIGEST).filter(digest::equals).isPresent())
             && state.number(MissionVariables.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
     if (!same) {
       log(LogLevelEnum.WARN, "mission changed since the last run: starting it from its first goal");

@@ -55,6 +55,19 @@ class MissionRestartTest extends ThreeWaypoints {
   }
 
   @Test
+  void restart_copyOfTheMissionElsewhere_goesOnAtTheGoalItWasAt() throws IOException {
+    MissionManager before = kit.start(MissionManager::new);
+    complete("1");
+    Path copy = directory.resolve("copy.xml");
+    Files.copy(Path.of(before.getVariable("MISSION").toString()), copy);
+    kit.with("MISSION", copy.toString());
+
+    kit.restart(before, MissionManager::new);
+
+    assertThat(current()).containsExactly("2");
+  }
+
+  @Test
   void start_whatAnotherRunLeft_isForgotten() {
     MissionManager before = kit.start(MissionManager::new);
     complete("1");

@@ -293,7 +293,7 @@ final class WaypointState implements PlannerState {
           NavigationPoint.at(guidance.towards(vehicle, place, threshold, Optional.empty()))
               .speed(order.speedMps());
     }
-    return reached && waypoint.psi().isEmpty()
+    return reached && waypoint.psi().isEmpty() && isNearEnough(waypoint, pursuit.state())
         ? new Plan(List.of(point), Plan.Progress.COMPLETED, "reached, " + passing(waypoint, downM))
         : Plan.underWay(List.of(point));
   }

@@ -64,6 +64,23 @@ class WaypointAccuracyTest extends PlannedVehicle {
     assertThat(((Waypoint) report).horizontalThreshold()).isCloseTo(5.6, within(1e-9));
   }
 
+  private int reports(double fromM, double toM) {
+    for (double north = fromM; north <= toM; north += 0.5) {
+      kit.advance(0.1);
+      kit.publish(Channels.STATE, known(north, 1.0));
+    }
+    return kit.published(Channels.GOAL_REPORTS).size();
+  }
+
+  @Test
+  void goalReport_edgeOfTheThresholdWithTheUsualCornerLimit_waitsForTheAccuracy() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 100, 0).horizontalThreshold(4.0));
+
+    assertThat(reports(80.0, 97.5)).as("2.5 m before it, 2 sigma from the edge at 2 m").isZero();
+    assertThat(reports(98.0, 98.5)).isEqualTo(1);
+  }
+
   @Test
   void surelyWithinM_accuracy_isLeftAsAMargin() {
     assertThat(WaypointAccuracy.surelyWithinM(0.5, known(0, 0.05))).isCloseTo(0.4, within(1e-9));

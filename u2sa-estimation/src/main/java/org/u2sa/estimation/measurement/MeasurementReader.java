@@ -41,8 +41,11 @@ public final class MeasurementReader {
     StateField.FLUID_X_DOT_SIGMA, StateField.FLUID_Y_DOT_SIGMA, StateField.FLUID_Z_DOT_SIGMA
   };
 
+  private static final int MAX_INERTIAL = 64; // anybody may invent sensors
+
   private final UsualSigmas usual;
   private final Set<String> fluidSensors;
+  private final Set<String> inertialSensors = new TreeSet<>(); // names of their states
 
   /** Creates a reader that uses the given sigmas if a message has none, of all sensors. */
   public MeasurementReader(UsualSigmas usual) {
@@ -129,7 +132,7 @@ public final class MeasurementReader {
 
   private void readBody(StateInformation s, Measurement to) {
     vector(s, to, SensedQuantity.BODY_VELOCITY, VELOCITY, VELOCITY_SIGMA, usual.velocity());
-    vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
+    readRates(s, to);
     readFluid(s, to, 1.0);
     if (s instanceof InertialMeasurement inertial) {
       readInertial(inertial, to);
@@ -142,7 +145,17 @@ public final class MeasurementReader {
     s.phi().ifPresent(phi -> to.set(SensedQuantity.TILT, 0, phi, rollSigma));
     s.theta().ifPresent(theta -> to.set(SensedQuantity.TILT, 1, theta, pitchSigma));
     s.psi().ifPresent(psi -> to.heading(psi, sigma(s, StateField.PSI_SIGMA, usual.attitude())));
-    vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
+    readRates(s, to);
+  }
+
+  /**
+   * Reads Euler rates, except those of a sensor whose gyroscopes are read: they have the same bias,
+   * so as further measurements they would say that there is none.
+   */
+  private void readRates(StateInformation s, Measurement to) {
+    if (!inertialSensors.contains(s.sensorName())) {
+      vector(s, to, SensedQuantity.EULER_RATES, RATES, RATE_SIGMAS, usual.rate());
+    }
   }
 
   /** Reads speeds through the fluid; y points left in BODY, right in FRD. */
@@ -202,6 +215,11 @@ public final class MeasurementReader {
   }
 
   private void readInertial(InertialMeasurement m, Measurement to) {
+    String source = m.sensorName();
+    if (source.endsWith(InertialMeasurement.SUFFIX) && inertialSensors.size() < MAX_INERTIAL) {
+      int end = source.length() - InertialMeasurement.SUFFIX.length();
+      inertialSensors.add(source.substring(0, end));
+    }
     double rate = honest(m.angularRateSigma(), usual.rate(), MIN_ANGLE);
     double force = honest(m.specificForceSigma(), usual.force(), MIN_SIGMA);
     m.rollRate().ifPresent(v -> to.set(SensedQuantity.BODY_RATES, 0, v, rate));

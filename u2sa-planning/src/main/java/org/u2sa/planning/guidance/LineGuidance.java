@@ -50,6 +50,7 @@ public final class LineGuidance implements WaypointGuidance {
   private boolean turning; // already follows the next leg
   private double nearestM; // to the target, since heading for it or turning at it
   private double distanceM; // to the target
+  private double nearM; // within which a vehicle that turns on the spot may leave it
   private boolean passed;
   private OptionalLong steppedMicros = OptionalLong.empty(); // last step on this line
 
@@ -108,7 +109,7 @@ public final class LineGuidance implements WaypointGuidance {
 
   @Override
   public boolean isNearest() {
-    boolean turnsHere = turnsOnTheSpot() && distanceM <= settings.get().turns().cornerM();
+    boolean turnsHere = turnsOnTheSpot() && distanceM <= nearM;
     return turnsHere || passed || distanceM > nearestM + GROWN_M;
   }
 
@@ -130,6 +131,7 @@ public final class LineGuidance implements WaypointGuidance {
   public Point towards(Vehicle vehicle, Place target, double threshold, Optional<Place> after) {
     Point to = vehicle.nedOf(target);
     distanceM = Math.hypot(to.x(), to.y());
+    nearM = settings.get().turns().nearM(threshold);
     nearestM = Math.min(nearestM, distanceM);
     if (start.isEmpty() && isHeadingFor(vehicle, to)) {
       start = Optional.of(vehicle.place());

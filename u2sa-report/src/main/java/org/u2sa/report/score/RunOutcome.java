@@ -25,6 +25,9 @@ public record RunOutcome(
   /** Number of goals without a position, which are scored by completion. */
   public static final String GOALS_WITHOUT_PLACE = "goalsWithoutPlace";
 
+  /** Number of waypoints that were left out because enough others were chosen. */
+  public static final String WAYPOINTS_LEFT_OUT = "waypointsLeftOut";
+
   /** Number of tasks in the rules. */
   public static final String TASKS = "tasks";
 
@@ -42,7 +45,8 @@ public record RunOutcome(
     this(contacts, stalled, violations, Map.of(), Map.of());
   }
 
-  RunOutcome counting(String name, int count) {
+  /** Copy with another count. */
+  public RunOutcome counting(String name, int count) {
     Map<String, Integer> all = new LinkedHashMap<>(counts);
     all.put(name, count);
     return new RunOutcome(contacts, stalled, violations, all, figures);

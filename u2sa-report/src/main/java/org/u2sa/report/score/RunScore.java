@@ -67,13 +67,15 @@ public record RunScore(
   }
 
   /**
-   * Whether all waypoints were captured, at least one goal was planned, and the {@linkplain
-   * RunOutcome#isClean outcome is clean}: the condition for exit code 0.
+   * Whether all waypoints were captured that were not left out by choice, at least one goal was
+   * planned, and the {@linkplain RunOutcome#isClean outcome is clean}: the condition for exit code
+   * 0.
    */
   public boolean success() {
     boolean hasGoals =
         !waypoints.isEmpty()
             || outcome.counts().getOrDefault(RunOutcome.GOALS_WITHOUT_PLACE, 0) > 0;
-    return hasGoals && captured() == waypoints.size() && outcome.isClean();
+    int leftOut = outcome.counts().getOrDefault(RunOutcome.WAYPOINTS_LEFT_OUT, 0);
+    return hasGoals && captured() + leftOut == waypoints.size() && outcome.isClean();
   }
 }

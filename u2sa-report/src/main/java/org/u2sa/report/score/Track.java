@@ -60,6 +60,16 @@ public final class Track {
     samples.add(sample);
   }
 
+  /**
+   * Changes the target of the samples after a time, once it is known which of several goals was
+   * pursued. They are on no line between waypoints.
+   */
+  public void pursued(double afterS, int leg) {
+    for (int i = samples.size() - 1; i >= 0 && samples.get(i).timeS() > afterS; i--) {
+      samples.set(i, samples.get(i).towards(leg));
+    }
+  }
+
   /** Kept samples, oldest first; a view that must not be used while appending. */
   public List<TrackSample> samples() {
     return Collections.unmodifiableList(samples);

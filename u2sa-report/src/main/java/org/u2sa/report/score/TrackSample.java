@@ -68,6 +68,21 @@ public record TrackSample(
     }
   }
 
+  /** Copy with another target, on no line. */
+  TrackSample towards(int target) {
+    return new TrackSample(
+        timeS,
+        longitudeDeg,
+        latitudeDeg,
+        altitudeM,
+        headingRad,
+        groundSpeedMps,
+        0.0,
+        target,
+        phase,
+        flight);
+  }
+
   Geodetic place() {
     return new Geodetic(longitudeDeg, latitudeDeg, altitudeM);
   }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.cli.run.MavlinkLinks;
 import org.u2sa.cli.run.TroubleLines;
@@ -24,6 +25,7 @@ import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.report.score.RunDetails;
+import org.u2sa.report.score.RunOutcome;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.TrackSample;
 import org.u2sa.report.summary.RunReport;
@@ -158,8 +160,17 @@ record DemoRun(
               OptionalInt.of(observer.record().completed())),
           fenced(plan, running),
           observer.record().track(),
-          observer.outcome());
+          outcome(observer));
     }
+  }
+
+  /** The observer's, and how many waypoints the planner left out for others. */
+  private RunOutcome outcome(RunObserver observer) {
+    Set<String> leftOut = observer.record().leftOut();
+    int waypoints =
+        (int) plan.waypoints().stream().filter(at -> leftOut.contains(at.name())).count();
+    RunOutcome outcome = observer.outcome();
+    return waypoints == 0 ? outcome : outcome.counting(RunOutcome.WAYPOINTS_LEFT_OUT, waypoints);
   }
 
   /** Reports limitations of the planner immediately, such as unattainable thresholds. */

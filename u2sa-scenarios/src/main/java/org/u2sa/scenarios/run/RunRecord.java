@@ -1,12 +1,15 @@
 package org.u2sa.scenarios.run;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.schema.U2SAData;
+import org.u2sa.mission.Home;
 import org.u2sa.report.score.RunPlan;
 import org.u2sa.report.score.Track;
 import org.u2sa.report.score.TrackSample;
@@ -22,6 +25,12 @@ public final class RunRecord {
   private final RunPlan plan;
   private final Track track = new Track();
   private final Consumer<TrackSample> screen;
+  private final Set<String> leftOut = new HashSet<>();
+  private final Set<String> done = new HashSet<>();
+  private List<String> current = List.of(); // goals
+  private double currentAfterS = Double.NEGATIVE_INFINITY; // last sample before they were current
+  private double lastS = Double.NEGATIVE_INFINITY;
+  private boolean chosen; // whether one of the current goals was completed
   private int leg = -1;
   private boolean begun;
   private boolean onLine; // whether it came from the waypoint where the leg begins
@@ -45,15 +54,47 @@ public final class RunRecord {
     if (data instanceof GoalList goals) {
       follow(goals);
     } else if (data instanceof GoalInformation report) {
-      completed += report.completed() ? 1 : 0;
+      reported(report);
     } else {
       return false;
     }
     return true;
   }
 
+  /** A report says which of several current goals the planner has pursued. */
+  private void reported(GoalInformation report) {
+    boolean isCurrent = current.contains(report.uid());
+    boolean isOfTheMission = !report.uid().equals(Home.NAME) || names.contains(Home.NAME);
+    if (report.completed() && isOfTheMission) {
+      done.add(report.uid());
+      completed = done.size();
+      chosen |= isCurrent;
+    }
+    int at = names.indexOf(report.uid());
+    if (isCurrent && at >= 0 && at != leg) {
+      leg = at;
+      onLine = false;
+      track.pursued(currentAfterS, leg);
+    }
+  }
+
+  private void become(List<String> next) {
+    if (chosen) {
+      current.stream().filter(goal -> !next.contains(goal)).forEach(leftOut::add);
+    }
+    leftOut.removeAll(next);
+    leftOut.removeAll(done);
+    current = next;
+    currentAfterS = lastS;
+    chosen = false;
+  }
+
   private void follow(GoalList goals) {
     seen = false;
+    List<String> uids = goals.goals().stream().map(GoalInformation::uid).toList();
+    if (!uids.equals(current)) {
+      become(uids);
+    }
     missionOver |= goals.goals().isEmpty();
     int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
     if (next != leg) {
@@ -103,6 +144,7 @@ public final class RunRecord {
             phase,
             flight);
     track.append(sample);
+    lastS = sample.timeS();
     seen = true;
     readings++;
     screen.accept(sample);
@@ -111,6 +153,11 @@ public final class RunRecord {
   /** All samples; call only after the observer has stopped. */
   Track track() {
     return track;
+  }
+
+  /** Goals that were current and not completed, as enough others were; call as {@link #track}. */
+  Set<String> leftOut() {
+    return leftOut;
   }
 
   /** Whether the Mission Manager has no goal left. Thread-safe. */
@@ -123,7 +170,7 @@ public final class RunRecord {
     return readings;
   }
 
-  /** Number of goals reported completed. Thread-safe. */
+  /** Number of the mission's goals that were reported completed. Thread-safe. */
   public int completed() {
     return completed;
   }

@@ -161,6 +161,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
   @Override
   public RunOutcome outcome() {
+    record.leftOut().forEach(scorer::leftOut);
     return scorer.outcome();
   }
 
@@ -177,6 +178,9 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
 
     /** Processes a report on a goal. */
     default void reported(GoalInformation report) {}
+
+    /** A goal that was left out because enough others were chosen; before the outcome. */
+    default void leftOut(String goal) {}
 
     /** Additional channels besides goals, goal reports and arming state. */
     default List<Channel<?>> listensTo() {

@@ -34,7 +34,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final Geodetic origin;
   private final Clock clock;
   private final Set<String> unplaced;
-  private final Set<String> completed = new HashSet<>();
+  private final Set<String> completed = new HashSet<>(); // or left out by choice
   private final ZoneWatch zones;
   private final Errors position = new Errors();
   private final Errors heading = new Errors();
@@ -93,6 +93,11 @@ final class EstimateScorer implements TruthObserver.Scorer {
     if (report.completed()) {
       completed.add(report.uid());
     }
+  }
+
+  @Override
+  public void leftOut(String goal) {
+    completed.add(goal);
   }
 
   @Override

@@ -31,8 +31,8 @@ class RunRecordTest {
         name, 0.0, latitudeDeg, OptionalDouble.empty(), 1.0, OptionalDouble.empty());
   }
 
-  private double crossTrackM(GoalInformation goal) {
-    record.received(new GoalList().goals(List.of(goal)).upcoming(List.of()));
+  private double crossTrackM(GoalInformation... goals) {
+    record.received(new GoalList().goals(List.of(goals)).upcoming(List.of()));
     record.moment(samples.size(), EAST_DEG, 0.005, 0.0, 0.0, 1.0, "", Optional.empty());
     return samples.get(samples.size() - 1).crossTrackM();
   }
@@ -43,6 +43,50 @@ class RunRecordTest {
 
     assertThat(crossTrackM(new Waypoint().uid("b"))).isCloseTo(10.0, within(0.1));
     assertThat(crossTrackM(new Waypoint().uid("b"))).isCloseTo(10.0, within(0.1));
+  }
+
+  private static Waypoint done(String uid) {
+    Waypoint report = new Waypoint().uid(uid);
+    report.completed(true);
+    return report;
+  }
+
+  private List<Integer> legs() {
+    return record.track().samples().stream().map(TrackSample::leg).toList();
+  }
+
+  @Test
+  void received_secondOfTwoCurrentGoalsIsReported_wasTheTarget() {
+    crossTrackM(new Waypoint().uid("a"), new Waypoint().uid("b"));
+    record.received(done("b"));
+    crossTrackM(new Waypoint().uid("a"));
+    record.received(done("a"));
+    record.received(done("a"));
+    crossTrackM();
+
+    assertThat(legs()).containsExactly(1, 0, 2);
+    assertThat(record.leftOut()).isEmpty();
+    assertThat(record.completed()).isEqualTo(2);
+  }
+
+  @Test
+  void received_goalGoneAfterAnotherWasDone_isLeftOut() {
+    crossTrackM(new Waypoint().uid("a"), new Waypoint().uid("b"));
+    record.received(done("b"));
+    crossTrackM();
+
+    assertThat(record.leftOut()).containsExactly("a");
+  }
+
+  @Test
+  void received_goalGoneWithoutAReport_isNotLeftOut() {
+    crossTrackM(new Waypoint().uid("a"), new Waypoint().uid("b"));
+    crossTrackM(new Waypoint().uid("home"));
+    record.received(done("home"));
+    crossTrackM();
+
+    assertThat(record.leftOut()).isEmpty();
+    assertThat(record.completed()).as("home is no goal of the mission").isZero();
   }
 
   @Test

@@ -205,6 +205,13 @@ public final class Vessel implements SimulatedVehicle {
   }
 
   @Override
+  public boolean isAground() {
+    Point ned = BodyState.at(state, BodyState.NED);
+    Point place = Point.of(ned.y(), ned.x(), -ned.z());
+    return world.isAground(footprint, place, BodyState.attitude(state).psi());
+  }
+
+  @Override
   public OptionalDouble thrustN(String actuator) {
     int index = names.indexOf(actuator);
     return index < 0 ? OptionalDouble.empty() : model.thrustN(index, state);

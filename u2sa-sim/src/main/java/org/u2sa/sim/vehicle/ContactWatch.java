@@ -7,7 +7,10 @@ import java.util.function.Consumer;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.sim.world.World;
 
-/** Counts a vehicle's obstacle contacts; a continuous contact counts once. Not thread-safe. */
+/**
+ * Counts a vehicle's contacts with obstacles and, of vessels, with the ground; a continuous contact
+ * counts once. Not thread-safe.
+ */
 public final class ContactWatch {
   /**
    * Start of a contact.
@@ -16,6 +19,8 @@ public final class ContactWatch {
    * @param object the object touched
    */
   public record Contact(double timeS, ObjectDescription object) {}
+
+  private static final ObjectDescription GROUND = new ObjectDescription().uid("ground");
 
   private final Consumer<Contact> listener;
   private Set<String> touching = new HashSet<>();
@@ -30,11 +35,11 @@ public final class ContactWatch {
   /** Checks the vehicle's current state; call after every step. */
   public void look(SimulatedVehicle vehicle, VehicleTruth truth) {
     World world = vehicle.world().when(truth.timeS());
-    if (world.obstacles().isEmpty()) {
-      return;
-    }
     List<ObjectDescription> touched =
         world.contacts(vehicle.footprint(), truth.position(), truth.headingRad());
+    if (vehicle.isAground()) {
+      touched.add(GROUND);
+    }
     if (touched.isEmpty() && touching.isEmpty()) {
       return;
     }

@@ -42,6 +42,11 @@ public interface SimulatedVehicle {
   /** The world around the vehicle. */
   World world();
 
+  /** Whether it touches ground that it is not made to stand on. */
+  default boolean isAground() {
+    return false;
+  }
+
   /** Thrust of an actuator now, forward positive [N]; empty if the model computes none. */
   default OptionalDouble thrustN(String actuator) {
     return OptionalDouble.empty();

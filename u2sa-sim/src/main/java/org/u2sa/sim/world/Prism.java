@@ -1,5 +1,7 @@
 package org.u2sa.sim.world;
 
+import org.u2sa.messages.frame.Point;
+
 /** An upright prism over a convex polygon in world axes, for contact tests. */
 record Prism(double[] x, double[] y, double low, double high) {
   /** Its bounding box. */
@@ -15,6 +17,15 @@ record Prism(double[] x, double[] y, double low, double high) {
       north = Math.max(north, y[i]);
     }
     return new Bounds(west, south, low, east, north, high);
+  }
+
+  /** Whether a corner of its bottom, or the bottom at a place within, is in the ground. */
+  boolean isBelow(Terrain ground, Point within) {
+    boolean below = low < ground.heightM(within.x(), within.y());
+    for (int i = 0; i < x.length && !below; i++) {
+      below = low < ground.heightM(x[i], y[i]);
+    }
+    return below;
   }
 
   /** Vertical gap to a span from {@code bottom} to {@code top} [m]; 0 if they overlap in height. */

@@ -248,11 +248,26 @@ public final class World {
     ObstacleTree.Nearest none =
         new ObstacleTree.Nearest(Math.nextUp(rangeM), null); // includes hits exactly at the range
     ObstacleTree.Nearest hit = tree.isEmpty() ? none : tree.get().nearest(ray, none);
-    if (terrain == Terrain.flat() && water.map(all -> all.depthM(ray.z()) >= 0.0).orElse(false)) {
+    if (!hasBed() && water.map(all -> all.depthM(ray.z()) >= 0.0).orElse(false)) {
       return hit; // in the water: a world without terrain has no bed
     }
     double ground = terrain.distanceM(ray, Math.min(rangeM, hit.distanceM()));
     return ground < hit.distanceM() ? new ObstacleTree.Nearest(ground, null) : hit;
+  }
+
+  /** Whether there is ground below the water: without a terrain of its own the world has no bed. */
+  private boolean hasBed() {
+    return terrain != Terrain.flat();
+  }
+
+  /**
+   * Whether a hull touches the bed or the shore with a corner or below its reference point.
+   *
+   * @param place position of the reference point: east, north, up [m]
+   * @param headingRad heading, clockwise from north [rad]
+   */
+  public boolean isAground(Footprint hull, Point place, double headingRad) {
+    return hasBed() && hull.at(place, headingRad).isBelow(terrain, place);
   }
 
   /**

@@ -15,7 +15,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.sim.vehicle.VehicleRun;
 import org.u2sa.sim.vehicle.VehicleTruth;
+import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.Water;
 import org.u2sa.sim.world.World;
 
@@ -145,6 +147,24 @@ class VesselTest {
     }
 
     assertThat(other.truth()).isEqualTo(one.truth());
+  }
+
+  /** A bed that rises towards the east, at height 0 below the start; the hull is 0.25 m high. */
+  @Test
+  void isAground_hullInTheBed_isOneContactWithTheGround() {
+    World bay = POOL.with(new Terrain.Plane(0.1, 0.0)).with(new Water(3.0, 0.0, 0.0));
+    Vessel above = BlueRov2.at(bay, Point.of(0.0, 0.0, 0.3), 0.0);
+    Vessel below = BlueRov2.at(bay, Point.of(0.0, 0.0, -0.3), 0.0);
+
+    assertThat(above.isAground()).isFalse();
+    assertThat(below.isAground()).isTrue();
+    assertThat(BlueRov2.at(POOL, Point.of(0.0, 0.0, -0.3), 0.0).isAground()).as("no bed").isFalse();
+    VehicleRun run = new VehicleRun(below);
+    run.at(0L);
+    run.at(100_000L);
+    run.at(200_000L);
+    assertThat(run.contacts()).hasSize(1);
+    assertThat(run.contacts().get(0).object().uid()).isEqualTo("ground");
   }
 
   @Test
