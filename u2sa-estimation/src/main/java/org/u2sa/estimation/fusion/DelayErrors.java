@@ -11,7 +11,9 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  *
  * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain
  * along track in proportion to the uncertainty of τ; turns and speed changes make it observable if
- * other sensors measure them.
+ * other sensors measure them. Only then is τ corrected. Otherwise its uncertainty is considered
+ * (Schmidt 1966), and the model is linearised about a steady velocity: the noise of the estimated
+ * one would pass for information on τ.
  */
 final class DelayErrors {
   static final int NONE = -1;
@@ -21,6 +23,10 @@ final class DelayErrors {
   private static final double NOISE = 1e-3; // random walk of a delay, s per √s
   private static final double MIN_S = 0.03; // minimum delay to report
   private static final double SIGMAS = 3.0; // required significance
+  private static final double CHANGING_S = 2.0; // time constant of the steady velocity in a change
+  private static final double STEADY_S = 30.0; // otherwise
+  private static final double MIN_CHANGE_MPS = 0.3; // change of velocity that shows τ
+  private static final double MIN_CHANGE_SHARE = 0.15; // likewise, of the steady speed
 
   private final double sigmaS;
 
@@ -75,19 +81,36 @@ final class DelayErrors {
       return;
     }
     double late = s.x[FilterState.DELAYS + slot];
+    int velocity = isObservable(s) ? FilterState.V : FilterState.STEADY_V;
     int row = 0;
     for (int i = 0; i < quantity.size(); i++) {
       if (m.has(quantity, i)) {
         model.innovation[row] += late * s.x[FilterState.V + i];
         model.set(row, FilterState.VELOCITY + i, -late);
-        model.set(row, FilterState.DELAY + slot, -s.x[FilterState.V + i]);
+        model.set(row, FilterState.DELAY + slot, -s.x[velocity + i]);
         row++;
       }
     }
   }
 
-  /** Adds the random-walk noise of the delays. */
+  /** Whether the vehicle turns or changes its speed, so that positions show how late they are. */
+  static boolean isObservable(FilterState s) {
+    double north = s.x[FilterState.STEADY_V];
+    double east = s.x[FilterState.STEADY_V + 1];
+    double change = Math.hypot(s.x[FilterState.V] - north, s.x[FilterState.V + 1] - east);
+    double variance = s.variance(FilterState.VELOCITY) + s.variance(FilterState.VELOCITY + 1);
+    return change > MIN_CHANGE_MPS
+        && change > MIN_CHANGE_SHARE * Math.hypot(north, east)
+        && change > SIGMAS * Math.sqrt(variance);
+  }
+
+  /** Adds the random-walk noise of the delays, and updates the steady velocity. */
   static void wander(FilterState s, double dt) {
+    double share = Math.min(1.0, dt / (isObservable(s) ? CHANGING_S : STEADY_S));
+    for (int i = 0; i < 2; i++) {
+      s.x[FilterState.STEADY_V + i] +=
+          share * (s.x[FilterState.V + i] - s.x[FilterState.STEADY_V + i]);
+    }
     for (int slot = 0; slot < FilterState.DELAY_SLOTS; slot++) {
       if (s.delaySource[slot] != FilterState.NO_SOURCE) {
         s.p.data[(FilterState.DELAY + slot) * (FilterState.N + 1)] += NOISE * NOISE * dt;

@@ -60,7 +60,8 @@ final class FilterState {
   static final int PERSISTENT_ERRORS = 38; // in the order of the error state
   static final int PERSISTENT_VARIANCE = PERSISTENT_ERRORS + PERSISTENT_STATES; // by slot
   static final int DELAYS = PERSISTENT_VARIANCE + PERSISTENT_SLOTS; // s, by slot
-  private static final int SIZE = DELAYS + DELAY_SLOTS;
+  static final int STEADY_V = DELAYS + DELAY_SLOTS; // velocity before a change: north, east [m/s]
+  private static final int SIZE = STEADY_V + 2;
 
   private static final double A = 6_378_137.0; // semi-major axis [m], WGS-84 (NIMA TR8350.2)
   private static final double E2 = 6.694379990141316e-3; // first eccentricity squared

@@ -112,10 +112,12 @@ final class KalmanUpdate {
   /** Applies the prepared update to the state. */
   void apply(FilterState state, Linearization m) {
     Arrays.fill(dx, 0.0);
+    boolean isDelayObservable = DelayErrors.isObservable(state);
     for (int a = 0; a < touches; a++) {
       int i = touched[a];
+      boolean isCorrected = i < FilterState.DELAY || isDelayObservable;
       for (int c = 0; c < rows; c++) {
-        k[c][i] = product(g, i, inverse.data, c);
+        k[c][i] = isCorrected ? product(g, i, inverse.data, c) : 0.0;
         dx[i] += k[c][i] * m.innovation[c];
       }
       for (int c = 0; c < rows; c++) {

@@ -18,7 +18,9 @@ class DelayErrorsTest {
   private final SimulatedMotion truth = new SimulatedMotion(5);
   private final Measurement m = new Measurement();
   private final Deque<double[]> underWay = new ArrayDeque<>();
+  private double speed; // m/s
   private boolean isAhead;
+  private boolean hasNoWheels; // but a receiver that measures its velocity
   private double worst; // error in claimed sigmas, since the start
 
   /** Drives a rectangle: 8 s at 1 m/s, 2 s for a turn of a right angle on the spot. */
@@ -27,7 +29,8 @@ class DelayErrorsTest {
     for (long micros = 0; micros < seconds * 1e6; micros += 10_000L) {
       double phase = micros % 10_000_000L * 1e-6;
       boolean turns = !isStraight && phase >= 8.0;
-      double speed = turns ? 0.0 : isStraight ? 1.0 : Math.min(1.0, Math.min(phase, 8.0 - phase));
+      speed = turns ? 0.0 : isStraight ? 1.0 : Math.min(1.0, Math.min(phase, 8.0 - phase));
+      speed = hasNoWheels ? Math.min(1.0, 0.3 * micros * 1e-6) : speed;
       psi += turns ? 0.01 * Math.PI / 4.0 : 0.0;
       truth.p[0] += 0.01 * speed * Math.cos(psi);
       truth.p[1] += 0.01 * speed * Math.sin(psi);
@@ -37,7 +40,9 @@ class DelayErrorsTest {
         double noisy = psi + truth.gauss(0.005);
         filter.add(
             m.begin("Compass", now).heading(Math.IEEEremainder(noisy, 6.28318530718), 0.005));
-        filter.add(m.begin("Wheels", now).forward(speed + truth.gauss(0.01), 0.01));
+        if (!hasNoWheels) {
+          filter.add(m.begin("Wheels", now).forward(speed + truth.gauss(0.01), 0.01));
+        }
       }
       if (now % 100_000L == 0) {
         fix(now);
@@ -59,7 +64,11 @@ class DelayErrorsTest {
     Geodetic at =
         SimulatedMotion.HOME.fromNed(
             Point.of(then[1] + truth.gauss(SIGMA), then[2] + truth.gauss(SIGMA), 0.0));
-    filter.add(m.begin("GPS", now).place(at.latitudeDeg(), at.longitudeDeg(), SIGMA, SIGMA));
+    m.begin("GPS", now).place(at.latitudeDeg(), at.longitudeDeg(), SIGMA, SIGMA);
+    if (hasNoWheels) {
+      m.velocity(speed + truth.gauss(0.05), truth.gauss(0.05), 0.05); // straight to the north
+    }
+    filter.add(m);
   }
 
   private void look(long now) {
@@ -100,6 +109,15 @@ class DelayErrorsTest {
     Estimate e = filter.at(60_000_000L);
     assertThat(e.positionSigmaM(0)).isBetween(0.05, 0.12);
     assertThat(e.positionSigmaM(1)).isLessThan(0.03);
+  }
+
+  /** The noise of the estimated velocity is no information on the delay. */
+  @Test
+  void add_longStraightByVelocitiesOfTheReceiver_errorStaysWithinItsClaim() {
+    hasNoWheels = true;
+    drive(300.0, 0L, true);
+    assertThat(filter.at(300_000_000L).positionSigmaM(0)).isGreaterThan(0.03);
+    assertThat(worst).isLessThan(3.5);
   }
 
   /** A receiver never measures ahead of time, whatever the positions look like. */

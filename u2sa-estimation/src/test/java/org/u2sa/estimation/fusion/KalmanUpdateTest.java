@@ -43,6 +43,8 @@ class KalmanUpdateTest {
   void apply_anyMeasurement_isTheCorrectionByFullMatrices(int rows) {
     for (int run = 0; run < 30; run++) {
       begin(rows);
+      state.x[FilterState.STEADY_V] = 1e3;
+      state.x[FilterState.V] = 2e3; // a change by which delays are corrected, too
       DMatrixRMaj g = new DMatrixRMaj(N, rows);
       CommonOps_DDRM.multTransB(state.p, model.h, g);
       DMatrixRMaj s = new DMatrixRMaj(rows, rows);
@@ -79,6 +81,52 @@ class KalmanUpdateTest {
               .isCloseTo(expected.get(i, j), within(1e-10))
               .isEqualTo(state.p.get(j, i));
         }
+      }
+    }
+  }
+
+  /** Of any gain K, (I - K H) P (I - K H)ᵀ + K R Kᵀ; here that of delays is 0. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3})
+  void apply_steadyMotion_considersDelaysWithoutCorrectingThem(int rows) {
+    begin(rows);
+    DMatrixRMaj g = new DMatrixRMaj(N, rows);
+    CommonOps_DDRM.multTransB(state.p, model.h, g);
+    DMatrixRMaj s = new DMatrixRMaj(rows, rows);
+    CommonOps_DDRM.mult(model.h, g, s);
+    for (int i = 0; i < rows; i++) {
+      s.add(i, i, model.variance[i]);
+    }
+    DMatrixRMaj inverse = s.copy();
+    CommonOps_DDRM.invert(inverse);
+    DMatrixRMaj k = new DMatrixRMaj(N, rows);
+    CommonOps_DDRM.mult(g, inverse, k);
+    for (int i = FilterState.DELAY; i < N; i++) {
+      for (int c = 0; c < rows; c++) {
+        k.set(i, c, 0.0);
+      }
+    }
+    DMatrixRMaj left = CommonOps_DDRM.identity(N);
+    CommonOps_DDRM.multAdd(-1.0, k, model.h, left);
+    DMatrixRMaj half = new DMatrixRMaj(N, N);
+    CommonOps_DDRM.mult(left, state.p, half);
+    DMatrixRMaj expected = new DMatrixRMaj(N, N);
+    CommonOps_DDRM.multTransB(half, left, expected);
+    for (int c = 0; c < rows; c++) {
+      for (int i = 0; i < N; i++) {
+        for (int j = 0; j < N; j++) {
+          expected.add(i, j, k.get(i, c) * model.variance[c] * k.get(j, c));
+        }
+      }
+    }
+
+    update.prepare(state, model, 1.0);
+    update.apply(state, model);
+
+    assertThat(state.x[FilterState.DELAYS]).isZero();
+    for (int i = 0; i < N; i++) {
+      for (int j = 0; j < N; j++) {
+        assertThat(state.p.get(i, j)).isCloseTo(expected.get(i, j), within(1e-9));
       }
     }
   }
