@@ -19,6 +19,7 @@ final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
   private static final double LOW_M = 3.0; // height above the ground given by the goal
+  private static final double SINKS_SHARE = 0.2; // fraction of the touch-down sink rate, in the air
 
   /** One way to land. */
   interface Descent {
@@ -30,7 +31,9 @@ final class LandingState implements PlannerState {
   private final Supplier<LineSettings> lines;
   private final Descent straight;
   private final Descent vertical;
+  private final Supplier<FlightVariables> settings;
   private long sinceMicros = Long.MIN_VALUE; // it has stopped
+  private double sinceDownM; // remaining then [m]
 
   LandingState(
       Detour detour,
@@ -38,6 +41,7 @@ final class LandingState implements PlannerState {
       StationCircle circle,
       Supplier<FlightVariables> settings) {
     this.lines = lines;
+    this.settings = settings;
     straight = new StraightApproach(detour, lines, circle, settings);
     vertical = new VerticalDescent(detour, lines, settings);
   }
@@ -69,18 +73,25 @@ final class LandingState implements PlannerState {
     Landing goal = (Landing) pursuit.goal();
     Vehicle vehicle = Vehicle.of(pursuit.state()).orElseThrow();
     Plan plan = descent().plan(goal, pursuit.state(), vehicle);
-    boolean isLow = vehicle.nedOf(Place.of(goal)).z() < LOW_M;
+    double downM = vehicle.nedOf(Place.of(goal)).z();
     double climbMps = pursuit.state().zDot().orElse(0.0);
-    if (!isLow || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
+    if (downM >= LOW_M || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
       sinceMicros = Long.MIN_VALUE;
       return plan;
     }
     long now = vehicle.timestampMicros();
     if (sinceMicros == Long.MIN_VALUE) {
       sinceMicros = now;
+      sinceDownM = downM;
     }
-    return Clock.seconds(now - sinceMicros) < STANDS_S
-        ? plan
-        : new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
+    double stillS = Clock.seconds(now - sinceMicros);
+    if (stillS < STANDS_S) {
+      return plan;
+    }
+    if (sinceDownM - downM > SINKS_SHARE * settings.get().touchDownSink() * stillS) {
+      sinceMicros = Long.MIN_VALUE; // it still sinks, slowly
+      return plan;
+    }
+    return new Plan(List.copyOf(plan.points()), Plan.Progress.COMPLETED, "stands");
   }
 }

@@ -259,6 +259,23 @@ class FlightGoalsTest {
   }
 
   @Test
+  void landing_slowTouchDown_isNotCompletedInTheAir() {
+    kit.with("TOUCH DOWN SINK", 0.2).start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -2.5);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    while (kit.nowS() < 60.0 && reports().isEmpty()) {
+      step(0.2);
+      if (ned.z() > 0.0) {
+        ned = Point.ORIGIN; // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(ned.z()).isGreaterThan(-0.1);
+  }
+
+  @Test
   void landing_towerBeforeTheMultirotor_isFlownAround() {
     tower("GRID", 60.0, 10.0);
     kit.start(PathPlanner::new);

@@ -62,7 +62,8 @@ final class Cascade {
     aim(motion, target);
     boolean leans = settings.leans();
     if (leans) {
-      ground.step(target.way().orElse(Point.ORIGIN).z(), wanted[HEAVE], motion, stepS);
+      double toGoDownM = target.way().orElse(Point.ORIGIN).z();
+      ground.step(toGoDownM, wanted[HEAVE], measured[HEAVE], attained[HEAVE], stepS);
       if (ground.stands()) {
         rest();
         Arrays.fill(wrench, 0.0);

@@ -2,50 +2,70 @@ package org.u2sa.control.cascade;
 
 /**
  * Whether an aircraft is on the ground, where it must not lift its weight. It counts as airborne
- * once its target is above it or it moves, and as landed when it does not sink although commanded
- * to. Not thread-safe.
+ * once its target is above it or it moves vertically, and as landed when the ground carries weight:
+ * it is commanded to sink, its lift is reduced, and it does not gain the speed that the missing
+ * lift would give it. Noise of the measured velocity does not hide that, nor does wind that pushes
+ * it along the ground. Not thread-safe.
  */
 final class GroundWatch {
   private static final double ABOVE_M = 0.3; // minimum height of a target that implies taking off
-  private static final double MOVES_MPS = 1.0;
+  private static final double MOVES_MPS = 1.0; // vertically
   private static final double SINKS_MPS = 0.1; // wanted at least
-  private static final double STILL_MPS = 0.05;
+  private static final double SINKS_SHARE = 0.5; // of the wanted speed, in flight
+  private static final double STANDS_MPS = 1.5; // of missing speed
+  private static final double USUAL_S = 1.0;
+  private static final double FORGETS_S = 0.5; // gusts and lag of the rotors
   private static final double SURE_S = 1.0;
 
   private boolean stands = true;
-  private double stillS;
+  private double usualMps2; // of the commanded acceleration in steady flight: error of the mass
+  private double missingMps;
+  private double beforeMps;
+  private double hinderedS; // it has not sunk as wanted for so long
 
   /**
    * Processes a step.
    *
    * @param toGoDownM vertical distance to the target, down positive [m]; 0 without one
    * @param wantedDownMps wanted vertical speed [m/s]
-   * @param motion motion of the vehicle
+   * @param downMps vertical speed [m/s]
+   * @param attainedMps2 vertical acceleration that lift and gravity would give, down positive
    */
-  void step(double toGoDownM, double wantedDownMps, BodyMotion motion, double stepS) {
-    double speed = motion.velocity().distance();
-    if (toGoDownM < -ABOVE_M || speed > MOVES_MPS) {
-      flies();
+  void step(
+      double toGoDownM, double wantedDownMps, double downMps, double attainedMps2, double stepS) {
+    double gainedMps = downMps - beforeMps;
+    beforeMps = downMps;
+    if (stands && toGoDownM >= -ABOVE_M && Math.abs(downMps) <= MOVES_MPS) {
       return;
     }
-    boolean isStill = wantedDownMps > SINKS_MPS && speed < STILL_MPS;
-    stillS = isStill ? stillS + stepS : 0.0;
-    stands |= stillS > SURE_S;
+    if (stands) {
+      flies();
+    }
+    missingMps += (attainedMps2 - usualMps2) * stepS - gainedMps;
+    missingMps -= Math.min(1.0, stepS / FORGETS_S) * missingMps;
+    if (wantedDownMps < SINKS_MPS || downMps > SINKS_SHARE * wantedDownMps) {
+      usualMps2 += Math.min(1.0, stepS / USUAL_S) * (attainedMps2 - usualMps2);
+      hinderedS = 0.0;
+    } else {
+      hinderedS += stepS;
+    }
+    stands = hinderedS > SURE_S && missingMps > STANDS_MPS;
   }
 
   boolean stands() {
     return stands;
   }
 
-  /** The vehicle was in flight when its control was replaced. */
+  /** It is in flight, also when its control was replaced. */
   void flies() {
     stands = false;
-    stillS = 0.0;
+    missingMps = 0.0;
+    hinderedS = 0.0;
   }
 
   /** The vehicle was disarmed. */
   void rest() {
     stands = true;
-    stillS = 0.0;
+    usualMps2 = 0.0;
   }
 }

@@ -67,6 +67,40 @@ class MultirotorFlightTest {
     }
   }
 
+  /** The wind pushes the landed aircraft along; a noisy velocity never shows standstill. */
+  @ParameterizedTest
+  @CsvSource({"10, 0", "10, 0.15"})
+  void fly_downInWind_landsUprightAndStopsItsRotors(double windMps, double errorMps) {
+    try (RotorFlight flight = new RotorFlight(4, Wind.constant(0.8, windMps))) {
+      flight.velocityErrorMps = errorMps;
+      flight.target = Point.of(0.0, 0.0, -6.0);
+      flight.fly(15.0);
+
+      flight.target = Point.of(0.5, 0.5, 0.5); // below the ground, and where the wind comes from
+      flight.fly(30.0);
+
+      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.aircraft.stands()).isTrue();
+      assertThat(flight.kit.percent("ROTOR 1")).isZero();
+      assertThat(flight.fastestMps(15.0)).isLessThan(0.01);
+    }
+  }
+
+  /** A slow descent with a noisy velocity is not taken for the ground. */
+  @Test
+  void fly_slowlyDownWithNoise_staysInTheAir() {
+    try (RotorFlight flight = new RotorFlight(4, Wind.constant(0.8, 6.0))) {
+      flight.velocityErrorMps = 0.2;
+      flight.target = Point.of(0.0, 0.0, -20.0);
+      flight.fly(20.0);
+      for (int i = 0; i < 40; i++) {
+        flight.target = Point.of(0.0, 0.0, -20.0 + 0.15 * i); // stepwise down
+        flight.fly(1.0);
+        assertThat(flight.worstM(0.5)).isLessThan(1.0);
+      }
+    }
+  }
+
   @Test
   void navigationStops_inFlight_hoversWhereItIs() {
     try (RotorFlight flight = new RotorFlight(6, Wind.constant(0.3, 5.0))) {

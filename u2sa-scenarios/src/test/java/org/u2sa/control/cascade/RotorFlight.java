@@ -45,6 +45,7 @@ final class RotorFlight implements AutoCloseable {
   private final VehicleRun run;
   private ControlSystem control;
   Point target = Point.of(0.0, 0.0, -STANDS_M); // north, east, down [m]
+  double velocityErrorMps; // amplitude of a slow error of the measured velocity
 
   RotorFlight(int rotors, Wind wind) {
     this(IntStream.range(0, rotors).map(i -> i % 2 == 0 ? 1 : -1).toArray(), wind);
@@ -186,15 +187,16 @@ final class RotorFlight implements AutoCloseable {
     VehicleTruth truth = run.at(kit.clock().micros());
     track.add(truth);
     Point rates = truth.attitude().eulerRates(truth.rates());
+    double errorMps = velocityErrorMps * Math.sin(2.0 * kit.nowS());
     StateInformation state =
         new StateInformation()
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .x(truth.position().y())
             .y(truth.position().x())
             .z(-truth.position().z())
-            .xDot(truth.velocity().y())
-            .yDot(truth.velocity().x())
-            .zDot(-truth.velocity().z())
+            .xDot(truth.velocity().y() + errorMps)
+            .yDot(truth.velocity().x() - errorMps)
+            .zDot(-truth.velocity().z() + errorMps)
             .phi(signed(truth.attitude().phi()))
             .theta(truth.attitude().theta())
             .psi(truth.attitude().psi())
