@@ -250,24 +250,25 @@ final class Fuser {
   }
 
   private static void used(FilterState s, SensedQuantity quantity) {
+    long now = Math.max(1L, s.micros); // 0 means never, but simulated time begins there
     switch (quantity) {
       case PLACE:
       case LOCAL_PLACE:
       case LANDMARK:
-        s.positionMicros = s.micros;
+        s.positionMicros = now;
         break;
       case VELOCITY:
       case BODY_VELOCITY:
-        s.velocityMicros = s.micros;
+        s.velocityMicros = now;
         break;
       case HEADING:
-        s.headingMicros = s.micros;
+        s.headingMicros = now;
         break;
       case TILT:
-        s.tiltMicros = s.micros;
+        s.tiltMicros = now;
         break;
       case FLUID_VELOCITY:
-        s.fluidMicros = s.micros;
+        s.fluidMicros = now;
         break;
       default:
         break;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 import org.u2sa.estimation.measurement.Measurement;
+import org.u2sa.estimation.measurement.SensedQuantity;
 
 /** Wind, wheel-speed scale, inertial sensors that come and go, and the start without a compass. */
 class OptionalStatesTest {
@@ -129,5 +130,21 @@ class OptionalStatesTest {
       filter.add(m);
     }
     assertThat(filter.at(20_000_000L).longitudeDeg()).isCloseTo(-179.9999, within(2e-5));
+  }
+
+  /** Simulated time begins at 0: a first fix at that time is one. */
+  @Test
+  void add_takeOffAfterOneFixAtTimeZero_velocityFollowsTheSpecificForce() {
+    ErrorStateFilter filter = new ErrorStateFilter(FilterTuning.of(MotionDomain.AIR));
+    filter.add(truth.fix(m, "GPS", 0.05, 0.05, 1.0));
+    m.begin("Compass", 0L).heading(0.0, 0.01);
+    m.set(SensedQuantity.TILT, 0, 0.0, 0.01);
+    m.set(SensedQuantity.TILT, 1, 0.0, 0.01);
+    filter.add(m);
+    for (long micros = 20_000L; micros <= 900_000L; micros += 20_000L) {
+      m.begin("IMU", micros).bodyRates(0.0, 0.0, 0.0, 0.001);
+      filter.add(m.specificForce(0.0, 0.0, -13.8, 0.05)); // 4 m/s² upward
+    }
+    assertThat(filter.at(900_000L).velocityMps(2)).isCloseTo(-3.5, within(0.5));
   }
 }
