@@ -3,6 +3,7 @@ package org.u2sa.core.safety;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.ByteArrayInputStream;
+import java.io.File;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlReader;
@@ -48,9 +49,9 @@ record GivenFence(String file, String xml, Fence fence) {
     return of(file, xml, marginM);
   }
 
-  /** The fence as published. */
+  /** The fence as published: by its file's name, since a recording runs again in another folder. */
   FenceState state(double marginM) {
-    FenceState state = new FenceState().file(file).margin(marginM);
+    FenceState state = new FenceState().file(new File(file).getName()).margin(marginM);
     state.rally(
         fence.rally().stream()
             .filter(point -> fence.objection(point).isEmpty())

@@ -75,7 +75,7 @@ class FenceOrdersTest extends WatchedVehicle {
     live(0.2);
 
     assertThat(fence().fence()).contains("\n" + square(-50, 50));
-    assertThat(fence().file()).contains(folder.resolve("configured.xml").toString());
+    assertThat(fence().file()).contains("configured.xml");
     assertThat(fence().margin()).isEqualTo(2.0);
   }
 

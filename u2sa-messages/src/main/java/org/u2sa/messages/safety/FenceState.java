@@ -42,7 +42,7 @@ public final class FenceState extends U2SAData {
     return put(FENCE, value);
   }
 
-  /** File of the fence, or the operator who ordered it; empty: no fence is in force. */
+  /** File name of the fence, or the operator who ordered it; empty: no fence is in force. */
   public Optional<String> file() {
     return Optional.ofNullable(get(FILE));
   }
