@@ -133,6 +133,19 @@ class RecordedDriveTest {
     assertThat(unknown.toString()).contains("PathPlaner").contains("PathPlanner");
   }
 
+  /** The fence of the shipped mission is a file, which the repetition reads from another folder. */
+  @Test
+  void rerun_driveWithinAFence_isIdentical() {
+    Path out = folder.resolve("fenced");
+    CommandLineRun run = CommandLineRun.demo("ugv", out, "--loops", "1", "--seed=1", "--record");
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    StringWriter same = new StringWriter();
+    replay(same, out.resolve("recording.mcap").toString(), "--rerun", "SafetyManager");
+    assertThat(same.toString())
+        .containsPattern("SafetyManager +fence +1 +1 +1")
+        .contains("\nIdentical: ");
+  }
+
   @Test
   void rerun_servicesSwappedWhileDriving_thoseBeforeAndAfterAreIdentical() throws IOException {
     CommandLineRun run =
