@@ -23,7 +23,8 @@ import org.u2sa.service.ServiceContext;
  * Publishes a tracking radar's targets as moving keep-out spheres, in GLOBAL, once per measurement
  * (thesis 4.4.1.3). In: state in GLOBAL, to position the targets; nothing is published before the
  * first state with a heading. Out: sensed-objects, uid {@code traffic}, the service's name and the
- * track number.
+ * track number. A measurement without a target is published as a sphere of confidence 0, so that an
+ * empty sea can be told from a silent radar.
  */
 public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
   private static final SensorKind<TrackingRadar> KIND =
@@ -83,8 +84,25 @@ public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
                   radar.tracks().stream()
                       .map(track -> target(track, state))
                       .collect(Collectors.toList());
+              if (targets.isEmpty()) {
+                return Stream.of(nothing(state, radar.measuredAtMicros()));
+              }
               return spheres.of(new TrafficReceiver.Traffic(radar.measuredAtMicros(), targets));
             });
+  }
+
+  private MovingSphere nothing(StateInformation state, long measuredAtMicros) {
+    MovingSphere none = new MovingSphere().radius(1.0);
+    none.uid("traffic " + sensorName())
+        .objectType("nothing")
+        .confidence(0.0)
+        .referenceFrame(ReferenceFrame.GLOBAL)
+        .x(state.x().getAsDouble())
+        .y(state.y().getAsDouble())
+        .z(altitudeM())
+        .sensorName(sensorName());
+    none.timestamp(measuredAtMicros);
+    return none;
   }
 
   private TrafficTarget target(TrackingRadar.Track track, StateInformation state) {

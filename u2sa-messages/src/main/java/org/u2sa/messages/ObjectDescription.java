@@ -117,7 +117,10 @@ public class ObjectDescription extends U2SAData {
     return put(LEVEL, level);
   }
 
-  /** Confidence that the object exists [0…1]; empty if unknown. */
+  /**
+   * Confidence that the object exists [0…1]; empty if unknown. A sensor that has looked and seen
+   * nothing may say so by an object of confidence 0, which is on no map.
+   */
   public OptionalDouble confidence() {
     return get(CONFIDENCE);
   }

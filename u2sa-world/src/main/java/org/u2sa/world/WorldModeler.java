@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
@@ -241,8 +242,15 @@ public final class WorldModeler extends PeriodicService {
     } else {
       sensors.sighting(seen.get(0).sensorName(), micros);
     }
+    List<ObjectDescription> there =
+        seen.stream()
+            .filter(each -> each.confidence().orElse(1.0) > 0.0) // 0: the sensor sees nothing
+            .collect(Collectors.toList());
+    if (there.isEmpty()) {
+      return;
+    }
     Sighting placed = sighting.orElse(new Sighting(micros, frame, Optional.empty()));
-    modellers.working().values().forEach(modeller -> modeller.objects(seen, placed));
+    modellers.working().values().forEach(modeller -> modeller.objects(there, placed));
   }
 
   private void scan(RangeScan scan) {

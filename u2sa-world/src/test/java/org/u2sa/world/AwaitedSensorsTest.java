@@ -144,6 +144,19 @@ class AwaitedSensorsTest {
     assertThat(awaited()).containsExactly("Camera", "Lidar");
   }
 
+  /** As a radar on an empty sea. */
+  @Test
+  void expectedSensorSeesNothing_isNotAwaitedAndMapsNothing() {
+    world.kit.with("MODELLERS", "OBJECTS").with("EXPECTED SENSORS", "Camera");
+    world.kit.start(WorldModeler::new);
+    for (int i = 0; i < 30; i++) {
+      world.kit.send(Channels.SENSED_OBJECTS, seen("none", 3.0, 0.0).confidence(0.0));
+      world.stand(1);
+    }
+    assertThat(awaited()).isEmpty();
+    assertThat(world.objects()).isEmpty();
+  }
+
   @Test
   void swap_scannerSilentSince_isAwaited() {
     world.kit.with("MODELLERS", "OBJECTS");

@@ -14,9 +14,9 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A marine radar that sends its tracked targets by NMEA 0183 (TTM). Targets being acquired are
- * ignored; lost targets, and those silent for a minute, are dropped, and so are later targets
- * beyond a thousand.
+ * A marine radar that sends its tracked targets by NMEA 0183 (TTM), and the settings of its screen
+ * (RSD), which show that it works while it has no target. Targets being acquired are ignored; lost
+ * targets, and those silent for a minute, are dropped, and so are later targets beyond a thousand.
  */
 public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implements TrackingRadar {
   private static final double MAX_RANGE_M = 500_000.0;
@@ -40,17 +40,24 @@ public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implemen
     // 1 number, 2 distance, 3 bearing, 4 T or R, 5 speed, 6 course, 7 T or R, 10 unit of distance
     // and of speed per hour, 12 status: T tracking, Q acquiring, L lost
     Optional<Tracks> read(NmeaSentence sentence, long nowMicros) {
-      if (!sentence.is("TTM")) {
+      boolean isTarget = sentence.is("TTM");
+      if (!isTarget && !sentence.is("RSD")) {
         return Optional.empty();
       }
-      String id = String.valueOf((int) number(sentence, 1, "target", 0.0, MAX_ID));
       byId.values().removeIf(each -> nowMicros - each.measuredAtMicros() > FORGOTTEN_AFTER_MICROS);
+      if (isTarget) {
+        take(sentence, nowMicros);
+      }
+      return Optional.of(new Tracks(nowMicros, List.copyOf(byId.values())));
+    }
+
+    private void take(NmeaSentence sentence, long nowMicros) {
+      String id = String.valueOf((int) number(sentence, 1, "target", 0.0, MAX_ID));
       if (!sentence.field(12).equals("T")) {
         byId.remove(id);
       } else if (byId.size() < MOST || byId.containsKey(id)) {
         byId.put(id, track(sentence, id, nowMicros));
       }
-      return Optional.of(new Tracks(nowMicros, List.copyOf(byId.values())));
     }
 
     private static Track track(NmeaSentence sentence, String id, long nowMicros) {

@@ -111,4 +111,15 @@ class RadarSensorTest {
 
     assertThat(kit.published(Channels.SENSED_OBJECTS)).hasSize(1);
   }
+
+  @Test
+  void step_noTarget_isSaidWithConfidenceZero() {
+    start();
+    state();
+    hear("RARSD,,,,,,,,,,,6.0,N,H");
+
+    assertThat(last().confidence()).hasValue(0.0);
+    assertThat(last().sensorName()).isEqualTo("RadarSensor");
+    assertThat(HERE.distanceM(new Geodetic(last().x(), last().y(), 0.0))).isLessThan(0.1);
+  }
 }
