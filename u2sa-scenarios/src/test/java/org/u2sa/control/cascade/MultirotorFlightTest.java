@@ -61,7 +61,7 @@ class MultirotorFlightTest {
       flight.target = Point.of(0.0, 0.0, 1.0); // below the ground
       flight.fly(15.0);
 
-      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.aircraft.isAground()).isFalse();
       assertThat(flight.aircraft.stands()).isTrue();
       assertThat(flight.kit.percent("ROTOR 1")).isZero();
     }
@@ -79,7 +79,7 @@ class MultirotorFlightTest {
       flight.target = Point.of(0.5, 0.5, 0.5); // below the ground, and where the wind comes from
       flight.fly(30.0);
 
-      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.aircraft.isAground()).isFalse();
       assertThat(flight.aircraft.stands()).isTrue();
       assertThat(flight.kit.percent("ROTOR 1")).isZero();
       assertThat(flight.fastestMps(15.0)).isLessThan(0.01);
@@ -138,7 +138,7 @@ class MultirotorFlightTest {
       flight.aircraft.weaken("ROTOR 3", 0.0);
       flight.fly(20.0);
 
-      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.aircraft.isAground()).isFalse();
       assertThat(flight.worstM(5.0)).isLessThan(0.5);
     }
   }
@@ -158,7 +158,7 @@ class MultirotorFlightTest {
       flight.aircraft.weaken("ROTOR " + rotor, 0.0);
       flight.fly(20.0);
 
-      assertThat(flight.aircraft.crashed()).isFalse();
+      assertThat(flight.aircraft.isAground()).isFalse();
       assertThat(flight.worstM(5.0)).isLessThan(2.0);
     }
   }

@@ -82,7 +82,7 @@ class SmallAircraftFlightTest {
         assertThat(flight.flyTo(place, 15.2, 90.0)).as("reaches %s", place).isTrue();
       }
 
-      assertThat(aircraft.crashed()).isFalse();
+      assertThat(aircraft.isAground()).isFalse();
     }
   }
 
@@ -152,7 +152,7 @@ class SmallAircraftFlightTest {
         assertThat(flight.flyTo(place, 15.2, 90.0)).as("reaches %s", place).isTrue();
       }
 
-      assertThat(aircraft.crashed()).isFalse();
+      assertThat(aircraft.isAground()).isFalse();
     }
   }
 }

@@ -327,6 +327,12 @@ public final class Cessna172 implements SimulatedVehicle {
     return truth.velocity().minus(Point.of(ned.y(), ned.x(), -ned.z()));
   }
 
+  /** {@inheritDoc} So it does from a crash on. */
+  @Override
+  public boolean isAground() {
+    return crashed;
+  }
+
   @Override
   public Footprint footprint() {
     return footprint;

@@ -214,6 +214,12 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     steps.step(dtS, this::tick);
   }
 
+  /** {@inheritDoc} So it does from a crash on: a leg has broken, or it has tipped over. */
+  @Override
+  public boolean isAground() {
+    return crashed;
+  }
+
   private void tick() {
     if (crashed || isHeld()) {
       return;
@@ -286,11 +292,6 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     body.air.gustP = wind.gusts().rollRadPerS();
     body.air.gustQ = wind.gusts().pitchRadPerS();
     body.air.gustR = wind.gusts().yawRadPerS();
-  }
-
-  /** Whether it has crashed. */
-  public boolean crashed() {
-    return crashed;
   }
 
   /** Whether a leg touches the ground. */

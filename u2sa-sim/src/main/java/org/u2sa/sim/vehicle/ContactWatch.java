@@ -8,8 +8,8 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.sim.world.World;
 
 /**
- * Counts a vehicle's contacts with obstacles and, of vessels, with the ground; a continuous contact
- * counts once. Not thread-safe.
+ * Counts a vehicle's contacts with obstacles and with ground that it is not made to stand on; a
+ * continuous contact counts once. Not thread-safe.
  */
 public final class ContactWatch {
   /**

@@ -180,7 +180,7 @@ class FixedWingTest {
       aircraft.step(0.02);
     }
 
-    assertThat(aircraft.crashed()).isFalse();
+    assertThat(aircraft.isAground()).isFalse();
     assertThat(aircraft.truth().position().z()).isGreaterThan(10.0);
     assertThat(aircraft.truth().speedMps()).isBetween(12.0, 45.0);
   }
@@ -200,7 +200,7 @@ class FixedWingTest {
 
     assertThat(stood.distance()).isLessThan(0.5);
     assertThat(rolled).isTrue();
-    assertThat(aircraft.crashed()).isFalse();
+    assertThat(aircraft.isAground()).isFalse();
     assertThat(aircraft.truth().position().z()).isGreaterThan(3.0);
   }
 

@@ -133,7 +133,7 @@ class MultirotorTest {
     aircraft.step(2.0);
 
     assertThat(height).isGreaterThan(1.0);
-    assertThat(aircraft.crashed()).isFalse();
+    assertThat(aircraft.isAground()).isFalse();
     assertThat(aircraft.truth().speedMps()).isLessThan(0.001);
     assertThat(aircraft.truth().position().z()).isCloseTo(Hummingbird.STANDS_M, within(0.02));
   }
@@ -144,7 +144,7 @@ class MultirotorTest {
 
     aircraft.step(10.0);
 
-    assertThat(aircraft.crashed()).isTrue();
+    assertThat(aircraft.isAground()).isTrue();
     assertThat(aircraft.truth().velocity().distance()).isZero();
     assertThat(aircraft.truth().position().z()).isBetween(-0.2, 0.2);
   }

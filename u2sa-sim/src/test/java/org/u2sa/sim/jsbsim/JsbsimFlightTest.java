@@ -164,7 +164,7 @@ class JsbsimFlightTest {
     aircraft.command("RUDDER", 0.0);
     aircraft.command("ELEVATOR", -0.25);
     aircraft.step(20.0);
-    assertThat(aircraft.crashed()).isFalse();
+    assertThat(aircraft.isAground()).isFalse();
     assertThat(aircraft.truth().position().z()).isGreaterThan(5.0);
     assertThat(aircraft.energyJ().orElseThrow()).isBetween(0.5e6, 1.8e6);
   }

@@ -128,7 +128,7 @@ class UbloxReceiverTest {
     assertThat(UbloxSettings.binary(9_600, 9.0).rateHz()).isEqualTo(9.0);
     assertThatThrownBy(() -> UbloxSettings.binary(9_600, 10.0))
         .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage("baud: 9600 carries less than 10.0 positions of 104 bytes a second");
+        .hasMessage("baud: 9600 carries less than 10.0 positions of 104 bytes per second");
   }
 
   private static byte[] ubx(int messageClass, int id, int... payload) {
