@@ -88,7 +88,7 @@ class ServiceCommandsTest extends CommandFixture {
   @Test
   void services_publishingWhatNobodyHas_saysSoAndFails() {
     assertThat(run("services", "--publishing", "ObjectList")).isEqualTo(ExitCode.FAILED);
-    assertThat(out.toString()).contains("Nobody publishes ObjectList.");
+    assertThat(out.toString()).contains("No service publishes ObjectList.");
   }
 
   @Test
