@@ -19,6 +19,7 @@ final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
   private static final double LOW_M = 3.0; // height above the ground given by the goal
+  private static final double SIGMAS = 2.0; // by which the height may be wrong
   private static final double SINKS_SHARE = 0.2; // fraction of the touch-down sink rate, in the air
 
   /** One way to land. */
@@ -26,6 +27,9 @@ final class LandingState implements PlannerState {
     void begin(Landing goal, StateInformation state, Vehicle vehicle);
 
     Plan plan(Landing goal, StateInformation state, Vehicle vehicle);
+
+    /** Whether the vehicle is on its last way down, so that it stands if it does not sink. */
+    boolean isFinal();
   }
 
   private final Supplier<LineSettings> lines;
@@ -75,7 +79,9 @@ final class LandingState implements PlannerState {
     Plan plan = descent().plan(goal, pursuit.state(), vehicle);
     double downM = vehicle.nedOf(Place.of(goal)).z();
     double climbMps = pursuit.state().zDot().orElse(0.0);
-    if (downM >= LOW_M || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
+    boolean isLow = downM < LOW_M + SIGMAS * pursuit.state().zSigma().orElse(0.0);
+    boolean mayStand = isLow && descent().isFinal();
+    if (!mayStand || Math.hypot(vehicle.speedMps(), climbMps) > STILL_MPS) {
       sinceMicros = Long.MIN_VALUE;
       return plan;
     }

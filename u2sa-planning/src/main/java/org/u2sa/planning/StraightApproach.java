@@ -161,6 +161,12 @@ final class StraightApproach implements LandingState.Descent {
     return Plan.underWay(List.of(point));
   }
 
+  /** {@inheritDoc} An aeroplane that does not move does not fly. */
+  @Override
+  public boolean isFinal() {
+    return true;
+  }
+
   private boolean blocksDescent(
       Vehicle vehicle, StateInformation state, Place place, double lengthM, double highM) {
     Place from = onLine(place, -lengthM).at(highM);

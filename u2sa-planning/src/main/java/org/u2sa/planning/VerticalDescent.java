@@ -68,4 +68,9 @@ final class VerticalDescent implements LandingState.Descent {
     return Plan.underWay(
         List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));
   }
+
+  @Override
+  public boolean isFinal() {
+    return above;
+  }
 }

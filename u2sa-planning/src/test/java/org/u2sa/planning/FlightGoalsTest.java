@@ -38,6 +38,7 @@ class FlightGoalsTest {
   private Point wind = Point.ORIGIN;
   private double heading;
   private boolean released;
+  private double tooHighM; // its altitude as known
   private Optional<Sphere> tower = Optional.empty();
   private double nearestM = Double.POSITIVE_INFINITY; // to the middle of the tower
 
@@ -73,7 +74,8 @@ class FlightGoalsTest {
             .referenceFrame(ReferenceFrame.LOCAL_NED)
             .x(ned.x())
             .y(ned.y())
-            .z(ned.z())
+            .z(ned.z() - tooHighM)
+            .zSigma(0.5 * tooHighM)
             .xDot(velocity.x())
             .yDot(velocity.y())
             .zDot(velocity.z())
@@ -273,6 +275,30 @@ class FlightGoalsTest {
 
     assertThat(reports().get(0).completed()).isTrue();
     assertThat(ned.z()).isGreaterThan(-0.1);
+  }
+
+  /**
+   * As a receiver's altitude may be: the vehicle stands, although its altitude says that it flies.
+   */
+  @Test
+  void landing_altitudeTooHigh_isCompletedOnTheGround() {
+    tooHighM = 5.0;
+    kit.start(PathPlanner::new);
+    ned = Point.of(8.0, 0.0, -2.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    double highestM = 0.0; // when completed
+    while (kit.nowS() < 60.0 && reports().isEmpty()) {
+      step(0.2); // still by its speed all the time
+      highestM = -ned.z();
+      if (ned.z() > 0.0) {
+        ned = Point.of(ned.x(), ned.y(), 0.0); // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+
+    assertThat(reports().get(0).completed()).isTrue();
+    assertThat(highestM).isLessThan(0.1);
+    assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(1.1);
   }
 
   @Test
