@@ -63,6 +63,6 @@ class DescribeBoatTest {
             "CompassSensor +.*HEADING SIGMA 0\\.05 rad, MOUNTED YAW 0\\.5 rad, .*COMPASS NMEA")
         .doesNotContain("MOUNTED PITCH")
         .containsPattern("T1: .*force \\(40.*exponent 2")
-        .contains("in the weaker direction: surge 60.0 N, yaw 17.5 N m");
+        .contains("in its weaker direction: surge 60.0 N, yaw 17.5 N m");
   }
 }
