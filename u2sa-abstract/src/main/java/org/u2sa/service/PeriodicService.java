@@ -24,14 +24,28 @@ public abstract class PeriodicService extends U2SAService {
   /** See {@link U2SAService#U2SAService}; the variable RATE overrides {@code defaultRateHz}. */
   protected PeriodicService(
       ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
+    this(context, role, serviceName, defaultRateHz, SLOWEST_HZ);
+  }
+
+  /**
+   * For services that must not be slow.
+   *
+   * @param slowestHz lowest RATE accepted
+   */
+  protected PeriodicService(
+      ServiceContext context,
+      ServiceRole role,
+      String serviceName,
+      double defaultRateHz,
+      double slowestHz) {
     super(context, role, serviceName);
-    periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz))));
+    periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz, slowestHz))));
     maxErrorsInSteps = handling.maxErrorsInARow();
   }
 
-  private static VariableDeclaration<Double> rate(double defaultRateHz) {
+  private static VariableDeclaration<Double> rate(double defaultRateHz, double slowestHz) {
     return VariableDeclaration.number("RATE", "Hz")
-        .range(Range.of(SLOWEST_HZ, FASTEST_HZ))
+        .range(Range.of(slowestHz, FASTEST_HZ))
         .ifAbsent(defaultRateHz)
         .describedAs("Steps per second.");
   }

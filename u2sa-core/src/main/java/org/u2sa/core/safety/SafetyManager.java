@@ -38,11 +38,13 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
+  private static final double MIN_CHECKS_PER_S = 1.0;
   private static final double REPEAT_INTERVAL_S = 1.0; // of unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
+  private final NamedSenders senders = new NamedSenders(settings);
   private final SafetyPilot pilot = new SafetyPilot(settings, conditions);
   private final FenceWatch fenceWatch;
   private final FenceOrders fenceOrders;
@@ -65,13 +67,13 @@ public final class SafetyManager extends PeriodicService {
    * @throws org.u2sa.interfaces.BadInputException if the fence's file is invalid
    */
   public SafetyManager(ServiceContext context) {
-    super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S);
+    super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S, MIN_CHECKS_PER_S);
     emergency = new EmergencyLatch(clock(), context.systemId());
     PositionWatch position = new PositionWatch(settings);
     fenceWatch = new FenceWatch(this, settings, new FenceFile(context.configuration()), position);
     fenceOrders = new FenceOrders(fenceWatch);
     List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
-    watches = new ArrayList<>(Watches.standard(settings, conditions, position));
+    watches = new ArrayList<>(Watches.standard(settings, conditions, senders, position));
     watches.add(new GuardedWatch(fenceWatch));
     extensions.forEach(watch -> watches.add(new GuardedWatch(watch)));
     List<Hazard> hazards = watches.stream().map(Watch::hazard).collect(Collectors.toList());
@@ -113,10 +115,11 @@ public final class SafetyManager extends PeriodicService {
     return fenceWatch.fence().map(Fence::keepOutCorners).orElse(List.of());
   }
 
-  /** Rejects an unreadable fence before it replaces a valid one. */
+  /** Rejects an unreadable fence and, in motion, services and batteries that do not exist. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    return fenceWatch.configurationRefusal(values);
+    Optional<String> refusal = arming.isArmed() ? senders.refusal(values) : Optional.empty();
+    return refusal.or(() -> fenceWatch.configurationRefusal(values));
   }
 
   @Override
@@ -129,7 +132,8 @@ public final class SafetyManager extends PeriodicService {
         } else {
           fenceWatch.drawIn();
         }
-        log("fence " + settings.get().fence() + " loaded");
+        String file = settings.get().fence();
+        log(file.isEmpty() ? "without a fence" : "fence " + file + " loaded");
       } catch (BadInputException e) {
         log(LogLevelEnum.ERROR, e.getMessage() + ": fence unchanged");
       }
@@ -194,6 +198,7 @@ public final class SafetyManager extends PeriodicService {
     long now = clock().micros();
     predecessor.see(message, now);
     arming.see(message, now);
+    senders.see(message);
     if (message instanceof HealthReport report) {
       pilot.see(report, now);
     }

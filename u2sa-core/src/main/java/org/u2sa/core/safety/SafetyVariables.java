@@ -27,7 +27,7 @@ record SafetyVariables(
         @Description(
             "Whether arming requires a position; false for vehicles that find their way by sight alone.")
         boolean positionRequired,
-    @Variable(ifAbsentText = "StateEstimator")
+    @Variable(ifAbsentText = SafetyVariables.DEFAULT_ESTIMATOR)
         @Description("Service that estimates the vehicle's state.")
         String estimatorService,
     @Variable(ifAbsentText = "")
@@ -102,7 +102,7 @@ record SafetyVariables(
     @Variable(unit = "s", min = 0, max = 60, ifAbsent = 1)
         @Description("Time from the failsafe until the vehicle brakes or turns.")
         double reactionTime,
-    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 1)
+    @Variable(unit = "m/s^2", min = 0.01, ifAbsent = 1)
         @Description("Deceleration when stopping before the fence.")
         double braking,
     @Variable(unit = "rad", min = 0.01, max = 1.4, ifAbsent = 0.4)
@@ -114,7 +114,7 @@ record SafetyVariables(
         double holdRadius,
     @Variable(unit = "m/s", min = 0, ifAbsent = 0) @Description("Wind allowance towards the fence.")
         double windAllowance,
-    @Variable(unit = "m/s^2", min = 0, minExcluded = true, ifAbsent = 0.8)
+    @Variable(unit = "m/s^2", min = 0.01, ifAbsent = 0.8)
         @Description(
             "Vertical acceleration for levelling off below the ceiling or above the floor.")
         double verticalAcceleration,
@@ -125,6 +125,9 @@ record SafetyVariables(
   static final String FENCE = "FENCE";
 
   static final String FENCE_MARGIN = "FENCE MARGIN";
+
+  /** Default of ESTIMATOR SERVICE. */
+  static final String DEFAULT_ESTIMATOR = "StateEstimator";
 
   /** Whether a threshold of a battery is set. */
   boolean watchesBatteries() {

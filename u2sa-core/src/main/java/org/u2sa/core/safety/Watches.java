@@ -12,7 +12,10 @@ final class Watches {
   private Watches() {}
 
   static List<Watch> standard(
-      Supplier<SafetyVariables> settings, Conditions conditions, PositionWatch position) {
+      Supplier<SafetyVariables> settings,
+      Conditions conditions,
+      NamedSenders senders,
+      PositionWatch position) {
     return Stream.of(
             HeartbeatWatch.ofOperators(settings),
             HeartbeatWatch.ofLongLostOperators(settings),
@@ -24,12 +27,15 @@ final class Watches {
                   return failure.isEmpty() && position.fresh(now).isEmpty()
                       ? Optional.of("no fresh states")
                       : failure;
-                }),
+                },
+                senders::unknownEstimator),
             new ServiceWatch(
-                Hazard.ACTUATOR_LINK, now -> conditions.failure(settings.get().actuatorServices())),
+                Hazard.ACTUATOR_LINK,
+                now -> conditions.failure(settings.get().actuatorServices()),
+                senders::unknownActuatorService),
             new ActuationWatch(settings),
             HeartbeatWatch.ofMonitor(settings),
-            new ServiceWatch(Hazard.SERVICE, now -> conditions.givenUp()),
+            new ServiceWatch(Hazard.SERVICE, now -> conditions.givenUp(), Optional::empty),
             BatteryWatch.low(settings),
             BatteryWatch.critical(settings),
             new BatterySilenceWatch(settings))
@@ -38,12 +44,14 @@ final class Watches {
   }
 
   /**
-   * Whether essential services work. Never objects to arming: {@link ArmingChecks} lists all
-   * services that are not alive.
+   * Whether essential services work. Objects to arming only if one is unknown: {@link ArmingChecks}
+   * lists all services that are not alive.
    *
    * @param failure failure at a time of the run's clock [µs], in words; empty if none
+   * @param unknown a named service that has not reported, in words; empty if none
    */
-  private record ServiceWatch(Hazard hazard, LongFunction<Optional<String>> failure)
+  private record ServiceWatch(
+      Hazard hazard, LongFunction<Optional<String>> failure, Supplier<Optional<String>> unknown)
       implements Watch {
     @Override
     public Optional<String> trouble(long nowMicros) {
@@ -52,7 +60,7 @@ final class Watches {
 
     @Override
     public Optional<String> objection(long nowMicros) {
-      return Optional.empty();
+      return unknown.get();
     }
   }
 }

@@ -34,6 +34,7 @@ class ArmAtStartTest extends WatchedVehicle {
   /** Has all that arming needs. */
   private void liveReady(double seconds) {
     battery(12.5, 80.0);
+    actuatorServicesReport();
     kit.publish(
         Channels.ACTUATORS,
         new ActuatorAnnouncement().actuatorName("MOTOR").minimum(0.0).maximum(100.0));

@@ -10,7 +10,9 @@ import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.Condition;
+import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
+import org.u2sa.messages.contract.ServiceStatus;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.Waypoint;
@@ -65,8 +67,16 @@ abstract class WatchedVehicle {
   /** Starts it alone, and waits until no predecessor can be there. */
   SafetyManager startManager() {
     SafetyManager manager = kit.start(SafetyManager::new);
+    actuatorServicesReport();
     kit.advance(0.6);
     return manager;
+  }
+
+  void actuatorServicesReport() {
+    for (String service : List.of("Motor", "Rudder")) {
+      kit.publish(
+          Channels.HEALTH, new HealthReport().serviceName(service).status(ServiceStatus.RUNNING));
+    }
   }
 
   static Waypoint waypoint() {

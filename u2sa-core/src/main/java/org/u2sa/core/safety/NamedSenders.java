@@ -1,0 +1,82 @@
+package org.u2sa.core.safety;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.u2sa.messages.BatteryState;
+import org.u2sa.messages.contract.HealthReport;
+import org.u2sa.messages.schema.U2SAData;
+
+/**
+ * Checks that the services and batteries named by variables have reported: a misspelt name would
+ * silently disable a failsafe.
+ */
+final class NamedSenders {
+  private static final int MAX_NAMES = 500; // so that invented names do not fill the memory
+
+  private final Supplier<SafetyVariables> settings;
+  private final Set<String> services = new TreeSet<>();
+  private final Set<String> batteries = new TreeSet<>();
+
+  NamedSenders(Supplier<SafetyVariables> settings) {
+    this.settings = settings;
+  }
+
+  void see(U2SAData message) {
+    if (message instanceof HealthReport report && services.size() < MAX_NAMES) {
+      services.add(report.serviceName());
+    } else if (message instanceof BatteryState battery && batteries.size() < MAX_NAMES) {
+      batteries.add(battery.sensorName());
+    }
+  }
+
+  /** The first of ACTUATOR SERVICES that has not reported, in words; empty if all have. */
+  Optional<String> unknownActuatorService() {
+    return unknown("service", settings.get().actuatorServices(), services);
+  }
+
+  /** The estimator if it has not reported; vehicles without one have the default name. */
+  Optional<String> unknownEstimator() {
+    String name = settings.get().estimatorService();
+    return name.equals(SafetyVariables.DEFAULT_ESTIMATOR)
+        ? Optional.empty()
+        : unknown("service", name, services);
+  }
+
+  /** Reason why the values may not replace the current ones in motion; empty if they may. */
+  Optional<String> refusal(Map<String, Object> values) {
+    SafetyVariables now = settings.get();
+    return refusal(values, "ACTUATOR SERVICES", now.actuatorServices(), "service", services)
+        .or(() -> refusal(values, "ESTIMATOR SERVICE", now.estimatorService(), "service", services))
+        .or(
+            () ->
+                refusal(
+                    values,
+                    "HEALTH MONITOR SERVICE",
+                    now.healthMonitorService(),
+                    "service",
+                    services))
+        .or(() -> refusal(values, "BATTERIES", now.batteries(), "battery", batteries));
+  }
+
+  private static Optional<String> refusal(
+      Map<String, Object> values, String variable, String before, String what, Set<String> known) {
+    String names = (String) values.get(variable);
+    return names.equals(before)
+        ? Optional.empty()
+        : unknown(what, names, known)
+            .map(
+                words ->
+                    "variable \"" + variable + "\": " + words + "; disarm to set it in advance");
+  }
+
+  private static Optional<String> unknown(String what, String names, Set<String> known) {
+    List<String> missing = new ArrayList<>(CauseText.names(names));
+    missing.removeAll(known);
+    return missing.stream().findFirst().map(name -> what + " " + name + " has not reported");
+  }
+}
