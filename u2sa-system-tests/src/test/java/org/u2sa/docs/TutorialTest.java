@@ -88,6 +88,7 @@ class TutorialTest {
   private String made(Path here, String arguments) throws IOException, InterruptedException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
     command.addAll(List.of("-Du2sa.home=~/u2sa", "-cp", System.getProperty("java.class.path")));
     command.addAll(List.of(Main.class.getName(), "new"));
     command.addAll(List.of(arguments.split(" ")));

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumSet;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -24,26 +26,46 @@ import org.u2sa.messages.schema.MessageTypes;
 class MosquittoRightsTest {
   private static final MessageTypes TYPES = StandardTypes.registry();
 
-  /** Filters, split into levels. */
-  private final List<String[]> writable = new ArrayList<>();
+  private static final int CHANNEL = 2; // level of a topic
 
-  private final List<String[]> denied = new ArrayList<>();
+  /** Filters, split into levels, by channel; those of wildcards for all channels. */
+  private final Map<String, List<String[]>> writable = new HashMap<>();
+
+  private final Map<String, List<String[]>> denied = new HashMap<>();
 
   private void read(String rights) {
     for (String line : rights.split("\n")) {
       if (line.startsWith("topic write ")) {
-        writable.add(line.substring("topic write ".length()).split("/"));
+        add(writable, line.substring("topic write ".length()).split("/"));
       } else if (line.startsWith("topic deny ")) {
-        denied.add(line.substring("topic deny ".length()).split("/"));
+        add(denied, line.substring("topic deny ".length()).split("/"));
       }
     }
   }
 
-  /** "Any deny topics are handled before topics that grant access", mosquitto.conf(5). */
+  private static void add(Map<String, List<String[]>> filters, String[] filter) {
+    boolean isOfAll = filter.length <= CHANNEL || List.of("#", "+").contains(filter[CHANNEL]);
+    filters.computeIfAbsent(isOfAll ? "" : filter[CHANNEL], of -> new ArrayList<>()).add(filter);
+  }
+
   private boolean isLetThrough(String topic) {
-    String[] levels = topic.split("/", -1);
-    return denied.stream().noneMatch(filter -> matches(filter, levels))
-        && writable.stream().anyMatch(filter -> matches(filter, levels));
+    return isLetThrough(topic.split("/", -1));
+  }
+
+  /** "Any deny topics are handled before topics that grant access", mosquitto.conf(5). */
+  private boolean isLetThrough(String[] levels) {
+    return !matches(denied, levels) && matches(writable, levels);
+  }
+
+  private static boolean matches(Map<String, List<String[]>> filters, String[] levels) {
+    for (String of : List.of(levels[CHANNEL], "")) {
+      for (String[] filter : filters.getOrDefault(of, List.of())) {
+        if (matches(filter, levels)) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   private static boolean matches(String[] filter, String[] levels) {
@@ -98,10 +120,12 @@ class MosquittoRightsTest {
     List<List<String>> chains = chains();
     for (Channel<?> channel : Channels.all()) {
       for (List<String> chain : chains) {
-        String topic = "u2sa/cessna/" + channel + "/" + String.join("/", chain);
+        List<String> levels = new ArrayList<>(List.of("u2sa", "cessna", channel.name()));
+        levels.addAll(chain);
         boolean source = channel.isRetainedBySource() && chain.get(chain.size() - 1).equals("Tide");
-        if (!source && isLetThrough(topic) != isAllowed(role, channel, chain)) {
-          wrong.add(topic);
+        boolean isLetThrough = isLetThrough(levels.toArray(new String[0]));
+        if (!source && isLetThrough != isAllowed(role, channel, chain)) {
+          wrong.add(String.join("/", levels));
         }
       }
     }

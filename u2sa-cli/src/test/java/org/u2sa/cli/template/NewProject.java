@@ -91,6 +91,8 @@ final class NewProject {
     Process process =
         new ProcessBuilder(
                 java,
+                "-XX:TieredStopAtLevel=1",
+                "-XX:+UseSerialGC",
                 "-cp",
                 tests + File.pathSeparator + path,
                 RunTests.class.getName(),

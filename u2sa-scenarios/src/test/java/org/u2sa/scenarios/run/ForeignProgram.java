@@ -43,6 +43,7 @@ public final class ForeignProgram {
             List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+UseSerialGC",
+                "-XX:TieredStopAtLevel=1",
                 "-Djava.awt.headless=true",
                 "-Du2sa.home=" + Repository.root(),
                 "-cp",
