@@ -14,6 +14,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
 
 /**
  * Geofence: a keep-in polygon, keep-out polygons, two altitude limits and rally points, each
@@ -21,6 +22,31 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
+  /**
+   * A place to return to instead of home if it is nearer.
+   *
+   * @param name "rally 1" is the fence's first
+   * @param waypoint position; its threshold is ignored
+   * @param place position in the fence's plane: x east, y north [m]
+   */
+  record RallyPoint(String name, Waypoint waypoint, Point place) {
+    OptionalDouble altitudeM() {
+      return waypoint.z();
+    }
+
+    boolean isAt(RallyPoint other) {
+      return waypoint.x().equals(other.waypoint.x())
+          && waypoint.y().equals(other.waypoint.y())
+          && waypoint.z().equals(other.waypoint.z());
+    }
+
+    @Override
+    public String toString() {
+      return String.format(
+          "%s at x %s, y %s", name, waypoint.x().orElseThrow(), waypoint.y().orElseThrow());
+    }
+  }
+
   private final Optional<Geodetic> origin; // empty on a local plane
   private final Optional<Polygon> keepIn;
   private final List<Polygon> keepOuts;

@@ -86,7 +86,7 @@ final class FenceOrders {
         watch.fence().stream()
             .flatMap(
                 fence -> fence.rally().stream().filter(each -> fence.objection(each).isPresent()))
-            .map(RallyPoint::name)
+            .map(Fence.RallyPoint::name)
             .collect(Collectors.joining(", "));
     return points.isEmpty() ? "" : "; outside it, so unused: " + points;
   }
@@ -105,8 +105,8 @@ final class FenceOrders {
 
   /** Positions of the previous fence may be outside: the vehicle just does not use them. */
   private void checkNewRallyPoints(GivenFence given) {
-    List<RallyPoint> before = watch.fence().map(Fence::rally).orElse(List.of());
-    for (RallyPoint point : given.fence().rally()) {
+    List<Fence.RallyPoint> before = watch.fence().map(Fence::rally).orElse(List.of());
+    for (Fence.RallyPoint point : given.fence().rally()) {
       Optional<String> objection =
           given.fence().objection(point).filter(words -> before.stream().noneMatch(point::isAt));
       if (objection.isPresent()) {

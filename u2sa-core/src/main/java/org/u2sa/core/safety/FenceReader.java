@@ -69,7 +69,7 @@ final class FenceReader {
     Optional<Polygon> inside = keepIn.map(area -> area(area, INSIDE));
     List<Polygon> outside = new ArrayList<>();
     keepOuts.forEach(area -> outside.add(area(area, AROUND)));
-    List<RallyPoint> points = new ArrayList<>();
+    List<Fence.RallyPoint> points = new ArrayList<>();
     rally.forEach(each -> points.add(rallyPoint(each, points.size() + 1)));
     OptionalDouble floor = altitude(root, "floor");
     OptionalDouble ceiling = altitude(root, "ceiling");
@@ -82,7 +82,7 @@ final class FenceReader {
     return new Fence(Optional.ofNullable(origin), inside, outside, floor, ceiling, points);
   }
 
-  private RallyPoint rallyPoint(XmlElement element, int number) {
+  private Fence.RallyPoint rallyPoint(XmlElement element, int number) {
     element.refuseUnknownAttributes();
     element.refuseUnknownChildren("x", "y", "z");
     Coordinate place = coordinate(element);
@@ -96,7 +96,7 @@ final class FenceReader {
             .horizontalThreshold(1.0);
     altitude(element, "z").ifPresent(waypoint::z);
     waypoint.freeze();
-    return new RallyPoint(name, waypoint, Point.of(place.x, place.y, 0.0));
+    return new Fence.RallyPoint(name, waypoint, Point.of(place.x, place.y, 0.0));
   }
 
   private static OptionalDouble altitude(XmlElement root, String name) {

@@ -55,7 +55,7 @@ record GivenFence(String file, String xml, Fence fence) {
     state.rally(
         fence.rally().stream()
             .filter(point -> fence.objection(point).isEmpty())
-            .map(RallyPoint::waypoint)
+            .map(Fence.RallyPoint::waypoint)
             .collect(Collectors.toList()));
     fence.floorM.ifPresent(state::lowest);
     fence.ceilingM.ifPresent(state::highest);
