@@ -10,22 +10,38 @@ import org.u2sa.messages.goal.GoalResult;
 
 /** Inserts goals into a mission between a goal and its followers. */
 record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
-  /** Inserts them after a known goal. */
-  void after(String after) {
-    GoalInformation before = mission.book.goal(after);
-    GoalInformation change = (GoalInformation) before.type().create();
-    change.uid(after);
-    List<String> next = List.of(first());
+  /**
+   * Inserts them after a known goal, and after the options that lead on to the same goals with it:
+   * otherwise those would come beside the inserted ones.
+   *
+   * @return the goals that lead to the inserted ones
+   */
+  List<String> after(String after) {
     List<String> exit = mission.followers.usual(after);
-    if (before.nextIf(GoalResult.DONE).isPresent()) {
-      boolean ends = mission.followers.end(after, GoalResult.DONE);
-      add(last -> lead(last, exit, before, ends));
-      change.nextIf(GoalResult.DONE, next);
-    } else {
-      add(last -> lead(last, exit, before, false));
-      change.next(next);
+    GoalInformation before = mission.book.goal(after);
+    boolean ends =
+        before.nextIf(GoalResult.DONE).isPresent()
+            && mission.followers.end(after, GoalResult.DONE);
+    List<String> ways = mission.book.names();
+    ways.retainAll(mission.together(after));
+    ways.removeIf(way -> !Set.copyOf(mission.followers.usual(way)).equals(Set.copyOf(exit)));
+    add(last -> lead(last, exit, before, ends));
+    ways.forEach(this::leadIn);
+    if (mission.currentNames().contains(after)) {
+      mission.postpone(exit);
     }
-    mission.update(change);
+    return ways;
+  }
+
+  private void leadIn(String way) {
+    GoalInformation before = mission.book.goal(way);
+    GoalInformation change = (GoalInformation) before.type().create();
+    change.uid(way);
+    List<String> next = List.of(first());
+    mission.update(
+        before.nextIf(GoalResult.DONE).isPresent()
+            ? change.nextIf(GoalResult.DONE, next)
+            : change.next(next));
   }
 
   /** Gives an inserted goal the successors and rules of the goal before it. */

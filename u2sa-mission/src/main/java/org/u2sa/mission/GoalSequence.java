@@ -272,6 +272,27 @@ final class GoalSequence {
     return at.wanted > 0 || !at.pending.isEmpty();
   }
 
+  /** The goals whose followers become current together with those of a goal, which is among them. */
+  Set<String> together(String uid) {
+    Set<String> together = new LinkedHashSet<>(List.of(uid));
+    boolean all = options == Options.ALL;
+    if (at.current.contains(uid) && (all || at.wanted > 0)) {
+      together.addAll(at.current);
+    }
+    for (String name : book.names()) {
+      List<String> next = followers.usual(name);
+      if (next.contains(uid) && (all || book.goal(name).choose().isPresent())) {
+        together.addAll(next);
+      }
+    }
+    return together;
+  }
+
+  /** Some of the goals that follow the current ones come later, after others. */
+  void postpone(List<String> uids) {
+    uids.forEach(at.pending::remove);
+  }
+
   /** Pursues a goal before the current goals, which follow by its {@code next}. */
   void putBefore(String uid) {
     at.current.clear();

@@ -190,8 +190,11 @@ final class MissionOrders {
                   + " current: %s; expected one of what follows, or insertion now",
               after, currentOf(mission)));
     }
-    insertion.after(after);
-    return "inserted " + insertion.names() + " after \"" + after + "\"";
+    return "inserted "
+        + insertion.names()
+        + insertion.after(after).stream()
+            .map(each -> "\"" + each + "\"")
+            .collect(Collectors.joining(", ", " after ", ""));
   }
 
   private String update(MissionOrder order) {

@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.goal.GoalInformation;
@@ -239,6 +241,45 @@ class MissionOrdersTest extends ThreeWaypoints {
     assertThat(current()).containsExactly("b", "c", "d");
     complete("b");
     complete("d");
+
+    assertThat(current()).containsExactly("e");
+  }
+
+  private static final String OPTIONS =
+      "<waypoint><name>b</name><x>2</x><next>e</next></waypoint>"
+          + "<waypoint><name>c</name><x>3</x><next>e</next></waypoint>"
+          + "<waypoint><name>d</name><x>4</x><next>e</next></waypoint>"
+          + "<waypoint><name>e</name><x>5</x></waypoint>";
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "<choose>2</choose>"})
+  void insert_afterOneOfSeveralOptions_whatFollowsThemComesOnceAfterwards(String choice)
+      throws IOException {
+    write("<waypoint><name>a</name><x>1</x><next>b, c, d</next>" + choice + "</waypoint>" + OPTIONS);
+    kit.start(MissionManager::new);
+    complete("a");
+    complete("c");
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><name>z</name><x>6</x></waypoint>").uid("b"),
+        "inserted \"z\" after \"b\", \"c\", \"d\"");
+    complete("b");
+    if (choice.isEmpty()) {
+      complete("d");
+    }
+
+    run("z", "e");
+    assertThat(current()).isEmpty();
+  }
+
+  @Test
+  void insert_afterAnOptionOfWhichAnyCounts_leavesTheOthersAsTheyAre() throws IOException {
+    write("<waypoint><name>a</name><x>1</x><next>b, c, d</next></waypoint>" + OPTIONS);
+    kit.with("OPTIONS", "ANY").start(MissionManager::new);
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><name>z</name><x>6</x></waypoint>").uid("b"),
+        "inserted \"z\" after \"b\"");
+    complete("a");
+    complete("c");
 
     assertThat(current()).containsExactly("e");
   }

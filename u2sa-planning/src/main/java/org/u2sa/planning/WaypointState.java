@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.NavigationPoint;
@@ -43,6 +44,9 @@ final class WaypointState implements PlannerState {
 
   private static final double TURNS_TO_M = 2.0; // distance of the point to turn to
 
+  /** How long a vehicle that can stop stays at a waypoint that follows itself [µs]. */
+  private static final long STAYS_MICROS = Clock.MICROS_PER_SECOND;
+
   private final WaypointGuidance guidance;
   private final Supplier<PlanningVariables> settings;
   private final Avoidance avoidance;
@@ -51,7 +55,8 @@ final class WaypointState implements PlannerState {
   private final AltitudeProgress altitude = new AltitudeProgress();
   private int attempts;
   private boolean
-      armed; // false: the vehicle must leave the threshold before the waypoint can be reached
+      armed; // false: the vehicle must leave the threshold, or stay, before it can reach it again
+  private OptionalLong stayedMicros = OptionalLong.empty(); // since when, while not armed
   private boolean reached;
   private boolean yields; // it follows a right-of-way order
   private double nearestM; // in this attempt, while approaching
@@ -90,6 +95,7 @@ final class WaypointState implements PlannerState {
     altitude.begin();
     attempts = 1;
     armed = pursuit.before().filter(before -> before.uid().equals(pursuit.goal().uid())).isEmpty();
+    stayedMicros = OptionalLong.empty();
     reached = false;
     nearestM = Double.POSITIVE_INFINITY;
     last = Optional.empty();
@@ -363,10 +369,19 @@ final class WaypointState implements PlannerState {
     nearestM = guidance.isApproaching() ? Math.min(nearestM, distance) : distance;
     nowM = Math.hypot(to.x(), to.y());
     if (!armed) {
-      armed = Math.hypot(to.x(), to.y()) > waypoint.horizontalThreshold();
+      armed = nowM > waypoint.horizontalThreshold() || hasStayed(vehicle);
     } else if (within) {
       reached |= Math.abs(downM) <= waypoint.verticalThreshold().orElse(Double.POSITIVE_INFINITY);
     }
+  }
+
+  /** An aircraft leaves by itself; a vehicle that can stop has no reason to. */
+  private boolean hasStayed(Vehicle vehicle) {
+    long now = vehicle.timestampMicros();
+    stayedMicros = OptionalLong.of(stayedMicros.orElse(now));
+    boolean leaves =
+        avoidance.isOn() ? !seeing.get().stops() : settings.get().turnAcceleration() > 0.0;
+    return !leaves && now - stayedMicros.getAsLong() >= STAYS_MICROS;
   }
 
   private static boolean isRecent(StateInformation before, Vehicle vehicle) {

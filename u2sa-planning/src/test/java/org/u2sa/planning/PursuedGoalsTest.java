@@ -114,6 +114,36 @@ class PursuedGoalsTest extends PlannedVehicle {
   }
 
   @Test
+  void goals_sameSingleGoalAgain_vehicleThatCanStopReachesItByStaying() {
+    kit.start(PathPlanner::new);
+    goals(waypoint("1", 0, 0));
+    kit.publish(Channels.STATE, state(0, 0, 0));
+    goals(waypoint("1", 0, 0));
+    for (int i = 0; i < 12; i++) {
+      kit.advance(0.1);
+      kit.publish(Channels.STATE, state(0, 0, 0));
+    }
+
+    assertThat(logged("goal \"1\" reached")).isEqualTo(2);
+  }
+
+  @Test
+  void goals_sameSingleGoalAgain_aircraftHasToLeaveIt() {
+    kit.with("TURN ACCELERATION", 2.0).start(PathPlanner::new);
+    goals(waypoint("1", 0, 0));
+    kit.publish(Channels.STATE, state(-1, 0, 0).xDot(10.0).yDot(0.0));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, state(1, 0, 0).xDot(10.0).yDot(0.0));
+    goals(waypoint("1", 0, 0));
+    for (int i = 0; i < 12; i++) {
+      kit.advance(0.1);
+      kit.publish(Channels.STATE, state(1, 0, 0).xDot(10.0).yDot(0.0));
+    }
+
+    assertThat(logged("goal \"1\" reached")).isEqualTo(1);
+  }
+
+  @Test
   void goals_ofAClassWithoutState_saidOnceAndHeldWhereItIs() {
     kit.with("AT END", "HOLD").start(PathPlanner::new);
     goals(new Dance().uid("waltz"));

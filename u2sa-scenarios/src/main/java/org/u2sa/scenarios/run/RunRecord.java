@@ -95,7 +95,7 @@ public final class RunRecord {
     if (!uids.equals(current)) {
       become(uids);
     }
-    missionOver |= goals.goals().isEmpty();
+    missionOver = goals.goals().isEmpty();
     int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
     if (next != leg) {
       onLine = next == leg + 1 && (leg >= 0 || !begun);

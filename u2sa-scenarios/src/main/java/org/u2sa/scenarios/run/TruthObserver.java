@@ -137,6 +137,8 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
       boolean parked = timeS - Math.max(missionOverS, movedS) >= STOOD_S;
       boolean lasts = timeS - missionOverS >= PARKED_WITHIN_S && !scorer.isWaiting();
       over = parked || lasts;
+    } else {
+      missionOverS = Double.POSITIVE_INFINITY; // also if an operator has resumed it
     }
   }
 

@@ -56,6 +56,15 @@ class RunRecordTest {
   }
 
   @Test
+  void isMissionOver_resumedAfterItsLastGoal_isNoLongerOver() {
+    crossTrackM();
+    assertThat(record.isMissionOver()).isTrue();
+
+    crossTrackM(new Waypoint().uid("a"));
+    assertThat(record.isMissionOver()).isFalse();
+  }
+
+  @Test
   void received_secondOfTwoCurrentGoalsIsReported_wasTheTarget() {
     crossTrackM(new Waypoint().uid("a"), new Waypoint().uid("b"));
     record.received(done("b"));
