@@ -71,6 +71,11 @@ public final class HealthMonitor extends PeriodicService {
   }
 
   @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return MonitorVariables.nameRefusal((String) values.get(MonitorVariables.WATCHED));
+  }
+
+  @Override
   protected void configurationChanged(Set<String> variableNames) {
     settings = new MonitorVariables(limits.get(), this);
     services.keySet().stream().filter(name -> !settings.watches(name)).forEach(this::unwatch);
