@@ -18,20 +18,35 @@ public abstract class PeriodicService extends U2SAService {
 
   private final long periodMicros;
   private int maxErrorsInSteps; // in a row
+  private int failedSteps; // likewise
   private long dueMicros; // used by the service's thread, and before its start by the predecessor's
   private boolean hasSucceeded;
 
   /** See {@link U2SAService#U2SAService}; the variable RATE overrides {@code defaultRateHz}. */
   protected PeriodicService(
       ServiceContext context, ServiceRole role, String serviceName, double defaultRateHz) {
+    this(context, role, serviceName, defaultRateHz, SLOWEST_HZ);
+  }
+
+  /**
+   * For a service that protects others.
+   *
+   * @param slowestHz lowest RATE at which it still does
+   */
+  protected PeriodicService(
+      ServiceContext context,
+      ServiceRole role,
+      String serviceName,
+      double defaultRateHz,
+      double slowestHz) {
     super(context, role, serviceName);
-    periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz))));
+    periodMicros = Math.max(1, Clock.micros(1.0 / getVariable(rate(defaultRateHz, slowestHz))));
     maxErrorsInSteps = handling.maxErrorsInARow();
   }
 
-  private static VariableDeclaration<Double> rate(double defaultRateHz) {
+  private static VariableDeclaration<Double> rate(double defaultRateHz, double slowestHz) {
     return VariableDeclaration.number("RATE", "Hz")
-        .range(Range.of(SLOWEST_HZ, FASTEST_HZ))
+        .range(Range.of(slowestHz, FASTEST_HZ))
         .ifAbsent(defaultRateHz)
         .describedAs("Steps per second.");
   }
@@ -117,12 +132,20 @@ public abstract class PeriodicService extends U2SAService {
         }
         if (isRunning()) {
           context().execution().steps();
-          handling.guarded(() -> step(nowS()), maxErrorsInSteps);
+          count(handling.guarded(() -> step(nowS()), maxErrorsInSteps));
           scheduleNext();
           messages = handling.until(dueMicros);
         }
       }
       return OVER;
+    }
+  }
+
+  /** Messages that are handled between steps that all throw do not make the service work. */
+  private void count(boolean succeeded) {
+    failedSteps = succeeded ? 0 : failedSteps + 1;
+    if (failedSteps >= maxErrorsInSteps && isRunning()) {
+      handling.stopAfter(failedSteps + " consecutive steps that threw");
     }
   }
 

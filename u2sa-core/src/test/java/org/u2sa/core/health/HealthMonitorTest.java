@@ -82,6 +82,14 @@ class HealthMonitorTest extends WatchedWorker {
   }
 
   @Test
+  void rate_atWhichFailuresWouldBeNoticedTooLate_isRefused() {
+    HealthMonitor monitor = monitor();
+
+    assertThat(monitor.setVariable("RATE", 0.001)).isFalse();
+    assertThat(kit.log("HealthMonitor")).anyMatch(line -> line.contains("outside 1…10000 Hz"));
+  }
+
+  @Test
   void watched_narrowedBeforeAStart_takesBackWhatTheMonitorBeforeSaid() {
     kit.publish(
         Channels.CONDITIONS,
