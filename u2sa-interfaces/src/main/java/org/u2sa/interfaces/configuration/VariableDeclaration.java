@@ -138,9 +138,7 @@ public record VariableDeclaration<T>(
       return Optional.of(
           range.refusal(NumberText.ofValue(value) + (unit.isEmpty() ? "" : " " + unit), unit));
     }
-    if (value instanceof Double number
-        && number != 0.0
-        && !MAGNITUDES.contains(Math.abs(number))) {
+    if (value instanceof Double number && number != 0.0 && !MAGNITUDES.contains(Math.abs(number))) {
       return Optional.of(
           NumberText.ofValue(value) + " is neither 0 nor of a magnitude from 1E-12 to 1E12");
     }
