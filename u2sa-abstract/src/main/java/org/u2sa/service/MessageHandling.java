@@ -175,10 +175,11 @@ final class MessageHandling {
 
   /**
    * Runs the author's code; exceptions are logged, counted and survived, up to a limit in a row.
+   * Returns false if it threw.
    */
-  void guarded(ServiceHealth.CallbackCode code, int maxErrors) throws InterruptedException {
+  boolean guarded(ServiceHealth.CallbackCode code, int maxErrors) throws InterruptedException {
     if (health.run(code)) {
-      return;
+      return true;
     }
     stopwatch.pause(); // logging is slow
     String what = health.lastError().orElse("");
@@ -187,13 +188,15 @@ final class MessageHandling {
     configuration.log().log(
         LogLevelEnum.ERROR, what + inRow, where ? health.lastException() : null);
     if (health.exceptionsInRow() >= maxErrors) {
-      configuration.log(
-          LogLevelEnum.ERROR,
-          maxErrors == 1
-              ? "stopping after an exception"
-              : "stopping after " + maxErrors + " consecutive exceptions");
-      life.fail();
+      stopAfter(maxErrors == 1 ? "an exception" : maxErrors + " consecutive exceptions");
     }
+    return false;
+  }
+
+  /** Ends the service as failed. */
+  void stopAfter(String what) {
+    configuration.log(LogLevelEnum.ERROR, "stopping after " + what);
+    life.fail();
   }
 
   void reportLast() {

@@ -18,6 +18,7 @@ public abstract class PeriodicService extends U2SAService {
 
   private final long periodMicros;
   private int maxErrorsInSteps; // in a row
+  private int failedSteps; // likewise
   private long dueMicros; // used by the service's thread, and before its start by the predecessor's
   private boolean hasSucceeded;
 
@@ -28,9 +29,9 @@ public abstract class PeriodicService extends U2SAService {
   }
 
   /**
-   * For services that must not be slow.
+   * For a service that protects others.
    *
-   * @param slowestHz lowest RATE accepted
+   * @param slowestHz lowest RATE at which it still does
    */
   protected PeriodicService(
       ServiceContext context,
@@ -131,12 +132,20 @@ public abstract class PeriodicService extends U2SAService {
         }
         if (isRunning()) {
           context().execution().steps();
-          handling.guarded(() -> step(nowS()), maxErrorsInSteps);
+          count(handling.guarded(() -> step(nowS()), maxErrorsInSteps));
           scheduleNext();
           messages = handling.until(dueMicros);
         }
       }
       return OVER;
+    }
+  }
+
+  /** Messages that are handled between steps that all throw do not make the service work. */
+  private void count(boolean succeeded) {
+    failedSteps = succeeded ? 0 : failedSteps + 1;
+    if (failedSteps >= maxErrorsInSteps && isRunning()) {
+      handling.stopAfter(failedSteps + " consecutive steps that threw");
     }
   }
 

@@ -101,6 +101,33 @@ class ServiceLifeTest {
     assertThat(kit.log("Vital")).anyMatch(line -> line.endsWith("stopping after an exception"));
   }
 
+  @Test
+  void step_thatAlwaysThrows_isAFailureAlsoBetweenMessagesThatAreHandled() {
+    PeriodicService useless =
+        kit.with("MAX ERRORS IN A ROW", 3)
+            .start(
+                context ->
+                    new PeriodicService(context, ServiceRole.OBSERVER, "Useless", 10.0) {
+                      {
+                        subscribe(Channels.STATE, state -> {});
+                      }
+
+                      @Override
+                      protected void step(double nowS) {
+                        throw new IllegalStateException("told to fail");
+                      }
+                    });
+
+    for (int i = 0; i < 4; i++) {
+      kit.publish(Channels.STATE, state("a"));
+      kit.advance(0.1);
+    }
+
+    assertThat(useless.status()).isEqualTo(ServiceStatus.FAILED);
+    assertThat(kit.log("Useless"))
+        .anyMatch(line -> line.endsWith("stopping after 3 consecutive steps that threw"));
+  }
+
   private static StateInformation state(String sensor) {
     return new StateInformation().sensorName(sensor).x(1.0);
   }

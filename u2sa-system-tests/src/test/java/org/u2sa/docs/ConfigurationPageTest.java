@@ -89,6 +89,7 @@ class ConfigurationPageTest {
       ```
       - `type` is integer, double, boolean or string. `unit` may be any that converts to the unit below: `deg` for `rad`,
         `kt` for `m/s`, `ft` for `m`. Optional `min`, `max` and `description` are kept for ground stations.
+      - Numbers, in the unit below, are 0 or of a magnitude from 10⁻¹² to 10¹², so that what is computed from them stays finite.
       - A variable that is left out has its default; one that no service declares is refused, with the nearest known name.
       - `./u2sa run FILE --set "PathPlanner:LOOK AHEAD=120.0"` sets one for a run, in the unit below, without writing the file. The
         service is named by its class.

@@ -33,7 +33,7 @@ import org.u2sa.service.ServiceRole;
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
-  private static final double MIN_LOOKS_PER_S = 1.0;
+  private static final double SLOWEST_HZ = 1.0; // else failsafes would come too late
 
   /** Steps the monitor itself may miss before it stops treating silence as evidence. */
   private static final double LOST_AFTER_PERIODS = 4.0;
@@ -49,7 +49,7 @@ public final class HealthMonitor extends PeriodicService {
   private long orders;
 
   public HealthMonitor(ServiceContext context) {
-    super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S, MIN_LOOKS_PER_S);
+    super(context, ServiceRole.HEALTH_MONITOR, "HealthMonitor", LOOKS_PER_S, SLOWEST_HZ);
     settings = new MonitorVariables(limits.get(), this);
     reception = new ReceptionCheck(nowS());
     registerPublisher(Channels.CONDITIONS);
@@ -69,6 +69,11 @@ public final class HealthMonitor extends PeriodicService {
   @Override
   protected void begin() {
     settings.watched.forEach(this::service);
+  }
+
+  @Override
+  protected Optional<String> configurationRefusal(Map<String, Object> values) {
+    return MonitorVariables.nameRefusal((String) values.get(MonitorVariables.WATCHED));
   }
 
   @Override

@@ -1,10 +1,14 @@
 package org.u2sa.core.health;
 
+import static org.u2sa.messages.cbor.Limits.NAME_CHARS;
+
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Configurator;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Range;
@@ -70,6 +74,7 @@ final class MonitorVariables {
               "Maximum difference of a service's clock from the monitor's before it is reported.")
           double clockTolerance) {}
 
+  static final String WATCHED = "WATCHED";
   private static final String POLICY = " POLICY";
   private static final String DATA_TIMEOUT = " DATA TIMEOUT";
 
@@ -81,15 +86,38 @@ final class MonitorVariables {
   /** Reads also the variables of the services that the configuration names. */
   MonitorVariables(Limits limits, Configurator configuration) {
     this.limits = limits;
-    for (String name : limits.watched().split(",", -1)) {
-      if (!name.trim().isEmpty()) {
-        watched.add(name.trim());
-      }
-    }
+    nameRefusal(limits.watched())
+        .ifPresent(
+            reason -> {
+              throw new BadInputException(reason);
+            });
+    watched.addAll(names(limits.watched()));
     for (String service : named(configuration)) {
       policies.put(service, Policy.valueOf(configuration.getVariable(policy(service))));
       dataTimeoutsS.put(service, configuration.getVariable(dataTimeout(service)));
     }
+  }
+
+  private static Set<String> names(String list) {
+    Set<String> names = new LinkedHashSet<>();
+    for (String name : list.split(",", -1)) {
+      if (!name.trim().isEmpty()) {
+        names.add(name.trim());
+      }
+    }
+    return names;
+  }
+
+  /** Reason why a list of watched services is invalid: no message could carry such a name. */
+  static Optional<String> nameRefusal(String list) {
+    return names(list).stream()
+        .filter(name -> name.length() > NAME_CHARS)
+        .findFirst()
+        .map(
+            name ->
+                String.format(
+                    "%s: a name of %d characters; expected at most %d",
+                    WATCHED, name.length(), NAME_CHARS));
   }
 
   private Set<String> named(Configurator configuration) {

@@ -12,7 +12,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Checks that every known battery still reports, if a threshold is set: a battery with a silent
- * sensor may be empty.
+ * sensor may be empty. One that BATTERIES names is expected while armed even if it was never heard.
  */
 final class BatterySilenceWatch implements Watch {
   private static final int MAX_BATTERIES = 256; // caps memory against spoofed batteries
@@ -22,6 +22,7 @@ final class BatterySilenceWatch implements Watch {
 
   private final Supplier<SafetyVariables> settings;
   private final Map<String, Long> heardMicros = new TreeMap<>(); // by sensor name; local clock
+  private final Map<String, Long> awaitedMicros = new TreeMap<>(); // named, not heard; since when
 
   BatterySilenceWatch(Supplier<SafetyVariables> settings) {
     this.settings = settings;
@@ -63,12 +64,20 @@ final class BatterySilenceWatch implements Watch {
 
   @Override
   public Optional<String> trouble(long nowMicros) {
+    List<String> unheard = CauseText.names(settings.get().batteries());
+    unheard.removeAll(heardMicros.keySet());
+    awaitedMicros.keySet().retainAll(unheard);
+    unheard.forEach(name -> awaitedMicros.putIfAbsent(name, nowMicros));
+    return silence(heardMicros, nowMicros).or(() -> silence(awaitedMicros, nowMicros));
+  }
+
+  private Optional<String> silence(Map<String, Long> sinceMicros, long nowMicros) {
     SafetyVariables now = settings.get();
     List<String> chosen = CauseText.names(now.batteries());
     if (!now.watchesBatteries()) {
       return Optional.empty();
     }
-    return heardMicros.entrySet().stream()
+    return sinceMicros.entrySet().stream()
         .filter(each -> chosen.isEmpty() || chosen.contains(each.getKey()))
         .filter(each -> Clock.seconds(nowMicros - each.getValue()) > now.batteryDeadline())
         .map(
@@ -91,6 +100,6 @@ final class BatterySilenceWatch implements Watch {
             each ->
                 !chosen.contains(each.getKey())
                     && Clock.seconds(nowMicros - each.getValue()) > forgottenAfterS);
-    return trouble(nowMicros);
+    return silence(heardMicros, nowMicros); // the thresholds object to one that is not heard
   }
 }

@@ -13,6 +13,7 @@ import org.locationtech.jts.operation.valid.TopologyValidationError;
 import org.u2sa.interfaces.units.XmlNumbers;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
+import org.u2sa.messages.cbor.Limits;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -103,7 +104,7 @@ final class FenceReader {
     Optional<XmlElement> element = root.child(name);
     element.ifPresent(each -> each.refuseUnknownAttributes("unit"));
     return element.isPresent()
-        ? OptionalDouble.of(XmlNumbers.converted(element.get(), "m", "m"))
+        ? OptionalDouble.of(bounded(element.get(), "m"))
         : OptionalDouble.empty();
   }
 
@@ -143,7 +144,7 @@ final class FenceReader {
     XmlElement radius =
         area.child("radius").orElseThrow(() -> area.error("has a <centre> but no <radius>"));
     radius.refuseUnknownAttributes("unit");
-    double radiusM = XmlNumbers.converted(radius, "m", "m");
+    double radiusM = bounded(radius, "m");
     if (!(radiusM > 0.0)) {
       throw radius.error(radiusM + " m: expected more than 0 m");
     }
@@ -175,6 +176,15 @@ final class FenceReader {
     XmlElement number = element.requiredChild(name);
     number.refuseUnknownAttributes("unit");
     String unit = onEarth ? "deg" : "m";
-    return XmlNumbers.converted(number, unit, unit);
+    return bounded(number, unit);
+  }
+
+  /** A number with which calculations stay finite. */
+  private static double bounded(XmlElement element, String unit) {
+    double value = XmlNumbers.converted(element, unit, unit);
+    if (Math.abs(value) > Limits.COORDINATE) {
+      throw element.error(value + " " + unit + ": expected at most " + Limits.COORDINATE);
+    }
+    return value;
   }
 }

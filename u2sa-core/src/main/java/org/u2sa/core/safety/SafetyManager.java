@@ -38,7 +38,7 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
-  private static final double MIN_CHECKS_PER_S = 1.0;
+  private static final double SLOWEST_HZ = 1.0; // else failsafes would come too late
   private static final double REPEAT_INTERVAL_S = 1.0; // of unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
@@ -67,7 +67,7 @@ public final class SafetyManager extends PeriodicService {
    * @throws org.u2sa.interfaces.BadInputException if the fence's file is invalid
    */
   public SafetyManager(ServiceContext context) {
-    super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S, MIN_CHECKS_PER_S);
+    super(context, ServiceRole.SAFETY_MANAGER, "SafetyManager", CHECKS_PER_S, SLOWEST_HZ);
     emergency = new EmergencyLatch(clock(), context.systemId());
     PositionWatch position = new PositionWatch(settings);
     fenceWatch = new FenceWatch(this, settings, new FenceFile(context.configuration()), position);

@@ -65,6 +65,31 @@ class HealthMonitorTest extends WatchedWorker {
   }
 
   @Test
+  void watched_nameLongerThanMessagesCarry_isRefusedAndTheServicesStayWatched() {
+    HealthMonitor monitor = monitor();
+    live("a", 1.0);
+
+    kit.publish(
+        Channels.CONFIGURATION,
+        new ConfigurationChange()
+            .serviceName("HealthMonitor")
+            .variableName("WATCHED")
+            .value("A".repeat(256)));
+
+    assertThat(monitor.getVariable("WATCHED")).isEqualTo("Worker");
+    say(report("a").status(ServiceStatus.FAILED));
+    assertThat(condition().condition()).isEqualTo(Condition.FAILED);
+  }
+
+  @Test
+  void rate_atWhichFailuresWouldBeNoticedTooLate_isRefused() {
+    HealthMonitor monitor = monitor();
+
+    assertThat(monitor.setVariable("RATE", 0.001)).isFalse();
+    assertThat(kit.log("HealthMonitor")).anyMatch(line -> line.contains("outside 1…10000 Hz"));
+  }
+
+  @Test
   void watched_narrowedBeforeAStart_takesBackWhatTheMonitorBeforeSaid() {
     kit.publish(
         Channels.CONDITIONS,

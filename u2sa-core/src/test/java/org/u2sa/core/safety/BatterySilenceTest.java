@@ -70,6 +70,20 @@ class BatterySilenceTest extends WatchedVehicle {
   }
 
   @Test
+  void battery_namedInFlightButNeverHeard_isACauseAfterTheDeadline() {
+    SafetyManager manager = startArmedManager();
+
+    manager.setVariable("BATTERIES", "Nobody");
+    for (int s = 0; s < 11; s++) {
+      battery(12.5, 80.0);
+      live(1.0);
+    }
+
+    assertThat(failsafe().action()).isEqualTo(FailsafeAction.RETURN);
+    assertThat(failsafe().causes().get(0)).startsWith("battery sensor: Nobody silent for 10.");
+  }
+
+  @Test
   void battery_silentWithoutAThreshold_isNoCause() {
     kit.with("LOW BATTERY VOLTAGE", 0.0).with("CRITICAL BATTERY REMAINING", 0.0);
     startArmed();

@@ -75,6 +75,9 @@ class FenceReaderTest {
       value = {
         "<x>100</x><y>100</y> | <x>-100</x><y>50</y> | line 5, <keepIn>: encloses no area in one piece",
         "<ceiling>200         | <ceiling>20          | line 4, <ceiling>: 20.0 m is not above the floor of 30.48 m",
+        "<ceiling>200         | <ceiling>1e308       | line 4, <ceiling>: 1.0E308 m: expected at most 1.0E9",
+        "<radius>10           | <radius>1e300        | line 13, <radius>: 1.0E300 m: expected at most 1.0E9",
+        "<x>100</x><y>100</y> | <x>1e300</x><y>1</y> | <x>: 1.0E300 m: expected at most 1.0E9",
         "<radius>10           | <radius>0            | line 13, <radius>: 0.0 m: expected more than 0 m",
         "<y>50</y>            | <z>50</z>            | line 12, <z>",
         "Local ENU            | Body                 | line 2, <reference>: \"Body\" is not one of Global, Local ENU",

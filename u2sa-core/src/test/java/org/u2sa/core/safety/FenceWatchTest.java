@@ -1,6 +1,7 @@
 package org.u2sa.core.safety;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -98,6 +99,26 @@ class FenceWatchTest {
     assertThat(seeing(at(0.0, -76.01).yDot(-8.0)).trouble(0))
         .contains("too near to stop within 24 m");
     assertThat(seeing(at(76.01, 0.0).xDot(8.0)).objection(0)).as("armed on its way").isEmpty();
+  }
+
+  /** Beyond them the region had no coordinates, and nothing was outside. */
+  @ParameterizedTest
+  @CsvSource({
+    "BRAKE, BRAKING, 1e-12, 4.9e-324",
+    "TURN, WIND ALLOWANCE, 1e12, 1e308",
+    "TURN TO ONE SIDE, WIND ALLOWANCE, 1e12, 1e308",
+    "TURN, HOLD RADIUS, 1e12, 1e308",
+    "TURN TO ONE SIDE, HOLD RADIUS, 1e12, 1e308",
+  })
+  void trouble_mostRoomThatCanBeConfigured_isTooNearAndMoreIsRefused(
+      String manoeuvre, String variable, double most, double more) {
+    variables.put("FENCE MANOEUVRE", manoeuvre);
+    variables.put("ON FENCE", "HOLD");
+    variables.put(variable, most);
+    assertThat(seeing(at(0.0, 0.0).xDot(3.0).yDot(-7.0)).trouble(0)).isPresent();
+
+    variables.put(variable, more);
+    assertThatThrownBy(this::watch).hasMessageContaining("neither 0 nor of a magnitude");
   }
 
   /** At 6 and 8 m/s, so 10 m/s: 20 m until it reacts after 2 s, and 25 m of braking. */

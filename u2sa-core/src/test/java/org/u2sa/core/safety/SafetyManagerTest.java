@@ -24,6 +24,14 @@ class SafetyManagerTest extends WatchedVehicle {
   }
 
   @Test
+  void rate_atWhichCausesWouldBeNoticedTooLate_isRefused() {
+    SafetyManager manager = startManager();
+
+    assertThat(manager.setVariable("RATE", 0.001)).isFalse();
+    assertThat(kit.log("SafetyManager")).anyMatch(line -> line.contains("outside 1…10000 Hz"));
+  }
+
+  @Test
   void operator_neverHeard_isNotMissed() {
     startArmed();
     live(8.0);

@@ -158,7 +158,9 @@ final class BoundVariable {
 
   // The message uses the file's unit, because the user wrote it.
   private void refuse(String reason) {
-    if (!converts() || !(stated.get().value() instanceof Double)) {
+    if (!converts()
+        || !(stated.get().value() instanceof Double number)
+        || limits.contains(fromFile(number))) {
       throw error(reason);
     }
     throw error(

@@ -34,6 +34,9 @@ public record VariableDeclaration<T>(
     Optional<T> ifAbsent,
     List<T> choices,
     String description) {
+  /** Magnitudes of a number other than 0: products and quotients of a few remain finite. */
+  private static final Range MAGNITUDES = Range.of(1e-12, 1e12);
+
   /**
    * @throws IllegalArgumentException if the name is missing, or the default is not allowed
    */
@@ -134,6 +137,10 @@ public record VariableDeclaration<T>(
     if (value instanceof Number number && !range.contains(number.doubleValue())) {
       return Optional.of(
           range.refusal(NumberText.ofValue(value) + (unit.isEmpty() ? "" : " " + unit), unit));
+    }
+    if (value instanceof Double number && number != 0.0 && !MAGNITUDES.contains(Math.abs(number))) {
+      return Optional.of(
+          NumberText.ofValue(value) + " is neither 0 nor of a magnitude from 1E-12 to 1E12");
     }
     if (!choices.isEmpty() && !choices.contains(value)) {
       return Optional.of(quoted(value) + " is not one of " + text(choices));

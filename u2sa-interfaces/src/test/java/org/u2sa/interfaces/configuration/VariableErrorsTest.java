@@ -13,6 +13,8 @@ class VariableErrorsTest extends RefusedFile {
       VariableDeclaration.number("BANK LIMIT", "rad")
           .range(Range.of(0.0, Math.toRadians(60.0)))
           .describedAs("Largest bank that is flown.");
+  private static final VariableDeclaration<Double> RADIUS =
+      VariableDeclaration.number("RADIUS", "m").range(Range.nonNegative());
   private static final VariableDeclaration<Integer> PORT =
       VariableDeclaration.integer("PORT").range(Range.of(1, 65535)).ifAbsent(1883);
   private static final VariableDeclaration<String> LEVEL =
@@ -39,11 +41,15 @@ class VariableErrorsTest extends RefusedFile {
           BANK LIMIT | type='double' value='1' unit='ft' | unit "ft" measures length, expected angle: rad, deg, °
           BANK LIMIT | type='double' value='1' unit='degr' | unknown unit "degr"; expected angle: rad, deg, °; did you mean "deg"?
           BANK LIMIT | type='double' value='30' unit='deg' max='90' | max 90 deg is outside 0…60 deg; a file may narrow the range, not widen it
+          RADIUS | type='double' value='-1' unit='ft' | -1 ft is not at least 0 ft
+          RADIUS | type='double' value='1e308' | 1E+308 is neither 0 nor of a magnitude from 1E-12 to 1E12
+          RADIUS | type='double' value='1e300' unit='ft' | 3.048E+299 is neither 0 nor of a magnitude from 1E-12 to 1E12
+          RADIUS | type='double' value='4.9e-324' | 4.940656458E-324 is neither 0 nor of a magnitude from 1E-12 to 1E12
           LOG LEVEL | type='string' value='loud' | "loud" is not one of "debug", "info"
           """)
   void getVariable_outsideRange_namesRange(String name, String attributes, String expected) {
     VariableDeclaration<?> declared =
-        List.of(BANK_LIMIT, PORT, LEVEL).stream()
+        List.of(BANK_LIMIT, RADIUS, PORT, LEVEL).stream()
             .filter(variable -> variable.name().equals(name))
             .findFirst()
             .orElseThrow();
