@@ -44,7 +44,7 @@ public final class SafetyManager extends PeriodicService {
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
   private final Conditions conditions = new Conditions();
-  private final NamedSenders senders = new NamedSenders(settings);
+  private final NamedServices named = new NamedServices(settings);
   private final SafetyPilot pilot = new SafetyPilot(settings, conditions);
   private final FenceWatch fenceWatch;
   private final FenceOrders fenceOrders;
@@ -73,7 +73,7 @@ public final class SafetyManager extends PeriodicService {
     fenceWatch = new FenceWatch(this, settings, new FenceFile(context.configuration()), position);
     fenceOrders = new FenceOrders(fenceWatch);
     List<ExtensionWatch> extensions = ExtensionWatch.discovered(this);
-    watches = new ArrayList<>(Watches.standard(settings, conditions, senders, position));
+    watches = new ArrayList<>(Watches.standard(settings, conditions, named, position));
     watches.add(new GuardedWatch(fenceWatch));
     extensions.forEach(watch -> watches.add(new GuardedWatch(watch)));
     List<Hazard> hazards = watches.stream().map(Watch::hazard).collect(Collectors.toList());
@@ -115,10 +115,10 @@ public final class SafetyManager extends PeriodicService {
     return fenceWatch.fence().map(Fence::keepOutCorners).orElse(List.of());
   }
 
-  /** Rejects an unreadable fence and, in motion, services and batteries that do not exist. */
+  /** Rejects an unreadable fence and, in motion, services that do not exist. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    Optional<String> refusal = arming.isArmed() ? senders.refusal(values) : Optional.empty();
+    Optional<String> refusal = arming.isArmed() ? named.refusal(values) : Optional.empty();
     return refusal.or(() -> fenceWatch.configurationRefusal(values));
   }
 
@@ -198,7 +198,7 @@ public final class SafetyManager extends PeriodicService {
     long now = clock().micros();
     predecessor.see(message, now);
     arming.see(message, now);
-    senders.see(message);
+    named.see(message);
     if (message instanceof HealthReport report) {
       pilot.see(report, now);
     }

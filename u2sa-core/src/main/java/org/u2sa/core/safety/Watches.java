@@ -14,7 +14,7 @@ final class Watches {
   static List<Watch> standard(
       Supplier<SafetyVariables> settings,
       Conditions conditions,
-      NamedSenders senders,
+      NamedServices named,
       PositionWatch position) {
     return Stream.of(
             HeartbeatWatch.ofOperators(settings),
@@ -28,11 +28,11 @@ final class Watches {
                       ? Optional.of("no fresh states")
                       : failure;
                 },
-                senders::unknownEstimator),
+                named::unknownEstimator),
             new ServiceWatch(
                 Hazard.ACTUATOR_LINK,
                 now -> conditions.failure(settings.get().actuatorServices()),
-                senders::unknownActuatorService),
+                named::unknownActuatorService),
             new ActuationWatch(settings),
             HeartbeatWatch.ofMonitor(settings),
             new ServiceWatch(Hazard.SERVICE, now -> conditions.givenUp(), Optional::empty),

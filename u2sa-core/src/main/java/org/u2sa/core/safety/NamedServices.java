@@ -7,36 +7,32 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
-import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Checks that the services and batteries named by variables have reported: a misspelt name would
- * silently disable a failsafe.
+ * Checks that the services named by variables have reported: a misspelt name would silently disable
+ * a failsafe.
  */
-final class NamedSenders {
+final class NamedServices {
   private static final int MAX_NAMES = 500; // so that invented names do not fill the memory
 
   private final Supplier<SafetyVariables> settings;
   private final Set<String> services = new TreeSet<>();
-  private final Set<String> batteries = new TreeSet<>();
 
-  NamedSenders(Supplier<SafetyVariables> settings) {
+  NamedServices(Supplier<SafetyVariables> settings) {
     this.settings = settings;
   }
 
   void see(U2SAData message) {
     if (message instanceof HealthReport report && services.size() < MAX_NAMES) {
       services.add(report.serviceName());
-    } else if (message instanceof BatteryState battery && batteries.size() < MAX_NAMES) {
-      batteries.add(battery.sensorName());
     }
   }
 
   /** The first of ACTUATOR SERVICES that has not reported, in words; empty if all have. */
   Optional<String> unknownActuatorService() {
-    return unknown("service", settings.get().actuatorServices(), services);
+    return unknown(settings.get().actuatorServices());
   }
 
   /** The estimator if it has not reported; vehicles without one have the default name. */
@@ -44,39 +40,30 @@ final class NamedSenders {
     String name = settings.get().estimatorService();
     return name.equals(SafetyVariables.DEFAULT_ESTIMATOR)
         ? Optional.empty()
-        : unknown("service", name, services);
+        : unknown(name);
   }
 
   /** Reason why the values may not replace the current ones in motion; empty if they may. */
   Optional<String> refusal(Map<String, Object> values) {
     SafetyVariables now = settings.get();
-    return refusal(values, "ACTUATOR SERVICES", now.actuatorServices(), "service", services)
-        .or(() -> refusal(values, "ESTIMATOR SERVICE", now.estimatorService(), "service", services))
-        .or(
-            () ->
-                refusal(
-                    values,
-                    "HEALTH MONITOR SERVICE",
-                    now.healthMonitorService(),
-                    "service",
-                    services))
-        .or(() -> refusal(values, "BATTERIES", now.batteries(), "battery", batteries));
+    return refusal(values, "ACTUATOR SERVICES", now.actuatorServices())
+        .or(() -> refusal(values, "ESTIMATOR SERVICE", now.estimatorService()))
+        .or(() -> refusal(values, "HEALTH MONITOR SERVICE", now.healthMonitorService()));
   }
 
-  private static Optional<String> refusal(
-      Map<String, Object> values, String variable, String before, String what, Set<String> known) {
+  private Optional<String> refusal(Map<String, Object> values, String variable, String before) {
     String names = (String) values.get(variable);
     return names.equals(before)
         ? Optional.empty()
-        : unknown(what, names, known)
+        : unknown(names)
             .map(
                 words ->
                     "variable \"" + variable + "\": " + words + "; disarm to set it in advance");
   }
 
-  private static Optional<String> unknown(String what, String names, Set<String> known) {
+  private Optional<String> unknown(String names) {
     List<String> missing = new ArrayList<>(CauseText.names(names));
-    missing.removeAll(known);
-    return missing.stream().findFirst().map(name -> what + " " + name + " has not reported");
+    missing.removeAll(services);
+    return missing.stream().findFirst().map(name -> "service " + name + " has not reported");
   }
 }

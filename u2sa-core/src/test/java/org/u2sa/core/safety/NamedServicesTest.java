@@ -11,9 +11,9 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
-/** Names of services and batteries that do not exist: they would disable failsafes. */
+/** Names of services that do not exist: they would disable failsafes. */
 @Timeout(30)
-class NamedSendersTest extends WatchedVehicle {
+class NamedServicesTest extends WatchedVehicle {
   @ParameterizedTest
   @CsvSource({
     "ACTUATOR SERVICES,'Motor, Nobody',actuator link: service Nobody has not reported",
@@ -36,16 +36,14 @@ class NamedSendersTest extends WatchedVehicle {
   @CsvSource({
     "ACTUATOR SERVICES,Motor,Nobody",
     "ESTIMATOR SERVICE,Rudder,Nobody",
-    "HEALTH MONITOR SERVICE,Motor,Nobody",
-    "BATTERIES,main,other"
+    "HEALTH MONITOR SERVICE,Motor,Nobody"
   })
-  void configurationRefusal_senderThatHasNotReported_onlyInMotion(
+  void configurationRefusal_serviceThatHasNotReported_onlyInMotion(
       String variable, String known, String unknown) {
     SafetyManager manager = start();
     live(0.3);
     assertThat(manager.setVariable(variable, unknown)).isTrue();
     assertThat(manager.setVariable(variable, known)).isTrue();
-    battery(12.5, 80.0);
     live(0.3);
     assertThat(arm(true).reasons()).isEmpty();
 
