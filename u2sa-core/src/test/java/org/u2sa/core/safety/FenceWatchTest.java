@@ -104,7 +104,6 @@ class FenceWatchTest {
   /** Beyond them the region had no coordinates, and nothing was outside. */
   @ParameterizedTest
   @CsvSource({
-    "BRAKE, BRAKING, 0.01, 0.009",
     "TURN, WIND ALLOWANCE, 1e12, 1e308",
     "TURN TO ONE SIDE, WIND ALLOWANCE, 1e12, 1e308",
     "TURN, HOLD RADIUS, 1e12, 1e308",
