@@ -75,13 +75,13 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
     /**
      * Each source is weighted by the time since its own previous measurement, because any source
-     * may be late.
+     * may be late. Without a rate, the value would lag behind its measurements: it follows at once.
      */
     void pull(String source, double apart, double newSigma, double timeS, long micros) {
       Long before = pulls.put(source, micros);
       double seconds =
           Math.max(0.0, Clock.seconds(micros - (before == null ? pulledMicros : before)));
-      double share = hasValue && timeS > 0.0 ? 1.0 - Math.exp(-seconds / timeS) : 1.0;
+      double share = hasValue && hasRate && timeS > 0.0 ? 1.0 - Math.exp(-seconds / timeS) : 1.0;
       value += share * apart;
       sigma = newSigma;
       pulledMicros = hasValue ? Math.max(pulledMicros, micros) : micros;

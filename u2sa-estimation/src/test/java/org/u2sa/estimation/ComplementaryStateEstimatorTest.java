@@ -76,6 +76,17 @@ class ComplementaryStateEstimatorTest {
   }
 
   @Test
+  void callback_positionsOnly_stateDoesNotLagBehindThem() {
+    kit.start(ComplementaryStateEstimator::new);
+    for (int i = 0; i < 100; i++) {
+      kit.advance(0.1);
+      fix("GPS", 0.0, 0.0);
+    }
+
+    assertThat(offM().distance()).isLessThan(0.01);
+  }
+
+  @Test
   void callback_oneReceiverLateAndOneInTime_bothPull() {
     kit.start(ComplementaryStateEstimator::new);
     drive(

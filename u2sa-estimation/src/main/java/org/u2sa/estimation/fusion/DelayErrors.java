@@ -99,7 +99,8 @@ final class DelayErrors {
     double east = s.x[FilterState.STEADY_V + 1];
     double change = Math.hypot(s.x[FilterState.V] - north, s.x[FilterState.V + 1] - east);
     double variance = s.variance(FilterState.VELOCITY) + s.variance(FilterState.VELOCITY + 1);
-    return change > MIN_CHANGE_MPS
+    return (s.isStrapdown || s.hasSpeedInput())
+        && change > MIN_CHANGE_MPS
         && change > MIN_CHANGE_SHARE * Math.hypot(north, east)
         && change > SIGMAS * Math.sqrt(variance);
   }

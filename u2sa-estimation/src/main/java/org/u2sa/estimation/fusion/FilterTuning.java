@@ -50,6 +50,7 @@ public record FilterTuning(
     int history) {
 
   static final double TURN_MEMORY_S = 1.0; // time constant of an unmeasured turn
+  static final double ACCELERATION_MEMORY_S = 2.0; // of an acceleration of unknown direction
 
   /** Default values for a domain. */
   public static FilterTuning of(MotionDomain domain) {

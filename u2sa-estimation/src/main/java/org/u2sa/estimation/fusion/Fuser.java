@@ -9,13 +9,14 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  */
 final class Fuser {
   private static final double MICROS = 1e6;
-  private static final double UNUSED_INERTIAL_SIGMA = 1.0; // m/s² mistaken for gravity
+  private static final double UNUSED_INERTIAL_SIGMA = 2.0; // m/s² mistaken for gravity
   private static final double TRACK_SIGMA_RAD = 0.2; // sigma of the course used as heading
   private static final double TRACK_AFTER_S = 3.0;
   private static final double FLUID_FRESH_S = 2.0;
   private static final double SPEED_FRESH_S = 2.0;
   private static final double ONLY_ALTIMETER_S = 1.0;
   private static final double STANDING_MPS = 0.1; // wheel speed
+  private static final double HARD_MPS2 = 3.0; // acceleration of a vehicle that starts or brakes
   private static final double READABLE_SIGMAS = 3.0;
 
   private final FilterTuning tuning;
@@ -132,8 +133,9 @@ final class Fuser {
       return;
     }
     if (quantity == SensedQuantity.SPECIFIC_FORCE) {
+      double repeats = repeats(FilterTuning.ACCELERATION_MEMORY_S, s.x[FilterState.INPUT_INTERVAL]);
       for (int i = 0; i < linear.rows; i++) {
-        linear.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA;
+        linear.variance[i] += UNUSED_INERTIAL_SIGMA * UNUSED_INERTIAL_SIGMA * repeats;
       }
     }
     if (quantity == SensedQuantity.LOCAL_PLACE || quantity == SensedQuantity.LOCAL_DOWN) {
@@ -166,6 +168,9 @@ final class Fuser {
       boolean isJump = false;
       double wanderRate = persistent.wanderRate(s, slot);
       boolean isPosition = SpeedDoubt.isOfPosition(quantity);
+      if (isAlone && (isPosition || SpeedDoubt.isOfSpeed(quantity))) {
+        supposeAcceleration(s, source);
+      }
       if (isPosition && scatter.isBeyondClaim(s, linear, at, isAlone)) {
         return;
       }
@@ -189,6 +194,20 @@ final class Fuser {
       } else {
         correct(s, m, source, quantity, at, slot);
       }
+    }
+  }
+
+  /**
+   * Makes the velocity as uncertain as hard acceleration since the last message, if only the motion
+   * model contradicts its only source.
+   */
+  private void supposeAcceleration(FilterState s, int source) {
+    if (s.isStrapdown || s.hasSpeedInput()) {
+      return; // acceleration or speed are measured
+    }
+    double mps = HARD_MPS2 * s.trust[trust.of(s, source) + SourceTrust.INTERVAL];
+    for (int i = 0; i < 2; i++) {
+      s.p.data[(FilterState.VELOCITY + i) * (FilterState.N + 1)] += mps * mps;
     }
   }
 
@@ -220,9 +239,8 @@ final class Fuser {
             || quantity == SensedQuantity.ALTITUDE
             || quantity == SensedQuantity.LOCAL_PLACE;
     if (persists && tuning.positionCorrelationS() > 0.0) {
-      // Errors with correlation time τ carry as much information as independent ones every 2 τ.
-      double interval = Math.max(1e-3, s.trust[trust.of(s, source) + SourceTrust.INTERVAL]);
-      double repeats = 1.0 + 2.0 * correlationS(s, m, source, quantity) / interval;
+      double interval = s.trust[trust.of(s, source) + SourceTrust.INTERVAL];
+      double repeats = repeats(correlationS(s, m, source, quantity), interval);
       update.weigh(linear, SourceTrust.factor(s, at) * repeats);
     }
     if (quantity == SensedQuantity.LANDMARK) {
@@ -231,6 +249,14 @@ final class Fuser {
     update.apply(s, linear);
     count(s, at, SourceTrust.USED);
     used(s, quantity);
+  }
+
+  /**
+   * Factor on the variance of errors with a correlation time τ: they carry as much information as
+   * independent ones every 2 τ.
+   */
+  private static double repeats(double correlationS, double intervalS) {
+    return 1.0 + 2.0 * correlationS / Math.max(1e-3, intervalS);
   }
 
   /**

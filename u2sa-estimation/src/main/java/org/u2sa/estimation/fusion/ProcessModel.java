@@ -161,9 +161,11 @@ final class ProcessModel {
   private void addNoise(FilterState s, double dt) {
     double[] x = s.x;
     MotionDomain domain = tuning.domain();
+    double felt = feltNoise(s);
     for (int i = 0; i < 3; i++) {
       double wander = i == 2 ? tuning.verticalNoise() : tuning.accelerationNoise();
-      double q = s.isStrapdown ? x[FilterState.FORCE_DENSITY] : wander * wander;
+      double unused = wander * wander + (i == 2 ? 0.0 : felt);
+      double q = s.isStrapdown ? x[FilterState.FORCE_DENSITY] : unused;
       if (!s.hasSpeedInput()) {
         addVelocityNoise(s, i, q, dt);
       }
@@ -186,6 +188,26 @@ final class ProcessModel {
     }
     persistent.wander(s, dt);
     DelayErrors.wander(s, dt);
+  }
+
+  /**
+   * Noise of the horizontal velocity by the acceleration that an inertial sensor measures while its
+   * direction is not known, per axis [m²/s³].
+   */
+  private double feltNoise(FilterState s) {
+    double[] x = s.x;
+    if (s.isStrapdown || !s.isInertial || !s.hasTilt || s.forceMicros != s.gyroMicros) {
+      return 0.0;
+    }
+    double sum = 0.0;
+    for (int i = 0; i < 2; i++) {
+      double force = 0.0;
+      for (int k = 0; k < 3; k++) {
+        force += r[3 * i + k] * (x[FilterState.FORCE + k] - x[FilterState.BF + k]);
+      }
+      sum += force * force;
+    }
+    return sum * FilterTuning.ACCELERATION_MEMORY_S;
   }
 
   private static void addVelocityNoise(FilterState s, int i, double q, double dt) {

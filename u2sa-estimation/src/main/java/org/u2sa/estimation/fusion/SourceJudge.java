@@ -24,11 +24,16 @@ final class SourceJudge {
     this.trust = trust;
   }
 
-  /** Whether an inertial sensor repeats its noise and other sources contradict the estimate. */
+  /**
+   * Whether an inertial sensor repeats its noise and other sources contradict the estimate, or have
+   * done so since its values stopped changing.
+   */
   boolean isStuck(FilterState s, int source) {
     double[] t = s.trust;
     int at = trust.of(s, source);
-    boolean isStuck = t[at + SourceTrust.RUN] >= 10.0 * FROZEN_RUN && isContradicted(s, source);
+    boolean isKnown = t[at + SourceTrust.IS_FROZEN] != 0.0;
+    boolean isStuck =
+        t[at + SourceTrust.RUN] >= 10.0 * FROZEN_RUN && (isKnown || isContradicted(s, source));
     if (isStuck) {
       t[at + SourceTrust.IS_FROZEN] = 1.0;
       t[trust.of(s, source, SensedQuantity.BODY_RATES) + SourceTrust.GATED]++;

@@ -175,17 +175,23 @@ final class SourceTrust {
     boolean hasPrevious = t[at + HAS_PREVIOUS] == model.rows;
     boolean wasRefused = t[at + STREAK] > 0.0; // so no update in between
     double sum = 0.0;
+    double ofState = 0.0;
     for (int i = 0; i < model.rows; i++) {
       double inClaims = model.innovation[i] / Math.sqrt(model.variance[i]);
       double step = inClaims - t[at + PREVIOUS + i];
-      double shown = step * step / 2.0 - (wasRefused ? 0.0 : expected[i] / model.variance[i]);
-      sum += Math.min(shown, LARGEST * Math.max(1.0, t[at + FACTOR]));
+      double own = wasRefused ? 0.0 : expected[i] / model.variance[i];
+      sum += Math.min(step * step / 2.0 - own, LARGEST * Math.max(1.0, t[at + FACTOR]));
+      ofState += own / model.rows;
       t[at + PREVIOUS + i] = inClaims;
     }
     t[at + HAS_PREVIOUS] = model.rows;
     if (hasPrevious) {
-      t[at + LEARNT] = Math.min(window, t[at + LEARNT] + 1.0);
-      t[at + FACTOR] += (sum / model.rows - t[at + FACTOR]) / t[at + LEARNT];
+      // An uncertain state hides the source's own scatter: weight by the inverse variance of shown.
+      double assumed = Math.max(1.0, t[at + FACTOR]);
+      double visible = assumed / (assumed + ofState);
+      double weight = visible * visible;
+      t[at + LEARNT] = Math.min(window, t[at + LEARNT] + weight);
+      t[at + FACTOR] += weight * (sum / model.rows - t[at + FACTOR]) / t[at + LEARNT];
       t[at + FACTOR] = Math.max(0.01, t[at + FACTOR]);
     }
   }

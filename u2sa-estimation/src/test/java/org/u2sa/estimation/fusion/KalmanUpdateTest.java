@@ -43,6 +43,7 @@ class KalmanUpdateTest {
   void apply_anyMeasurement_isTheCorrectionByFullMatrices(int rows) {
     for (int run = 0; run < 30; run++) {
       begin(rows);
+      state.isStrapdown = true;
       state.x[FilterState.STEADY_V] = 1e3;
       state.x[FilterState.V] = 2e3; // a change by which delays are corrected, too
       DMatrixRMaj g = new DMatrixRMaj(N, rows);
