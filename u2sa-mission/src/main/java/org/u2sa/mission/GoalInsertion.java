@@ -20,8 +20,7 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
     List<String> exit = mission.followers.usual(after);
     GoalInformation before = mission.book.goal(after);
     boolean ends =
-        before.nextIf(GoalResult.DONE).isPresent()
-            && mission.followers.end(after, GoalResult.DONE);
+        before.nextIf(GoalResult.DONE).isPresent() && mission.followers.end(after, GoalResult.DONE);
     List<String> ways = mission.book.names();
     ways.retainAll(mission.together(after));
     ways.removeIf(way -> !Set.copyOf(mission.followers.usual(way)).equals(Set.copyOf(exit)));

@@ -272,7 +272,9 @@ final class GoalSequence {
     return at.wanted > 0 || !at.pending.isEmpty();
   }
 
-  /** The goals whose followers become current together with those of a goal, which is among them. */
+  /**
+   * The goals whose followers become current together with those of a goal, which is among them.
+   */
   Set<String> together(String uid) {
     Set<String> together = new LinkedHashSet<>(List.of(uid));
     boolean all = options == Options.ALL;

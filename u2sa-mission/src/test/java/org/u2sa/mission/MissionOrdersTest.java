@@ -255,7 +255,8 @@ class MissionOrdersTest extends ThreeWaypoints {
   @ValueSource(strings = {"", "<choose>2</choose>"})
   void insert_afterOneOfSeveralOptions_whatFollowsThemComesOnceAfterwards(String choice)
       throws IOException {
-    write("<waypoint><name>a</name><x>1</x><next>b, c, d</next>" + choice + "</waypoint>" + OPTIONS);
+    write(
+        "<waypoint><name>a</name><x>1</x><next>b, c, d</next>" + choice + "</waypoint>" + OPTIONS);
     kit.start(MissionManager::new);
     complete("a");
     complete("c");
