@@ -1,6 +1,7 @@
 package org.u2sa.mission;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -23,7 +24,7 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
         before.nextIf(GoalResult.DONE).isPresent() && mission.followers.end(after, GoalResult.DONE);
     List<String> ways = mission.book.names();
     ways.retainAll(mission.together(after));
-    ways.removeIf(way -> !Set.copyOf(mission.followers.usual(way)).equals(Set.copyOf(exit)));
+    ways.removeIf(way -> !new HashSet<>(mission.followers.usual(way)).equals(new HashSet<>(exit)));
     add(last -> lead(last, exit, before, ends));
     ways.forEach(this::leadIn);
     if (mission.currentNames().contains(after)) {
