@@ -38,9 +38,7 @@ final class NamedServices {
   /** The estimator if it has not reported; vehicles without one have the default name. */
   Optional<String> unknownEstimator() {
     String name = settings.get().estimatorService();
-    return name.equals(SafetyVariables.DEFAULT_ESTIMATOR)
-        ? Optional.empty()
-        : unknown(name);
+    return name.equals(SafetyVariables.DEFAULT_ESTIMATOR) ? Optional.empty() : unknown(name);
   }
 
   /** Reason why the values may not replace the current ones in motion; empty if they may. */

@@ -27,7 +27,13 @@ final class SmallBroker implements AutoCloseable {
     command.add("ulimit -n " + descriptors + "; exec \"$@\"");
     command.add("sh");
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-Xmx" + heap, "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-XX:-MaxFDLimit", "-cp"));
+    command.addAll(
+        List.of(
+            "-Xmx" + heap,
+            "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:-MaxFDLimit",
+            "-cp"));
     command.add(System.getProperty("java.class.path"));
     command.addAll(List.of(SmallBroker.class.getName(), String.valueOf(port)));
     process = new ProcessBuilder(command).redirectErrorStream(true).start();

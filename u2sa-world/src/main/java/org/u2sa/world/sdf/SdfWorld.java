@@ -80,14 +80,15 @@ public final class SdfWorld {
       Path folder,
       Map<String, SdfPose> states,
       int depth) {
+    SdfFrames frames = new SdfFrames(parent, ignored);
     for (XmlElement child : parent.children()) {
       switch (child.name()) {
         case "model" -> {
           String name = child.optionalAttribute("name").orElse("model");
-          SdfPose own = states.getOrDefault(name, pose(child, path + name));
+          SdfPose own = states.getOrDefault(name, frames.of(child, path + name));
           model(child, frame.then(own), path + name, folder, depth);
         }
-        case "include" -> include(child, frame, path, folder, states, depth);
+        case "include" -> include(child, frames, frame, path, folder, states, depth);
         case "light", "actor", "road", "population", "joint", "plugin" -> {
           if (!path.isEmpty() || child.name().equals("plugin") || child.name().equals("light")) {
             continue; // nothing to run into
@@ -105,28 +106,20 @@ public final class SdfWorld {
     if (depth > DEEPEST) {
       throw model.error("models are nested deeper than " + DEEPEST);
     }
+    SdfFrames frames = new SdfFrames(model, ignored);
     for (XmlElement link : model.children("link")) {
       String name = path + "/" + link.optionalAttribute("name").orElse("link");
-      SdfPose at = frame.then(pose(link, name));
       List<XmlElement> solid = link.children("collision");
       for (XmlElement each : solid.isEmpty() ? link.children("visual") : solid) {
         each.child("geometry")
-            .flatMap(shape -> geometry.object(shape, at.then(pose(each, name)), name, folder))
+            .flatMap(
+                shape ->
+                    geometry.object(
+                        shape, frame.then(frames.ofPart(each, link, name)), name, folder))
             .ifPresent(object -> add(object, path, each));
       }
     }
     all(model, frame, path + "/", folder, Map.of(), depth + 1);
-  }
-
-  /** The pose of an element; one that is relative to another frame than its parent is reported. */
-  private SdfPose pose(XmlElement element, String name) {
-    element
-        .child("pose")
-        .flatMap(pose -> pose.optionalAttribute("relative_to"))
-        .filter(frame -> !frame.isEmpty() && !frame.equals("__model__") && !frame.equals("world"))
-        .ifPresent(
-            frame -> ignored.add(name + ": pose relative to " + frame + ", read as its model's"));
-    return SdfPose.of(element);
   }
 
   private void add(ObjectDescription object, String name, XmlElement element) {
@@ -142,6 +135,7 @@ public final class SdfWorld {
 
   private void include(
       XmlElement include,
+      SdfFrames frames,
       SdfPose frame,
       String path,
       Path folder,
@@ -172,7 +166,7 @@ public final class SdfWorld {
     }
     for (XmlElement model : root.children("model")) {
       SdfPose placed =
-          include.child("pose").isPresent() ? pose(include, name) : pose(model, path + name);
+          include.child("pose").isPresent() ? frames.of(include, name) : SdfPose.of(model);
       SdfPose at = frame.then(states.getOrDefault(name, placed));
       model(model, at, path + name, file.get().getParent(), depth + 1);
     }

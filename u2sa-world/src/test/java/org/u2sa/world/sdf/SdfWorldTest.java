@@ -82,6 +82,60 @@ class SdfWorldTest {
         world.objects().stream().filter(each -> each.uid().equals(uid)).findFirst().orElseThrow());
   }
 
+  private static final String RELATIVE =
+      """
+      <sdf version="1.9">
+        <world name="yard">
+          <model name="gate">
+            <pose>10 0 0 0 0 1.5707963267948966</pose>
+            <frame name="post"><pose>2 0 0 0 0 0</pose></frame>
+            <link name="left"><pose relative_to="post">1 0 0 0 0 0</pose>%1$s</link>
+            <frame name="top" attached_to="left"><pose>0 1 0 0 0 0</pose></frame>
+            <link name="right"><pose relative_to="top">0 1 0 0 0 0</pose>%1$s</link>
+          </model>
+          <model name="barrel"><pose relative_to="gate">0 5 0 0 0 0</pose><link name="l">%1$s</link></model>
+          %2$s
+        </world>
+      </sdf>
+      """;
+  private static final String BALL =
+      "<collision name=\"c\"><geometry><sphere><radius>0.2</radius></sphere></geometry></collision>";
+
+  @Test
+  void read_posesRelativeToOtherFrames_areComposed() throws IOException {
+    SdfWorld world = read(String.format(RELATIVE, BALL, ""));
+    assertThat(world.ignored()).isEmpty();
+    List<Point> places =
+        world.objects().stream().map(each -> Point.of(each.x(), each.y(), 0.0)).toList();
+    List<Point> expected =
+        List.of(Point.of(10.0, 3.0, 0.0), Point.of(8.0, 3.0, 0.0), Point.of(5.0, 0.0, 0.0));
+    for (int i = 0; i < expected.size(); i++) {
+      assertThat(places.get(i).minus(expected.get(i)).distance()).isLessThan(1e-9);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"a", "b"})
+  void read_posesRelativeInACircle_areRefused(String other) {
+    String circle =
+        "<model name=\"a\"><pose relative_to=\"%s\">0 0 0 0 0 0</pose></model>"
+            + "<model name=\"b\"><pose relative_to=\"a\">0 0 0 0 0 0</pose></model>";
+    String text = String.format(RELATIVE, BALL, String.format(circle, other));
+    assertThatThrownBy(() -> read(text))
+        .isInstanceOf(BadInputException.class)
+        .hasMessageContaining("in a circle");
+  }
+
+  @Test
+  void read_poseRelativeToAFrameThatIsNotThere_isReported() throws IOException {
+    String text =
+        "<model name=\"a\"><pose relative_to=\"gone\">1 0 0 0 0 0</pose><link name=\"l\">"
+            + BALL
+            + "</link></model>";
+    SdfWorld world = read(String.format(RELATIVE, BALL, text));
+    assertThat(world.ignored()).singleElement().asString().contains("a: pose relative to gone");
+  }
+
   @Test
   void read_posesOfWorldModelLinkAndCollision_areChained() throws IOException {
     SdfWorld world = read(YARD);
