@@ -49,6 +49,11 @@ final class KeepOut {
     }
   }
 
+  /** Maximum distance of points that show whether a curve keeps clear [m]. */
+  double arcSampleM() {
+    return 0.5 * sampleM;
+  }
+
   List<Round> rounds() {
     return rounds;
   }

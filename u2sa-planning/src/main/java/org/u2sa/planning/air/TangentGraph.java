@@ -235,22 +235,20 @@ public final class TangentGraph {
         : ring.eastM() - ring.sense() * ring.radiusM() * Math.cos(heading);
   }
 
+  /**
+   * Whether an arc is free, by points on it: a chord lies inside the ring and would seem to hit the
+   * ring's own shape.
+   */
   private boolean arcIsFree(Ring ring, double from, double turned) {
-    int steps = (int) Math.ceil(turned / ARC_SAMPLE_RAD);
-    double north = onRing(ring, from, true);
-    double east = onRing(ring, from, false);
-    for (int i = 1; i <= steps; i++) {
+    double metres = turned * ring.radiusM();
+    int steps = (int) Math.ceil(Math.max(turned / ARC_SAMPLE_RAD, metres / keepOut.arcSampleM()));
+    for (int i = 0; i <= steps && steps > 0; i++) {
       double heading = from + ring.sense() * turned * i / steps;
-      double n = onRing(ring, heading, true);
-      double e = onRing(ring, heading, false);
-      // the chord lies inside the ring and would seem to hit the ring's own shape
-      double bulge = ring.radiusM() * (1.0 - Math.cos(0.5 * turned / steps));
-      if (!keepOut.isFree(n, e, n, e)
-          || (bulge > 0.5 && !keepOut.isFree(north, east, north, east))) {
+      double north = onRing(ring, heading, true);
+      double east = onRing(ring, heading, false);
+      if (!keepOut.isFree(north, east, north, east)) {
         return false;
       }
-      north = n;
-      east = e;
     }
     return true;
   }

@@ -164,4 +164,40 @@ class TangentGraphProperties {
         .allMatch(s -> zone.distanceM(s.pose().northM(), s.pose().eastM()) > 0.93 * CLEARANCE);
     assertThat(way.lengthM()).isLessThan(1200.0);
   }
+
+  /** Points of an arc of 6° are 84 m apart: a wall fits between them. */
+  @Property(tries = 300)
+  void shortest_wideTurnsAmongWalls_doNotPassThroughThem(@ForAll long seed) {
+    Random random = new Random(seed);
+    List<PlanarShape> walls = new ArrayList<>();
+    for (int i = 0; i < 6; i++) {
+      double north = 1500.0 * random.nextDouble() + 200.0;
+      double east = 2500.0 * random.nextDouble() + 100.0;
+      double heading = 6.0 * random.nextDouble();
+      walls.add(
+          new PlanarShape(
+              "W" + i,
+              PlanarShape.Kind.CHAIN,
+              new double[] {north, north + 300.0 * Math.cos(heading)},
+              new double[] {east, east + 300.0 * Math.sin(heading)},
+              0.0,
+              Double.NEGATIVE_INFINITY,
+              Double.POSITIVE_INFINITY));
+    }
+    Pose start = new Pose(0.0, 0.0, 0.0);
+    Optional<Curve> way =
+        TangentGraph.shortest(
+            walls, List.of(), CLEARANCE, start, 400.0, 3000.0, OptionalDouble.of(Math.PI), 800.0);
+
+    way.ifPresent(
+        curve ->
+            assertThat(curve.sampled(start, 2.0))
+                .allMatch(
+                    sample ->
+                        walls.stream()
+                            .allMatch(
+                                wall ->
+                                    wall.distanceM(sample.pose().northM(), sample.pose().eastM())
+                                        > 0.93 * CLEARANCE)));
+  }
 }
