@@ -39,10 +39,11 @@ record EffectText(
           switch (form) {
             case "thrust" -> thrust(words);
             case "wrench" -> wrench(words);
-            default -> throw new IllegalArgumentException("\"" + form + "\" is not a form");
+            default -> throw new IllegalArgumentException("unknown form \"" + form + "\"");
           };
       if (!words.isEmpty()) {
-        throw new IllegalArgumentException("\"" + String.join(" ", words) + "\" is too much");
+        throw new IllegalArgumentException(
+            "unexpected \"" + String.join(" ", words) + "\" at the end");
       }
       return effect;
     } catch (IllegalArgumentException e) {

@@ -41,7 +41,7 @@ import picocli.CommandLine.Parameters;
           + "line; each unit has its own chart. Where the terminal cannot redraw, the plot is "
           + "printed at the end.",
       "",
-      "Exit code 1: no values were heard."
+      "Exit code 1: no values were received."
     })
 public final class PlotCommand extends BaseCommand {
   private static final double MICROS = 1e6;
@@ -94,7 +94,7 @@ public final class PlotCommand extends BaseCommand {
         throw new RunFailedException(
             "no values of "
                 + String.join(", ", names)
-                + " were heard of system \""
+                + " were received from system \""
                 + link.systemId()
                 + "\"");
       }

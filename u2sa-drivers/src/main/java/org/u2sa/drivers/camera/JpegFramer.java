@@ -57,7 +57,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
       segmentLength();
     }
     if (length >= LARGEST_BYTES) {
-      drop("a picture of more than " + LARGEST_BYTES + " bytes");
+      drop("an image of more than " + LARGEST_BYTES + " bytes");
     }
   }
 
@@ -85,7 +85,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
     } else if (marker == MARKER) {
       length--; // fill bytes may precede a marker
     } else if (marker >= FIRST_RESTART && marker <= END_OF_IMAGE) {
-      drop("a picture without data");
+      drop("an image without data");
     }
   }
 
@@ -117,7 +117,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
     } else if (each >= FIRST_START_OF_FRAME
         && each != MARKER
         && (each < FIRST_RESTART || each > END_OF_IMAGE)) {
-      isScan = false; // another scan of a progressive picture
+      isScan = false; // another scan of a progressive image
       segment = length - 2;
     }
   }
@@ -126,7 +126,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
     int height = frameHeader == 0 ? 0 : unsigned16(frameHeader + 5);
     int width = frameHeader == 0 ? 0 : unsigned16(frameHeader + 7);
     if (width == 0 || height == 0) {
-      drop("a picture without a size");
+      drop("an image without a size");
       return;
     }
     found(

@@ -24,7 +24,7 @@ final class PackedReader {
     long value = 0;
     for (int shift = 0; shift < Long.SIZE; shift += BITS) {
       if (at >= bytes.length) {
-        throw new McapException("an execution's record breaks off");
+        throw new McapException("an execution's record is truncated");
       }
       int one = bytes[at++];
       value |= (long) (one & (MORE - 1)) << shift;
@@ -32,7 +32,7 @@ final class PackedReader {
         return value;
       }
     }
-    throw new McapException("an execution's record holds a number of more than 64 bits");
+    throw new McapException("a number in an execution's record exceeds 64 bits");
   }
 
   long signed() throws McapException {
@@ -43,7 +43,7 @@ final class PackedReader {
   byte[] bytes() throws McapException {
     long length = number();
     if (length < 0 || length > bytes.length - at) {
-      throw new McapException("an execution's record breaks off");
+      throw new McapException("an execution's record is truncated");
     }
     at += (int) length;
     return Arrays.copyOfRange(bytes, at - (int) length, at);

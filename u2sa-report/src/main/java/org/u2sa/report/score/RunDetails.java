@@ -9,10 +9,9 @@ import java.util.OptionalInt;
  * @param seed seed of everything random in the run
  * @param simulator what simulated the vehicle, e.g. {@code embedded} or {@code FlightGear
  *     2020.3.16}
- * @param wallSeconds time of the wall clock that the run took [s], more than 0
+ * @param wallSeconds wall-clock duration of the run [s], more than 0
  * @param goals goals of the mission; empty: as many as the plan has waypoints
- * @param goalsCompleted goals that the Mission Manager called completed, by its estimates; empty:
- *     not asked
+ * @param goalsCompleted goals that the Mission Manager reported completed; empty: unknown
  */
 public record RunDetails(
     String demo,

@@ -40,7 +40,7 @@ import picocli.CommandLine.Spec;
       "Fly a Cessna 172 over ten waypoints, take-off included.",
       "",
       "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows what "
-          + "happens. Wind and gusts follow from the seed. Control uses the simulator's true "
+          + "happens. Wind and gusts depend on the seed. Control uses the simulator's true "
           + "state or, with --estimator fusing, noisy GPS, barometer, airspeed, IMU and compass.",
       "",
       "Other MQTT clients can listen meanwhile, for example:",

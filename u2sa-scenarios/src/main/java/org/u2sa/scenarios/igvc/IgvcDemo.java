@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Drive an Intelligent Ground Vehicle Competition course with lidar, camera and GPS.",
       "",
-      "The course, its light and all noise follow from the seed, unless --course names one. A "
+      "The course, its light and all noise depend on the seed, unless --course names one. A "
           + "simulated judge with ground truth counts line crossings, contacts, speed and stops by "
           + "the competition's rules; its log is judge.log."
     })

@@ -27,13 +27,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code u2sa demo roboboat}: a course of the competition (thesis 4.2). */
+/** {@code u2sa demo roboboat}: a RoboBoat competition course (thesis 4.2). */
 @Command(
     name = "roboboat",
     description = {
       "Sail a RoboBoat course: speed gates, a channel of buoys, optional tasks, and back.",
       "",
-      "Course, wind, current, waves and all noise follow from the seed. A judge with ground truth "
+      "Course, wind, current, waves and all noise depend on the seed. A judge with ground truth "
           + "scores gates, tasks and contacts by the rules."
     })
 final class RoboBoatDemo implements Callable<Integer>, Demo {
@@ -43,7 +43,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--tasks-only",
-      description = "Start before the last gate of the channel, and do the optional tasks only.")
+      description = "Start before the last gate of the channel, and do only the optional tasks.")
   private boolean tasksOnly;
 
   @Option(
@@ -89,7 +89,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
     return BoatJudge.RUN_S;
   }
 
-  /** {@inheritDoc} Without the place that the sub-vehicle flies to. */
+  /** {@inheritDoc} Omits the sub-vehicle's destination. */
   @Override
   public RunPlan plan(Mission mission) {
     RunPlan all = Demo.super.plan(mission);

@@ -36,7 +36,7 @@ import picocli.CommandLine.Option;
       "Fly a SUAS mission: waypoints in order, a search area with targets, among cylinders and",
       "other aircraft, within a boundary.",
       "",
-      "Field, wind and all noise follow from the seed. A judge with ground truth scores by the "
+      "Field, wind and all noise depend on the seed. A judge with ground truth scores by the "
           + "competition's formulas."
     })
 final class SuasDemo implements Callable<Integer>, Demo {

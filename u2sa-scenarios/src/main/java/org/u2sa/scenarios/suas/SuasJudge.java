@@ -35,17 +35,17 @@ import org.u2sa.sim.world.ScriptedMover;
 import org.u2sa.vision.survey.SurveyTarget;
 
 /**
- * Scores a flight: waypoints by the telemetry that the aircraft sends, all else by the truth.
- * Everything that the rules forbid is a violation.
+ * Scores a flight: waypoints by the aircraft's telemetry, everything else by ground truth. Each
+ * breach of the rules is a violation.
  */
 final class SuasJudge implements TruthObserver.Scorer {
   /** Time limit of a flight [s]. */
   static final double RUN_S = 30.0 * 60.0;
 
-  private static final double REPORTS_S = 0.5; // between two reports of the telemetry
+  private static final double REPORTS_S = 0.5; // telemetry interval
   private static final double MAP_SHARE = 0.99;
   private static final double RUNWAY_SIDE_M = 12.0;
-  private static final double NEAR_M = 15.0; // of a report from its target, the sixth field
+  private static final double NEAR_M = 15.0; // maximum error of a reported position, the sixth field
   private static final int RIGHT_FIELDS = 3; // minimum number of the other five fields
   private static final double PASS_M = 15.24; // 50 ft
   private static final double LONGEST_GAP_S = 1.0; // maximum gap in the telemetry

@@ -34,7 +34,7 @@ import picocli.CommandLine.Spec;
       "Do a task of Virtual RobotX in one of its worlds, with the WAM-V.",
       "",
       "The world is a file of osrf/vrx (vrx_gz/worlds), which is not shipped. Wind, waves and noise "
-          + "follow from the seed. A simulated judge with ground truth scores by VRX's formulas; its "
+          + "depend on the seed. A simulated judge with ground truth scores by VRX's formulas; its "
           + "log is judge.log."
     })
 final class VrxDemo implements Callable<Integer>, Demo {

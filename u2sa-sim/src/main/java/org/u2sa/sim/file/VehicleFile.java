@@ -67,8 +67,8 @@ public final class VehicleFile {
   /**
    * Reads a vehicle with some values of its file replaced.
    *
-   * @param changes values by their places, such as {@code body/mass} or {@code gps/@preset}
-   * @throws BadInputException as {@link #load(Path)}, also if there is no such place
+   * @param changes values by element path, such as {@code body/mass} or {@code gps/@preset}
+   * @throws BadInputException as {@link #load(Path)}, also if there is no such path
    */
   public static VehicleFile load(Path file, Map<String, String> changes) {
     return new VehicleFile(VehicleChanges.apply(XmlReader.read(file, ROOT), changes));

@@ -40,7 +40,7 @@ public final class FenceBook {
   /**
    * An upload.
    *
-   * @param xml the whole resulting fence; empty: none is left
+   * @param xml the whole resulting fence, or empty if none remains
    * @param parts the uploaded areas or rally points
    */
   record Upload(int type, String name, String xml, List<?> parts, List<MissionItem> items) {}
