@@ -45,7 +45,8 @@ final class SuasJudge implements TruthObserver.Scorer {
   private static final double REPORTS_S = 0.5; // telemetry interval
   private static final double MAP_SHARE = 0.99;
   private static final double RUNWAY_SIDE_M = 12.0;
-  private static final double NEAR_M = 15.0; // maximum error of a reported position, the sixth field
+  private static final double NEAR_M =
+      15.0; // maximum error of a reported position, the sixth field
   private static final int RIGHT_FIELDS = 3; // minimum number of the other five fields
   private static final double PASS_M = 15.24; // 50 ft
   private static final double LONGEST_GAP_S = 1.0; // maximum gap in the telemetry
