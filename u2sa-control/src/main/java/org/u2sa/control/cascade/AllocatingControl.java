@@ -168,7 +168,9 @@ public final class AllocatingControl extends ControlSystem {
         trouble(
             isMeasured && isStateless()
                 ? "no IMU, velocity log or navigation point: actuators are neutral"
-                : "the state lacks heading or velocity: actuators are neutral");
+                : tuning.leans()
+                    ? "the state lacks roll, pitch, heading or velocity: actuators are neutral"
+                    : "the state lacks heading or velocity: actuators are neutral");
       } else {
         log("heading and velocity are known");
       }
@@ -216,6 +218,9 @@ public final class AllocatingControl extends ControlSystem {
           .flatMap(this::nedOf)
           .map(place -> seen.step(place, acceleration, turning, stepS()))
           .map(measured::orElse);
+    }
+    if (tuning.leans() && (state.phi().isEmpty() || state.theta().isEmpty())) {
+      return Optional.empty(); // it would lean as if it were level, and overturn
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();

@@ -50,6 +50,30 @@ class AllocatingControlTest {
     assertThat(kit.percent("RUDDER")).isBetween(-11.0, -9.0); // 100 kg m² times 2 1/s times 0.05
   }
 
+  /** A multirotor would lean as if it were level, and overturn. */
+  @Test
+  void control_multirotorWithoutRollAndPitch_doesNotLift() {
+    kit.with("LEANS", true).with("HEAVE WEIGHT", 1.0).with("HEAVE MASS", 1.0);
+    kit.start(AllocatingControl::new);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("ROTOR")
+            .minimum(0.0)
+            .maximum(100.0)
+            .force(Point.of(0.0, 0.0, -20.0)));
+    kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
+    assertThat(kit.percent("ROTOR")).isPositive();
+
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, falling());
+    assertThat(kit.percent("ROTOR")).isZero();
+  }
+
+  private static StateInformation falling() {
+    return new StateInformation().x(9.0).y(54.0).z(10.0).xDot(0.0).yDot(0.0).zDot(-5.0).psi(0.0);
+  }
+
   /** A slow thruster that turns the vehicle: 50 %/s. */
   private AllocatingControl startSlowThruster() {
     kit.with("YAW WEIGHT", 1.0).with("YAW INERTIA", 100.0).with("YAW INTEGRAL TIME", 0.0);

@@ -144,13 +144,16 @@ final class HostedServices implements ServiceHost {
 
   private Optional<String> startInPlaceOf(Hosted old) {
     try {
-      XmlConfiguration configuration = configurationInPlaceOf(old);
-      // An invalid file rejects the order before the running service is ended.
-      old.configuration().declared().forEach(configuration::getVariable);
-      configuration.refuseUndeclared();
+      // An invalid file rejects the order before the running service is ended. Another object
+      // reads it for the successor, whose device may still override variables before it declares
+      // them.
+      XmlConfiguration checked = configurationInPlaceOf(old);
+      old.configuration().declared().forEach(checked::getVariable);
+      checked.refuseUndeclared();
       if (old.service().isRunning()) {
         maker.tryOut(old.className(), configurationInPlaceOf(old));
       }
+      XmlConfiguration configuration = configurationInPlaceOf(old);
       end(old.service());
       Hosted successor =
           new Hosted(

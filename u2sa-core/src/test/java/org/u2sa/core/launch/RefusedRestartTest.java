@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.u2sa.core.safety.SafetyManager;
 import org.u2sa.interfaces.BadInputException;
+import org.u2sa.interfaces.configuration.VariableDeclaration;
 import org.u2sa.interfaces.time.LockstepClock;
 import org.u2sa.messages.schema.MessageTypes;
 import org.u2sa.messages.schema.U2SAData;
@@ -48,6 +49,8 @@ class RefusedRestartTest {
         }
         context.beforeDevice();
         Files.createFile(device);
+        context.configuration().override("DELAY", 0.2); // as a simulated device does
+        getVariable(VariableDeclaration.number("DELAY", "s").ifAbsent(0.0).describedAs("Delay."));
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
@@ -130,6 +133,14 @@ class RefusedRestartTest {
 
     Files.writeString(folder.resolve("fence.xml"), FENCE);
     assertThat(hosted.restart("SafetyManager")).isEmpty();
+  }
+
+  @Test
+  void restart_variableThatItsDeviceSets_isSetAgain() {
+    assertThat(hosted.restart("Holder")).isEmpty();
+
+    assertThat(hosted.present("Holder").orElseThrow().service().getVariable("DELAY"))
+        .isEqualTo(0.2);
   }
 
   @Test

@@ -86,6 +86,25 @@ class StationGoToTest {
   }
 
   @Test
+  void reposition_aboveTheTerrain_isRefused() {
+    BridgeKit kit = copter(Identity.PX4);
+    kit.send(
+        CommandInt.builder()
+            .targetSystem(1)
+            .targetComponent(1)
+            .frame(MavFrame.MAV_FRAME_GLOBAL_TERRAIN_ALT_INT)
+            .command(MavCmd.MAV_CMD_DO_REPOSITION)
+            .x(540_010_000)
+            .y(100_020_000)
+            .z(40.0f)
+            .build());
+    assertThat(kit.received(CommandAck.class).get(0).result().entry())
+        .isEqualTo(MavResult.MAV_RESULT_DENIED);
+    assertThat(kit.texts()).contains("MAV_FRAME 11; expected one above sea level or above home");
+    assertThat(kit.orders(Waypoint.class)).isEmpty();
+  }
+
+  @Test
   void reposition_withoutSpeedAfterOneWithASpeed_isAnotherGoal() {
     BridgeKit kit = copter(Identity.PX4);
     Waypoint slow = goTo(kit, 0.5);

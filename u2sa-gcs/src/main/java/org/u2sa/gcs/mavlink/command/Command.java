@@ -3,6 +3,7 @@ package org.u2sa.gcs.mavlink.command;
 import io.dronefleet.mavlink.common.CommandInt;
 import io.dronefleet.mavlink.common.CommandLong;
 import java.util.Optional;
+import java.util.Set;
 import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.messages.frame.Geodetic;
 
@@ -28,6 +29,7 @@ record Command(
   private static final double PER_DEGREE = 1.0e7;
   private static final int GLOBAL = 0; // MAV_FRAME_GLOBAL…
   private static final int RELATIVE = 3;
+  private static final int GLOBAL_INT = 5;
   private static final int RELATIVE_INT = 6;
   private static final double MAX_LATITUDE = 90.0;
   private static final double MAX_LONGITUDE = 180.0;
@@ -60,6 +62,13 @@ record Command(
 
   private static double degrees(int wire) {
     return wire == Integer.MAX_VALUE ? Double.NaN : wire / PER_DEGREE; // stands for NaN
+  }
+
+  /** Why its place cannot be used: the frame is unknown here, such as above the terrain. */
+  Optional<String> frameRefusal() {
+    return Set.of(GLOBAL, RELATIVE, GLOBAL_INT, RELATIVE_INT).contains(frame)
+        ? Optional.empty()
+        : Optional.of("MAV_FRAME " + frame + "; expected one above sea level or above home");
   }
 
   /** Altitude above mean sea level [m]; empty if none is given. */

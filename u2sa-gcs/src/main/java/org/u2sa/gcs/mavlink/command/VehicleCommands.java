@@ -197,6 +197,11 @@ public final class VehicleCommands {
           false, here.isEmpty() ? "no position on the earth" : "this vehicle does not take off");
       return;
     }
+    Optional<String> refusal = command.frameRefusal();
+    if (refusal.isPresent()) {
+      answer.done(false, refusal.get());
+      return;
+    }
     double altitudeM =
         command.altitudeM(placement.home()).orElse(here.get().z().orElse(0.0) + TAKE_OFF_M);
     if (altitudeM <= here.get().z().orElse(Double.NEGATIVE_INFINITY)) {
@@ -220,6 +225,11 @@ public final class VehicleCommands {
   private void reposition(Command command, Answer answer) {
     if (!command.hasPlace()) {
       modes.change(VehicleMode.HOLD, answer);
+      return;
+    }
+    Optional<String> refusal = command.frameRefusal();
+    if (refusal.isPresent()) {
+      answer.done(false, refusal.get());
       return;
     }
     Optional<StateInformation> here = placement.global();
