@@ -104,6 +104,8 @@ public final class AllocatingControl extends ControlSystem {
     }
   }
 
+  private static final double UNKNOWN_SHARE = 0.5; // of the maximum speed, 1 sigma
+
   private final Settings<Choices> choices = settings(Choices.class);
   private final CascadeVariables tuning = new CascadeVariables(this);
   private final ActuatorRoster roster = new ActuatorRoster();
@@ -224,7 +226,19 @@ public final class AllocatingControl extends ControlSystem {
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();
-    return motion;
+    return point.isEmpty() && isVelocityUnknown(state)
+        ? motion.map(BodyMotion::withoutHorizontalVelocity)
+        : motion;
+  }
+
+  /**
+   * Whether the horizontal velocity is too uncertain to be braked: a vehicle without navigation
+   * points would accelerate against an error.
+   */
+  private boolean isVelocityUnknown(StateInformation state) {
+    double sigma = Math.max(state.xDotSigma().orElse(0.0), state.yDotSigma().orElse(0.0));
+    double fastest = tuning.of(DegreeOfFreedom.SURGE).fastest();
+    return !tuning.leans() && sigma > UNKNOWN_SHARE * fastest;
   }
 
   private MotionTarget target(StateInformation state, Optional<NavigationPoint> point) {

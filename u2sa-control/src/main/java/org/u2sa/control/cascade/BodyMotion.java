@@ -42,6 +42,12 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
         new BodyMotion(attitude, frd(attitude, velocity(state)), attitude.bodyRates(euler)));
   }
 
+  /** Copy that moves vertically only. */
+  BodyMotion withoutHorizontalVelocity() {
+    double down = attitude.nedFromFrd().times(velocity).z();
+    return new BodyMotion(attitude, frd(Point.of(0.0, 0.0, down)), rates);
+  }
+
   /**
    * Speed through air or water [m/s], on which the effect of control surfaces depends; ground speed
    * if it is not measured.

@@ -70,6 +70,35 @@ class AllocatingControlTest {
     assertThat(kit.percent("ROTOR")).isZero();
   }
 
+  /** Without navigation points it would drive off, against an error of its speed. */
+  @Test
+  void control_speedTooUncertainAndNoPoints_isNotBraked() {
+    kit.with("SURGE WEIGHT", 1.0).with("SURGE MASS", 1.0).with("SURGE MAX SPEED", 2.0);
+    kit.start(AllocatingControl::new);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("THRUSTER")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .force(Point.of(10.0, 0.0, 0.0)));
+    kit.publish(Channels.STATE, drifting(0.2));
+    assertThat(kit.percent("THRUSTER")).isNegative();
+
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, drifting(4.0));
+    assertThat(Math.abs(kit.percent("THRUSTER"))).isLessThan(5.0);
+  }
+
+  private static StateInformation drifting(double sigmaMps) {
+    return new StateInformation()
+        .xDot(0.0)
+        .yDot(1.0)
+        .psi(0.0)
+        .xDotSigma(sigmaMps)
+        .yDotSigma(sigmaMps);
+  }
+
   private static StateInformation falling() {
     return new StateInformation().x(9.0).y(54.0).z(10.0).xDot(0.0).yDot(0.0).zDot(-5.0).psi(0.0);
   }

@@ -6,7 +6,9 @@ import java.util.function.DoubleFunction;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.file.element.FileElement;
 import org.u2sa.sim.ground.BatteryParameters;
+import org.u2sa.sim.ground.DriveCommand;
 import org.u2sa.sim.ground.GroundStart;
+import org.u2sa.sim.ground.GroundState;
 import org.u2sa.sim.ground.GroundVehicle;
 import org.u2sa.sim.ground.MotorParameters;
 import org.u2sa.sim.ground.SkidSteerParameters;
@@ -23,6 +25,9 @@ record SkidSteerModel(
     DoubleFunction<SkidSteerParameters> parameters, Wheels measures, GroundParts.Mismatch mismatch)
     implements GroundModel {
   private static final int MAX_AXLES = 20;
+  private static final double TURNING = 0.5; // command on the spot
+  private static final double TURN_S = 3.0; // until the turn is steady
+  private static final double MIN_TURN_RATE = 0.05; // [rad/s]
 
   static SkidSteerModel read(FileElement file, Body body) {
     GroundParts.Mismatch mismatch = GroundParts.mismatch(file);
@@ -52,8 +57,21 @@ record SkidSteerModel(
                     body.footprint()),
             new Wheels(track, radius),
             mismatch);
-    model.make(Point.ORIGIN, 0.0, 0.0); // rejects a vehicle that would tip over
-    return model;
+    double turning = turningTrackM(model.make(Point.ORIGIN, 0.0, 0.0), track, radius);
+    return new SkidSteerModel(model.parameters(), new Wheels(turning, radius), mismatch);
+  }
+
+  /**
+   * Track by the wheels' speeds and the turn rate on the spot, as one calibrates it: the tyres drag
+   * sideways, so the vehicle turns more slowly than its wheels' distance implies. The geometric
+   * track if it cannot turn at this power.
+   */
+  private static double turningTrackM(SkidSteerVehicle vehicle, double track, double radius) {
+    vehicle.step(new DriveCommand(TURNING, -TURNING), TURN_S);
+    GroundState turning = vehicle.state();
+    double apartMps = radius * (turning.leftWheelRadPerS() - turning.rightWheelRadPerS());
+    double yawRate = turning.yawRateRadPerS();
+    return yawRate > MIN_TURN_RATE ? Math.max(track, apartMps / yawRate) : track;
   }
 
   private SkidSteerVehicle make(Point start, double headingRad, double mismatch) {

@@ -25,7 +25,8 @@ public interface VehicleModel {
   /**
    * Wheels that encoders can count.
    *
-   * @param trackM distance between the left and the right wheel [m]
+   * @param trackM distance between the left and the right wheel of a vehicle that turns as fast
+   *     without its wheels slipping sideways [m]
    * @param radiusM [m]
    */
   record Wheels(double trackM, double radiusM) {}

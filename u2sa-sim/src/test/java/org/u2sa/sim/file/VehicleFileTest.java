@@ -18,6 +18,13 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.World;
 
 class VehicleFileTest {
+  /** Its tyres drag sideways: by the distance of its wheels it would seem to turn faster. */
+  @Test
+  void wheels_skidSteered_trackIsThatByWhichItTurns() {
+    assertThat(Vehicles.parse(Vehicles.sixWheels()).model().wheels().orElseThrow().trackM())
+        .isBetween(0.7, 1.0);
+  }
+
   @Test
   void load_miniMolle_hasTheParametersOfTheThesisVehicle() {
     VehicleFile file = VehicleFile.load(Vehicles.MINI_MOLLE);
