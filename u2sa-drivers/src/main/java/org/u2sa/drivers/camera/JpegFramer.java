@@ -22,6 +22,8 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   private static final int HUFFMAN_TABLE = 0xC4;
   private static final int EXTENSION = 0xC8;
   private static final int ARITHMETIC_TABLE = 0xCC;
+  private static final long MAX_PIXELS = 1L << 25; // a decoder needs 100 MB for them
+  private static final long MAX_SCANNED = 1L << 27; // pixels times scans: half a second of decoding
   private static final int SIZE_END =
       9; // length of a frame header up to its width: marker, length, precision, height, width
 
@@ -30,6 +32,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   private int segment; // start of the next segment; after START_OF_SCAN, start of the data
   private boolean isScan;
   private int frameHeader; // start of the last frame header; 0 if none yet
+  private int scans;
   private long beganMicros;
 
   @Override
@@ -106,6 +109,26 @@ final class JpegFramer extends ByteParser<CameraFrame> {
       frameHeader = segment;
     }
     segment += 2 + segmentBytes;
+    if (isScan) {
+      scans++;
+      refuseIfSlow();
+    }
+  }
+
+  /** A progressive image of a few kilobytes may have a thousand scans, each of all pixels. */
+  private void refuseIfSlow() {
+    long pixels = frameHeader == 0 ? 0L : (long) width() * height();
+    if (pixels > MAX_PIXELS || pixels * scans > MAX_SCANNED) {
+      drop("an image of " + width() + " by " + height() + " pixels in " + scans + " scans");
+    }
+  }
+
+  private int height() {
+    return unsigned16(frameHeader + 5);
+  }
+
+  private int width() {
+    return unsigned16(frameHeader + 7);
   }
 
   private void scan(int each) {
@@ -123,8 +146,8 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   }
 
   private void end() {
-    int height = frameHeader == 0 ? 0 : unsigned16(frameHeader + 5);
-    int width = frameHeader == 0 ? 0 : unsigned16(frameHeader + 7);
+    int height = frameHeader == 0 ? 0 : height();
+    int width = frameHeader == 0 ? 0 : width();
     if (width == 0 || height == 0) {
       drop("an image without a size");
       return;
@@ -150,5 +173,6 @@ final class JpegFramer extends ByteParser<CameraFrame> {
     length = 0;
     isScan = false;
     frameHeader = 0;
+    scans = 0;
   }
 }

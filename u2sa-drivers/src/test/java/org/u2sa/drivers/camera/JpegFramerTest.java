@@ -46,6 +46,46 @@ class JpegFramerTest {
     assertThat(framer.latest().orElseThrow().pixels()).isEqualTo(file.toByteArray());
   }
 
+  private static int marker(byte[] jpeg, int marker) {
+    int at = 0;
+    while ((jpeg[at] & 0xFF) != 0xFF || (jpeg[at + 1] & 0xFF) != marker) {
+      at++;
+    }
+    return at;
+  }
+
+  /** A picture of 4096 by 4096 pixels in a number of scans; a decoder needs 60 ms for each. */
+  private byte[] large(int scans) {
+    byte[] large = jpeg.clone();
+    int size = marker(large, 0xC0) + 5;
+    for (int i = 0; i < 4; i += 2) {
+      large[size + i] = 0x10;
+      large[size + i + 1] = 0;
+    }
+    int scan = marker(large, 0xDA);
+    int end = scan + 2 + (large[scan + 2] << 8 | large[scan + 3]);
+    ByteArrayOutputStream file = new ByteArrayOutputStream();
+    file.write(large, 0, scan);
+    for (int i = 0; i < scans; i++) {
+      file.write(large, scan, end - scan);
+      file.write(0);
+    }
+    file.writeBytes(new byte[] {(byte) 0xFF, (byte) 0xD9});
+    return file.toByteArray();
+  }
+
+  @Test
+  void accept_pictureOfManyScans_isRefusedAndTheNextOneIsSeen() {
+    say(large(8), 1);
+    assertThat(framer.latest().orElseThrow().width()).isEqualTo(4096);
+    assertThat(framer.refused()).isZero();
+
+    say(large(1000), 2);
+    say(jpeg, 3);
+    assertThat(framer.latest().orElseThrow().pixels()).isEqualTo(jpeg);
+    assertThat(framer.refused()).isPositive();
+  }
+
   @Test
   void accept_cutPicture_isPassedOverAndTheNextOneIsSeen() {
     say(Jpegs.part(Arrays.copyOf(jpeg, jpeg.length / 2)), 1);
