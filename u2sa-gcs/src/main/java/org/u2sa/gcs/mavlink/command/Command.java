@@ -65,10 +65,17 @@ record Command(
   }
 
   /** Why its place cannot be used: the frame is unknown here, such as above the terrain. */
-  Optional<String> frameRefusal() {
-    return Set.of(GLOBAL, RELATIVE, GLOBAL_INT, RELATIVE_INT).contains(frame)
-        ? Optional.empty()
-        : Optional.of("MAV_FRAME " + frame + "; expected one above sea level or above home");
+  Optional<String> frameRefusal(Optional<Geodetic> home) {
+    if (!Set.of(GLOBAL, RELATIVE, GLOBAL_INT, RELATIVE_INT).contains(frame)) {
+      return Optional.of("MAV_FRAME " + frame + "; expected one above sea level or above home");
+    }
+    return isAboveHome() && Double.isFinite(altitude) && home.isEmpty()
+        ? Optional.of("the altitude is above home, which is not known yet")
+        : Optional.empty();
+  }
+
+  private boolean isAboveHome() {
+    return frame == RELATIVE || frame == RELATIVE_INT;
   }
 
   /** Altitude above mean sea level [m]; empty if none is given. */
@@ -76,8 +83,7 @@ record Command(
     if (!Double.isFinite(altitude)) {
       return Optional.empty();
     }
-    boolean isRelative = frame == RELATIVE || frame == RELATIVE_INT;
-    return Optional.of(altitude + (isRelative ? home.map(Geodetic::altitudeM).orElse(0.0) : 0.0));
+    return Optional.of(isAboveHome() ? altitude + home.orElseThrow().altitudeM() : altitude);
   }
 
   /** Whether it names a place; 0/0 means none. */

@@ -197,7 +197,7 @@ public final class VehicleCommands {
           false, here.isEmpty() ? "no position on the earth" : "this vehicle does not take off");
       return;
     }
-    Optional<String> refusal = command.frameRefusal();
+    Optional<String> refusal = command.frameRefusal(placement.home());
     if (refusal.isPresent()) {
       answer.done(false, refusal.get());
       return;
@@ -227,7 +227,7 @@ public final class VehicleCommands {
       modes.change(VehicleMode.HOLD, answer);
       return;
     }
-    Optional<String> refusal = command.frameRefusal();
+    Optional<String> refusal = command.frameRefusal(placement.home());
     if (refusal.isPresent()) {
       answer.done(false, refusal.get());
       return;
