@@ -144,9 +144,9 @@ final class HostedServices implements ServiceHost {
 
   private Optional<String> startInPlaceOf(Hosted old) {
     try {
-      // An invalid file rejects the order before the running service is ended. Another object
-      // reads it for the successor, whose device may still override variables before it declares
-      // them.
+      // An invalid file rejects the order before the running service is ended. The successor reads
+      // it again: here all variables are declared, and its device could not tell those that the
+      // file states from those that it may set itself.
       XmlConfiguration checked = configurationInPlaceOf(old);
       old.configuration().declared().forEach(checked::getVariable);
       checked.refuseUndeclared();

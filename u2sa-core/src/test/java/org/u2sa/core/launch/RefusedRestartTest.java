@@ -49,7 +49,12 @@ class RefusedRestartTest {
         }
         context.beforeDevice();
         Files.createFile(device);
-        context.configuration().override("DELAY", 0.2); // as a simulated device does
+        boolean isStated =
+            context.configuration().enumerateFields().stream()
+                .anyMatch(each -> each.getKey().equals("DELAY"));
+        if (!isStated) {
+          context.configuration().override("DELAY", 0.2); // as a simulated device does
+        }
         getVariable(VariableDeclaration.number("DELAY", "s").ifAbsent(0.0).describedAs("Delay."));
       } catch (IOException e) {
         throw new UncheckedIOException(e);
