@@ -226,9 +226,12 @@ public final class AllocatingControl extends ControlSystem {
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();
-    return point.isEmpty() && isVelocityUnknown(state)
-        ? motion.map(BodyMotion::withoutHorizontalVelocity)
-        : motion;
+    if (point.isPresent() || !isVelocityUnknown(state)) {
+      return motion;
+    }
+    cascade.rest(DegreeOfFreedom.SURGE); // else their integrals would drive it on
+    cascade.rest(DegreeOfFreedom.SWAY);
+    return motion.map(BodyMotion::withoutHorizontalVelocity);
   }
 
   /**
