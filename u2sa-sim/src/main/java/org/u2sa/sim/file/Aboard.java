@@ -57,7 +57,7 @@ record Aboard(
 
   /** Current state of a sensor on the vehicle. */
   Supplier<VehicleTruth> at(Mount mount) {
-    return () -> mount.of(truth.get());
+    return mount.following(truth);
   }
 
   /** Altitude of a point on the vehicle above mean sea level [m]. */

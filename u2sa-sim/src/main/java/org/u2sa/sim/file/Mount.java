@@ -1,5 +1,8 @@
 package org.u2sa.sim.file;
 
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import org.u2sa.messages.frame.Attitude;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
@@ -26,16 +29,33 @@ record Mount(Point place, Point turn) {
         place(sensor).place, sensor.vector("orientation", "rad", -Math.PI, Math.PI, Point.ORIGIN));
   }
 
-  /**
-   * State at the sensor's position. Its acceleration lacks the term of the vehicle's angular
-   * acceleration.
-   */
+  /** State at the sensor's position while the vehicle turns at a constant rate. */
   VehicleTruth of(VehicleTruth vehicle) {
+    return of(vehicle, Point.ORIGIN);
+  }
+
+  /**
+   * Current states at the position of one sensor. The angular acceleration in them is the mean since
+   * the previous state, as of a sensor that averages between readings.
+   */
+  Supplier<VehicleTruth> following(Supplier<VehicleTruth> vehicle) {
+    AtomicReference<VehicleTruth> previous = new AtomicReference<>();
+    return () -> {
+      VehicleTruth now = vehicle.get();
+      VehicleTruth before = Objects.requireNonNullElse(previous.getAndSet(now), now);
+      double seconds = now.timeS() - before.timeS();
+      Point turned = now.rates().minus(before.rates());
+      return of(now, seconds > 0.0 ? turned.times(1.0 / seconds) : Point.ORIGIN);
+    };
+  }
+
+  private VehicleTruth of(VehicleTruth vehicle, Point angularAcceleration) {
     if (place.equals(Point.ORIGIN) && turn.equals(Point.ORIGIN)) {
       return vehicle;
     }
     Rotation nedFromFrd = vehicle.attitude().nedFromFrd();
     Point turning = vehicle.rates().cross(place);
+    Point onArm = angularAcceleration.cross(place).plus(vehicle.rates().cross(turning));
     Rotation own = Rotation.nedFromFrd(turn.x(), turn.y(), turn.z());
     return new VehicleTruth(
         vehicle.timeS(),
@@ -43,8 +63,6 @@ record Mount(Point place, Point turn) {
         turn.equals(Point.ORIGIN) ? vehicle.attitude() : Attitude.of(nedFromFrd.times(own)),
         vehicle.velocity().plus(nedFromFrd.times(turning).axesExchanged()),
         own.transposed().times(vehicle.rates()),
-        vehicle
-            .acceleration()
-            .plus(nedFromFrd.times(vehicle.rates().cross(turning)).axesExchanged()));
+        vehicle.acceleration().plus(nedFromFrd.times(onArm).axesExchanged()));
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.sim.file;
 import java.util.List;
 import java.util.Map;
 import java.util.function.DoubleFunction;
+import java.util.function.Supplier;
 import org.u2sa.device.pressure.PressureAltitude;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.MagneticModel;
@@ -127,9 +128,11 @@ final class StateSensors {
             file.number("forceBias", "m/s^2", 0.0, 100.0));
     Mount mount = Mount.place(file);
     return new SensorKinds.Reader(
-        vehicle ->
-            new SimulatedImu(
-                errors, vehicle.streams(), () -> SimulatedImu.readingOf(vehicle.at(mount).get())));
+        vehicle -> {
+          Supplier<VehicleTruth> own = vehicle.at(mount);
+          return new SimulatedImu(
+              errors, vehicle.streams(), () -> SimulatedImu.readingOf(own.get()));
+        });
   }
 
   static SensorKinds.Reader encoders(FileElement file) {
