@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -37,8 +38,10 @@ public final class HealthMonitor extends PeriodicService {
 
   /** Steps the monitor itself may miss before it stops treating silence as evidence. */
   private static final double LOST_AFTER_PERIODS = 4.0;
+  private static final int MAX_NAMES = 500; // so that invented names do not fill the memory
 
   private final Map<String, WatchedService> services = new TreeMap<>();
+  private final Set<String> reported = new TreeSet<>(); // services, watched or not
   private final Settings<MonitorVariables.Limits> limits = settings(MonitorVariables.Limits.class);
   private MonitorVariables settings;
   private final ReceptionCheck reception;
@@ -71,9 +74,14 @@ public final class HealthMonitor extends PeriodicService {
     settings.watched.forEach(this::service);
   }
 
+  /** Rejects impossible names in WATCHED and, while the vehicle is armed, names unheard so far. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
-    return MonitorVariables.nameRefusal((String) values.get(MonitorVariables.WATCHED));
+    String watched = (String) values.get(MonitorVariables.WATCHED);
+    Optional<String> refusal = MonitorVariables.nameRefusal(watched);
+    return refusal.isPresent() || !safetyManager.isArmed()
+        ? refusal
+        : MonitorVariables.unknown(watched, reported);
   }
 
   @Override
@@ -102,6 +110,9 @@ public final class HealthMonitor extends PeriodicService {
       reception.hear(report, nowS());
     } else if (forItself) {
       clocks.hear(report, clock().micros(), limits.get().clockTolerance()).ifPresent(this::trouble);
+    }
+    if (reported.size() < MAX_NAMES) {
+      reported.add(report.serviceName());
     }
     if (!watches(report.serviceName())) {
       return;

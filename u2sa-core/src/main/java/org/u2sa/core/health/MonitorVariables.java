@@ -120,6 +120,17 @@ final class MonitorVariables {
                     WATCHED, name.length(), NAME_CHARS));
   }
 
+  /** Reason why a list of watched services is invalid: one has not reported. */
+  static Optional<String> unknown(String list, Set<String> reported) {
+    return names(list).stream()
+        .filter(name -> !reported.contains(name))
+        .findFirst()
+        .map(
+            name ->
+                String.format(
+                    "%s: \"%s\" has not reported; disarm to set it in advance", WATCHED, name));
+  }
+
   private Set<String> named(Configurator configuration) {
     Set<String> names = new LinkedHashSet<>(watched);
     for (Map.Entry<String, Object> entry : configuration.enumerateFields()) {

@@ -49,6 +49,11 @@ final class SafetyManagerLoss {
     heardS = Math.max(heardS, untilS);
   }
 
+  /** Whether the vehicle is armed, as far as the Safety Manager has published. */
+  boolean isArmed() {
+    return armed;
+  }
+
   /** Whether the Safety Manager of an armed vehicle is lost. */
   boolean isLost(MonitorVariables.Limits limits, double nowS) {
     return armed && nowS - heardS > limits.safetyManagerDeadline();

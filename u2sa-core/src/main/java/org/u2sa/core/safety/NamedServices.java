@@ -1,24 +1,24 @@
 package org.u2sa.core.safety;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
+import org.u2sa.messages.BatteryState;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Checks that the services named by variables have reported: a misspelt name would silently disable
- * a failsafe.
+ * Checks that the services and batteries named by variables have reported: a misspelt name would
+ * silently disable a failsafe.
  */
 final class NamedServices {
   private static final int MAX_NAMES = 500; // so that invented names do not fill the memory
 
   private final Supplier<SafetyVariables> settings;
   private final Set<String> services = new TreeSet<>();
+  private final Set<String> batteries = new TreeSet<>();
 
   NamedServices(Supplier<SafetyVariables> settings) {
     this.settings = settings;
@@ -27,6 +27,8 @@ final class NamedServices {
   void see(U2SAData message) {
     if (message instanceof HealthReport report && services.size() < MAX_NAMES) {
       services.add(report.serviceName());
+    } else if (message instanceof BatteryState battery && batteries.size() < MAX_NAMES) {
+      batteries.add(battery.sensorName());
     }
   }
 
@@ -44,24 +46,30 @@ final class NamedServices {
   /** Reason why the values may not replace the current ones in motion; empty if they may. */
   Optional<String> refusal(Map<String, Object> values) {
     SafetyVariables now = settings.get();
-    return refusal(values, "ACTUATOR SERVICES", now.actuatorServices())
-        .or(() -> refusal(values, "ESTIMATOR SERVICE", now.estimatorService()))
-        .or(() -> refusal(values, "HEALTH MONITOR SERVICE", now.healthMonitorService()));
+    return refusal(values, "ACTUATOR SERVICES", now.actuatorServices(), services)
+        .or(() -> refusal(values, "ESTIMATOR SERVICE", now.estimatorService(), services))
+        .or(() -> refusal(values, "HEALTH MONITOR SERVICE", now.healthMonitorService(), services))
+        .or(() -> refusal(values, "BATTERIES", now.batteries(), batteries));
   }
 
-  private Optional<String> refusal(Map<String, Object> values, String variable, String before) {
+  private static Optional<String> refusal(
+      Map<String, Object> values, String variable, String before, Set<String> reported) {
     String names = (String) values.get(variable);
     return names.equals(before)
         ? Optional.empty()
-        : unknown(names)
+        : unknown(names, reported)
             .map(
-                words ->
-                    "variable \"" + variable + "\": " + words + "; disarm to set it in advance");
+                name ->
+                    String.format(
+                        "variable \"%s\": \"%s\" has not reported; disarm to set it in advance",
+                        variable, name));
   }
 
   private Optional<String> unknown(String names) {
-    List<String> missing = new ArrayList<>(CauseText.names(names));
-    missing.removeAll(services);
-    return missing.stream().findFirst().map(name -> "service " + name + " has not reported");
+    return unknown(names, services).map(name -> "service " + name + " has not reported");
+  }
+
+  private static Optional<String> unknown(String names, Set<String> reported) {
+    return CauseText.names(names).stream().filter(name -> !reported.contains(name)).findFirst();
   }
 }

@@ -115,7 +115,7 @@ public final class SafetyManager extends PeriodicService {
     return fenceWatch.fence().map(Fence::keepOutCorners).orElse(List.of());
   }
 
-  /** Rejects an unreadable fence and, in motion, services that do not exist. */
+  /** Rejects an unreadable fence and, while armed, names that have not reported. */
   @Override
   protected Optional<String> configurationRefusal(Map<String, Object> values) {
     Optional<String> refusal = arming.isArmed() ? named.refusal(values) : Optional.empty();

@@ -11,6 +11,7 @@ import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.StopCommand;
 
 /** What the monitor concludes from what is reported. */
@@ -79,6 +80,22 @@ class HealthMonitorTest extends WatchedWorker {
     assertThat(monitor.getVariable("WATCHED")).isEqualTo("Worker");
     say(report("a").status(ServiceStatus.FAILED));
     assertThat(condition().condition()).isEqualTo(Condition.FAILED);
+  }
+
+  @Test
+  void watched_nameThatHasNotReported_isRefusedWhileArmed() {
+    HealthMonitor monitor = monitor();
+    live("a", 1.0);
+    assertThat(monitor.setVariable("WATCHED", "Worker, Nobody")).isTrue();
+    assertThat(monitor.setVariable("WATCHED", "Worker")).isTrue();
+
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+
+    assertThat(monitor.setVariable("WATCHED", "Worker, Nobody")).isFalse();
+    assertThat(kit.log("HealthMonitor"))
+        .anyMatch(line -> line.contains("WATCHED: \"Nobody\" has not reported"));
+    assertThat(monitor.setVariable("WATCHED", "")).isTrue();
+    assertThat(monitor.setVariable("WATCHED", "Worker")).isTrue();
   }
 
   @Test

@@ -70,10 +70,12 @@ class BatterySilenceTest extends WatchedVehicle {
   }
 
   @Test
-  void battery_namedInFlightButNeverHeard_isACauseAfterTheDeadline() {
+  void battery_namedButNeverHeard_isACauseAfterTheDeadlineOfALaterThreshold() {
+    kit.with("LOW BATTERY VOLTAGE", 0.0).with("CRITICAL BATTERY REMAINING", 0.0);
+    kit.with("BATTERIES", "Nobody");
     SafetyManager manager = startArmedManager();
 
-    manager.setVariable("BATTERIES", "Nobody");
+    assertThat(manager.setVariable("LOW BATTERY VOLTAGE", 11.0)).isTrue();
     for (int s = 0; s < 11; s++) {
       battery(12.5, 80.0);
       live(1.0);

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceStatus;
 
-/** Names of services that do not exist: they would disable failsafes. */
+/** Names of services and batteries that do not exist: they would disable failsafes. */
 @Timeout(30)
 class NamedServicesTest extends WatchedVehicle {
   @ParameterizedTest
@@ -36,7 +36,8 @@ class NamedServicesTest extends WatchedVehicle {
   @CsvSource({
     "ACTUATOR SERVICES,Motor,Nobody",
     "ESTIMATOR SERVICE,Rudder,Nobody",
-    "HEALTH MONITOR SERVICE,Motor,Nobody"
+    "HEALTH MONITOR SERVICE,Motor,Nobody",
+    "BATTERIES,main,Nobody"
   })
   void configurationRefusal_serviceThatHasNotReported_onlyInMotion(
       String variable, String known, String unknown) {
@@ -44,13 +45,14 @@ class NamedServicesTest extends WatchedVehicle {
     live(0.3);
     assertThat(manager.setVariable(variable, unknown)).isTrue();
     assertThat(manager.setVariable(variable, known)).isTrue();
+    battery(12.5, 80.0);
     live(0.3);
     assertThat(arm(true).reasons()).isEmpty();
 
     assertThat(manager.setVariable(variable, unknown)).isFalse();
     assertThat(manager.getVariable(variable)).isEqualTo(known);
     assertThat(kit.log("SafetyManager"))
-        .anyMatch(line -> line.contains(unknown + " has not reported"));
+        .anyMatch(line -> line.contains("\"Nobody\" has not reported"));
     assertThat(manager.setVariable(variable, "")).isTrue();
   }
 
