@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.estimation.fusion.ErrorStateFilter;
 import org.u2sa.estimation.fusion.Estimate;
@@ -37,6 +38,9 @@ public final class FusingStateEstimator extends StateEstimator {
   private static final int REPORTS_REMEMBERED = 10;
   private static final int WARN_OF_LATE = 100;
   private static final double OWN_FIELDS_FRESH_S = 2.0;
+  private static final int UNHEARD_AFTER_REPORTS = 20;
+  private static final String UNHEARD =
+      "sensors in LEVER ARMS, FLUID SENSORS or WIND SENSORS that have not reported";
   private static final String START = "start"; // source name of the surveyed start
 
   private final FusionVariables variables;
@@ -173,6 +177,7 @@ public final class FusingStateEstimator extends StateEstimator {
         say(report, before);
       }
     }
+    remarkUnheard();
     remark(
         "all sources",
         "late " + filter.late() + ", replayed " + filter.replayed() + ", reset " + filter.resets());
@@ -180,6 +185,21 @@ public final class FusingStateEstimator extends StateEstimator {
       trouble("all sources of a quantity contradicted the estimate: it was reset to them");
     }
     resets = filter.resets();
+  }
+
+  /** Names sensors in variables that have not reported: a misspelt one would have no effect. */
+  private void remarkUnheard() {
+    Set<String> unheard = variables.sensors();
+    unheard.removeAll(newest.keySet());
+    if (reports < UNHEARD_AFTER_REPORTS || unheard.isEmpty()) {
+      remark(UNHEARD, "");
+      return;
+    }
+    String what = String.join(", ", unheard) + "; these have: " + String.join(", ", newest.keySet());
+    remark(UNHEARD, what);
+    if (reports == UNHEARD_AFTER_REPORTS) {
+      trouble(UNHEARD + ": " + what);
+    }
   }
 
   private void say(Report report, Standing before) {

@@ -215,6 +215,16 @@ record FusionVariables(
                 constraintInterval));
   }
 
+  /** Sensors that variables name. */
+  Set<String> sensors() {
+    Set<String> sensors = fluid();
+    sensors.addAll(new LeverArms(leverArms).sensors());
+    if (sailArea > 0.0) {
+      sensors.addAll(names(windSensors));
+    }
+    return sensors;
+  }
+
   private static Set<String> names(String list) {
     return Stream.of(list.split(","))
         .map(String::trim)

@@ -1,6 +1,7 @@
 package org.u2sa.estimation;
 
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.estimation.measurement.Measurement;
 
@@ -54,6 +55,11 @@ final class LeverArms {
           "\"" + part + "\": " + number + " m is outside -" + FARTHEST_M + "…" + FARTHEST_M);
     }
     return metres;
+  }
+
+  /** Names of the sensors. */
+  Set<String> sensors() {
+    return arms.keySet();
   }
 
   /** Adds the sensor's mounting position to a measurement. */

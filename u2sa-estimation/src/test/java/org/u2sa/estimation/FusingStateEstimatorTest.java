@@ -122,6 +122,19 @@ class FusingStateEstimatorTest {
     assertThat(state()).isNotInstanceOf(AircraftState.class);
   }
 
+  @Test
+  void leverArms_sensorThatNeverReports_isNamedInHealth() {
+    kit.with("LEVER ARMS", "GPS = 0.2 0 -0.5; Gps = 0.2 0 -0.5").start(FusingStateEstimator::new);
+    drive(15.0);
+
+    assertThat(remarks())
+        .filteredOn(remark -> remark.contains("LEVER ARMS"))
+        .singleElement()
+        .asString()
+        .endsWith("have not reported: Gps; these have: Compass, GPS");
+    assertThat(kit.log("StateEstimator")).filteredOn(l -> l.contains("LEVER ARMS")).hasSize(1);
+  }
+
   /** Standing with the wind from behind, a pitot tube shows noise. */
   @Test
   void callback_pitotTubeNearItsNoise_isNoEvidenceOfTheWind() {
