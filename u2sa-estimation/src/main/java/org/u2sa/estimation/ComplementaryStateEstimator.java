@@ -1,9 +1,11 @@
 package org.u2sa.estimation;
 
 import java.util.Collection;
+import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.TreeMap;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
@@ -95,7 +97,19 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     }
   }
 
+  private static final Set<StateField> ESTIMATED =
+      EnumSet.of(
+          StateField.X,
+          StateField.Y,
+          StateField.Z,
+          StateField.PSI,
+          StateField.X_DOT,
+          StateField.Y_DOT,
+          StateField.Z_DOT,
+          StateField.PSI_DOT);
+
   private final Variables tuning;
+  private final Completeness completeness;
   private final Channel longitude = new Channel();
   private final Channel latitude = new Channel();
   private final Channel altitude = new Channel();
@@ -103,8 +117,15 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private final Map<String, StateInformation> newest = new TreeMap<>();
   private long micros = Long.MIN_VALUE;
 
+  /**
+   * Launcher constructor.
+   *
+   * @throws org.u2sa.interfaces.BadInputException if NEEDED names a number that this estimator never
+   *     provides, such as roll
+   */
   public ComplementaryStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");
+    completeness = NeededNumbers.watch(this, ESTIMATED);
     tuning = settings(Variables.class).get(); // changes take effect at the next start
   }
 
@@ -124,7 +145,9 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     moveOn(Math.max(micros, measuredAt));
     newest.put(sensed.sensorName(), sensed);
     take(sensed, measuredAt);
-    return Optional.of(state(micros));
+    StateInformation state = state(micros);
+    completeness.look(state, newest.values());
+    return Optional.of(state);
   }
 
   private void moveOn(long now) {

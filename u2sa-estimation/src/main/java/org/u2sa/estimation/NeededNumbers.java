@@ -1,8 +1,11 @@
 package org.u2sa.estimation;
 
+import java.util.Set;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.StateField;
 import org.u2sa.service.U2SAService;
 
 /** Variables of an estimator: which numbers of the state may not be absent for long. */
@@ -20,6 +23,24 @@ record NeededNumbers(
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException("NEEDED: " + e.getMessage(), e);
     }
+  }
+
+  /**
+   * Watches the states of a service that estimates only some numbers; changes take effect at its
+   * next start.
+   *
+   * @throws BadInputException if the vehicle needs a number that it never estimates
+   */
+  static Completeness watch(U2SAService service, Set<StateField> estimated) {
+    for (StateField field : Completeness.fields(service.settings(NeededNumbers.class).get().needed)) {
+      if (!estimated.contains(field)) {
+        throw new BadInputException(
+            String.format(
+                "variable \"NEEDED\": \"%s\": %s does not estimate it",
+                field.fieldName(), service.getClass().getSimpleName()));
+      }
+    }
+    return watch(service);
   }
 
   /** Watches the states of a service; changes take effect at its next start. */

@@ -1,10 +1,12 @@
 package org.u2sa.estimation;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
@@ -73,6 +75,26 @@ class ComplementaryStateEstimatorTest {
     assertThat(offM().x()).isCloseTo(0.0, within(0.05));
     assertThat(offM().y()).isCloseTo(0.0, within(0.01));
     assertThat(state().timestamp()).hasValue(kit.clock().micros());
+  }
+
+  @Test
+  void start_vehicleThatNeedsRollAndPitch_isRefused() {
+    kit.with("NEEDED", "x, y, psi, phi, theta");
+
+    assertThatThrownBy(() -> kit.start(ComplementaryStateEstimator::new))
+        .isInstanceOf(BadInputException.class)
+        .hasMessage("variable \"NEEDED\": \"phi\": ComplementaryStateEstimator does not estimate it");
+  }
+
+  @Test
+  void callback_noHeading_isNamedInHealth() {
+    kit.start(ComplementaryStateEstimator::new);
+    for (int i = 0; i < 100; i++) {
+      kit.advance(0.1);
+      fix("GPS", 0.0, 0.0);
+    }
+
+    assertThat(kit.log("StateEstimator")).anyMatch(l -> l.contains("state lacks psi"));
   }
 
   @Test
