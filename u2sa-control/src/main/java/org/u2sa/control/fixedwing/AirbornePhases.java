@@ -14,7 +14,7 @@ final class AirbornePhases {
   private final InnerLoops loops;
   private final LateralGuidance lateral;
   private final EnergyLaw energy;
-
+  private final LaunchClimb launch = new LaunchClimb();
   private final WindEstimate wind;
 
   private double holdAltitudeM;
@@ -83,11 +83,15 @@ final class AirbornePhases {
               / state.trueOverCalibrated();
       holdAltitudeM = altitudeDemandM;
     }
+    launch.see(state, guidance.leastSpeedMps(0.0));
+    if (launch.isUnderWay()) {
+      energy.levelOff();
+    }
     return surfaces(
         state,
         bank,
-        Math.toRadians(guidance.bankLimit()),
-        EnergyLaw.Priority.BOTH,
+        launch.bankLimitRad(Math.toRadians(guidance.bankLimit())),
+        launch.isUnderWay() ? EnergyLaw.Priority.HEIGHT : EnergyLaw.Priority.BOTH,
         Math.toRadians(guidance.pitchLowerLimit()),
         dtS);
   }
@@ -168,5 +172,6 @@ final class AirbornePhases {
     altitudeDemandM = state.number("ALTITUDE DEMAND", altitudeDemandM);
     speedDemandMps = state.number("SPEED DEMAND", speedDemandMps, guidance.cruiseSpeed());
     energy.transfer(state);
+    launch.transfer(state);
   }
 }

@@ -82,6 +82,28 @@ class SimulateTest {
     assertThat(folder.resolve("one/track.svg")).exists();
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {10.005, 9.995})
+  void simulate_catapultInACrosswindAndFirstWaypointAbeam_climbsBeforeItTurns(double x)
+      throws IOException, URISyntaxException {
+    project("wing");
+    replace(
+        "mission.xml",
+        "<waypoint><x>10.0</x><y>54.0027</y>",
+        "<waypoint><x>" + x + "</x><y>54.0</y>");
+    Files.writeString(
+        folder.resolve("world.xml"),
+        "<world><environment><wind><speed>5</speed><from unit=\"deg\">90</from></wind></environment></world>");
+
+    CommandLineRun run = simulate("out", "--world", folder.resolve("world.xml").toString());
+
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+    List<String> track = Files.readAllLines(folder.resolve("out/track.csv"));
+    int altitude = List.of(track.get(0).split(",")).indexOf("altitude_m");
+    assertThat(track.stream().skip(1))
+        .allMatch(row -> Double.parseDouble(row.split(",")[altitude]) > 1.7);
+  }
+
   @Test
   void simulate_otherSeed_drivesAnotherTrack() throws IOException, URISyntaxException {
     project("rover");
