@@ -23,14 +23,15 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Flies a Cessna 172, or another aeroplane by its gains and speeds, autonomously from the runway
- * along its mission. In: state, navigation. Out: actuation (aileron, elevator, rudder, throttle,
- * mixture, flaps, brakes, once per state), control-status. Without fresh navigation it holds wings
- * level and altitude, then circles; on the ground it holds the brakes. If navigation leads to the
- * ground, it lands.
+ * along its mission. In: state, navigation, arming-state. Out: actuation (aileron, elevator, rudder,
+ * throttle, mixture, flaps, brakes, once per state), control-status. Without fresh navigation it
+ * holds wings level and altitude, then circles; on the ground it holds the brakes. If navigation
+ * leads to the ground, it lands. Disarmed and at rest, it keeps the throttle closed.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
+  private static final double AT_REST_MPS = 2.0; // over ground
 
   private record Outputs(
       @Variable(unit = "s", min = 0.02, max = 60, ifAbsent = 10)
@@ -49,6 +50,8 @@ public final class CessnaControl extends ControlSystem {
   private SurfaceMixing mixing = SurfaceMixing.SOUND;
   private Autopilot autopilot;
   private ManualState byHand = new ManualState(); // by the pilot's radio
+  private double firstS = Double.NaN; // time of the first state
+  private boolean isArmed = true; // without an arming service, actuators obey immediately
   private FlightPhase loggedPhase;
   private boolean loggedNavigating;
   private double statusDueS = Double.NEGATIVE_INFINITY;
@@ -59,6 +62,7 @@ public final class CessnaControl extends ControlSystem {
     autopilot = new Autopilot(tuning.get());
     subscribe(Channels.ACTUATORS, announced -> roster.see(announced, clock().micros()));
     subscribe(Channels.MANUAL_STATE, this::onManual);
+    subscribe(Channels.ARMING_STATE, state -> isArmed = state.armed());
     registerPublisher(ControlStatus.CHANNEL);
   }
 
@@ -106,6 +110,10 @@ public final class CessnaControl extends ControlSystem {
     FlightState now = seen.get();
     Optional<GuidanceTarget> target = point.flatMap(navigation -> target(navigation, now));
     lookAtSurfaces();
+    boolean mayMove = mayMove(now);
+    if (!mayMove && (loggedPhase == FlightPhase.CRUISE || loggedPhase == FlightPhase.HOLD)) {
+      autopilot = new Autopilot(tuning.get()); // on a launcher its integrals would wind up
+    }
     Surfaces surfaces = mixing.of(autopilot.step(now, target));
     boolean elevons = outputs.get().elevons();
     if (elevons) {
@@ -116,7 +124,8 @@ public final class CessnaControl extends ControlSystem {
       if (elevons && actuator.isElevons()) {
         continue;
       }
-      double percentage = FULL_PERCENT * actuator.of(surfaces);
+      boolean idles = actuator == AircraftActuator.THROTTLE && !mayMove;
+      double percentage = idles ? 0.0 : FULL_PERCENT * actuator.of(surfaces);
       if (actuator.holdsThroughSilence()) {
         command(actuator.actuatorName(), percentage, outputs.get().powerExpiry());
       } else {
@@ -124,6 +133,18 @@ public final class CessnaControl extends ControlSystem {
       }
     }
     report(now, target.isPresent());
+  }
+
+  /**
+   * Whether it moves or may begin to: armed, READY TIME after its first state, within which a Safety
+   * Manager tells that it is not.
+   */
+  private boolean mayMove(FlightState now) {
+    if (Double.isNaN(firstS)) {
+      firstS = now.timeS();
+    }
+    boolean isReady = now.timeS() - firstS >= tuning.get().takeOff().readyTime();
+    return now.groundSpeedMps() > AT_REST_MPS || (isArmed && isReady);
   }
 
   private void lookAtSurfaces() {

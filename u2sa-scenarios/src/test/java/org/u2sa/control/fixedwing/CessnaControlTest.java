@@ -16,6 +16,7 @@ import org.u2sa.messages.command.ActuatorCommand;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationChange;
 import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.testkit.ServiceKit;
@@ -178,6 +179,27 @@ class CessnaControlTest {
     assertThat(kit.latest(ControlStatus.CHANNEL).orElseThrow().phase()).isEqualTo(FlightPhase.ROLL);
     assertThat(kit.percent("LEFT BRAKE")).isZero();
     assertThat(kit.percent("THROTTLE")).isEqualTo(100.0);
+  }
+
+  @Test
+  void callback_disarmed_keepsTheThrottleClosedAtRestOnly() {
+    kit.start(CessnaControl::new);
+    AircraftState onTheCatapult = standing();
+    onTheCatapult.heightAboveGround(300.0).weightOnWheels(false); // as without sensors of height
+    fly(onTheCatapult, Point.of(300.0, 0.0, -40.0), 15);
+    assertThat(kit.percent("THROTTLE")).as("within READY TIME").isZero();
+
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
+    fly(onTheCatapult, Point.of(300.0, 0.0, -40.0), 40);
+    assertThat(kit.percent("THROTTLE")).isZero();
+
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
+    fly(onTheCatapult, Point.of(300.0, 0.0, -40.0), 2);
+    assertThat(kit.percent("THROTTLE")).isGreaterThan(20.0);
+
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(false));
+    fly(flying(), Point.of(300.0, 0.0, 0.0), 2);
+    assertThat(kit.percent("THROTTLE")).as("in flight").isGreaterThan(20.0);
   }
 
   @Test
