@@ -112,13 +112,13 @@ final class LookCommand implements Callable<Integer> {
       throws IOException {
     Seen seen;
     try {
-      seen = reading.read(frame, 0.0, 0.0);
+      seen = reading.read(frame, 0.0, 0.0, 0.0);
     } catch (IllegalArgumentException e) {
       throw new BadInputException(name + ": " + e.getMessage(), e);
     }
     text.printf("%s, camera %s:%n", name, reading.lens());
     TextTable table = new TextTable("SEEN", "AHEAD", "LEFT", "SIGMA", "CONFIDENCE");
-    for (ObjectDescription object : reading.messages(seen, 0.0, 0.0, 0L)) {
+    for (ObjectDescription object : reading.messages(seen, 0.0, 0.0, 0.0, 0L)) {
       Point sigma = object.motion().sigma().orElseThrow();
       table.add(
           object.objectType(),

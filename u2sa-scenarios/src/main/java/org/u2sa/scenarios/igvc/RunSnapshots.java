@@ -108,7 +108,7 @@ final class RunSnapshots {
       return new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
     }
     long micros = frame.get().measuredAtMicros();
-    Seen seen = reading.read(frame.get(), attitudes.roll(micros), attitudes.pitch(micros));
+    Seen seen = reading.read(frame.get(), attitudes.roll(micros), attitudes.pitch(micros), 0.0);
     return SeenPicture.of(reading.unpacked(frame.get()), seen, reading.sight());
   }
 }

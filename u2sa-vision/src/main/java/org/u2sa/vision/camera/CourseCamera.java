@@ -12,6 +12,7 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.AttitudeHistory;
+import org.u2sa.vision.ground.ClimbedHeight;
 
 /**
  * Detects white lines, potholes, barrels, sawhorses and flags on the ground (thesis 4.1.1.1). In:
@@ -28,24 +29,32 @@ public final class CourseCamera extends CameraSensor {
           double imageEvery) {}
 
   private final AttitudeHistory attitudes = new AttitudeHistory();
+  private final ClimbedHeight climbed;
   private final PictureReading reading;
   private final Optional<CameraImages> images; // empty: not published
   private long pictures;
 
   public CourseCamera(ServiceContext context) {
     super(context, "CourseCamera");
+    climbed = new ClimbedHeight(settings(CourseVariables.class).get().slopeAbove());
     reading = reading(context);
     images = images();
   }
 
   public CourseCamera(ServiceContext context, Camera camera) {
     super(context, "CourseCamera", camera);
+    climbed = new ClimbedHeight(settings(CourseVariables.class).get().slopeAbove());
     reading = reading(context);
     images = images();
   }
 
   private PictureReading reading(ServiceContext context) {
-    subscribe(Channels.STATE, attitudes::add);
+    subscribe(
+        Channels.STATE,
+        state -> {
+          attitudes.add(state);
+          climbed.add(state);
+        });
     return new PictureReading(
         settings(CourseVariables.class).get(),
         settings(MountingPose.class).get(),
@@ -69,9 +78,10 @@ public final class CourseCamera extends CameraSensor {
     try {
       double roll = attitudes.roll(micros);
       double pitch = attitudes.pitch(micros);
-      Seen seen = reading.read(frame, roll, pitch);
+      double height = climbed.metres();
+      Seen seen = reading.read(frame, roll, pitch, height);
       reading
-          .messages(seen, roll, pitch, micros)
+          .messages(seen, roll, pitch, height, micros)
           .forEach(each -> publish(Channels.SENSED_OBJECTS, each));
       pictures++;
       remark(

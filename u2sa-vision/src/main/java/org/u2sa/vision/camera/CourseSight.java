@@ -72,7 +72,7 @@ public final class CourseSight {
                 settings.flagTop(),
                 settings.flagCloth(),
                 settings.maxObjectDistance()),
-            new GroundSigma(0.0, settings.tiltSigma(), settings.yawSigma(), settings.ownSigma()));
+            new GroundSigma(0.0, settings.tiltSigma(), settings.yawSigma(), settings.ownSigma(), 0.0));
   }
 
   /**
@@ -104,7 +104,8 @@ public final class CourseSight {
         settings.pixelSigma() / lens.pinhole().focalX(),
         settings.tiltSigma(),
         settings.yawSigma(),
-        settings.ownSigma());
+        settings.ownSigma(),
+        0.0);
   }
 
   /** Bird's-eye view of the last image, for display. */

@@ -13,6 +13,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
 import org.u2sa.vision.camera.CourseSight.Seen;
 import org.u2sa.vision.ground.CameraMount;
+import org.u2sa.vision.ground.ClimbedHeight;
 import org.u2sa.vision.ground.GroundSigma.SlopeSigma;
 import org.u2sa.vision.lens.CalibrationFile;
 import org.u2sa.vision.lens.LensCalibration;
@@ -23,6 +24,8 @@ import org.u2sa.vision.picture.JpegDecoder;
  * converts detections to messages. Not thread-safe.
  */
 public final class PictureReading {
+  private static final double UNIFORM = Math.sqrt(12.0); // range over standard deviation
+
   private final CourseVariables settings;
   private final CameraMount mount;
   private final LensChoice lenses;
@@ -64,14 +67,20 @@ public final class PictureReading {
    *
    * @param rollRad of the vehicle when it was taken, right side down positive
    * @param pitchRad of the vehicle, front up positive
+   * @param climbedM by {@link ClimbedHeight}: the ground lies between the wheels' height and this
+   *     much below
    * @throws BadInputException if it cannot be decoded
    * @throws IllegalArgumentException if its aspect ratio differs from the calibration's
    */
-  public Seen read(CameraFrame frame, double rollRad, double pitchRad) {
+  public Seen read(CameraFrame frame, double rollRad, double pitchRad, double climbedM) {
     CameraFrame pixels = unpacked(frame);
     boolean tilts = settings.levelGround();
     return sight.look(
-        pixels, lenses.of(pixels), mount, tilts ? rollRad : 0.0, tilts ? pitchRad : 0.0);
+        pixels,
+        lenses.of(pixels),
+        mount.withGroundLower(0.5 * climbedM),
+        tilts ? rollRad : 0.0,
+        tilts ? pitchRad : 0.0);
   }
 
   /**
@@ -80,10 +89,13 @@ public final class PictureReading {
    *
    * @param rollRad of the vehicle when it was taken, right side down positive
    * @param pitchRad of the vehicle, front up positive
+   * @param climbedM as for {@link #read}
    */
-  public List<ObjectDescription> messages(Seen seen, double rollRad, double pitchRad, long micros) {
+  public List<ObjectDescription> messages(
+      Seen seen, double rollRad, double pitchRad, double climbedM, long micros) {
     double slope = SlopeSigma.rad(settings.slopeAbove(), rollRad, pitchRad);
-    return messages.of(seen, sight.sigma(seen.view().lens()).tilted(slope), micros);
+    double height = climbedM / UNIFORM;
+    return messages.of(seen, sight.sigma(seen.view().lens()).uneven(slope, height), micros);
   }
 
   public CameraFrame unpacked(CameraFrame frame) {

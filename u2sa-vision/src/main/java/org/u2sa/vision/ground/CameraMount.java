@@ -21,6 +21,11 @@ public record CameraMount(Point place, Rotation turn, double groundBelowM) {
         groundBelowM);
   }
 
+  /** Copy above lower ground [m]. */
+  public CameraMount withGroundLower(double metres) {
+    return new CameraMount(place, turn, groundBelowM + metres);
+  }
+
   /** Camera height above level ground with the vehicle level [m]. */
   public double heightM() {
     return groundBelowM - place.z();

@@ -12,17 +12,29 @@ import org.u2sa.messages.frame.Point;
  * @param tiltRad standard deviation of the camera's pitch and roll relative to the ground [rad]
  * @param yawRad standard deviation of the camera's yaw [rad]
  * @param ownM distance-independent error: mounting, paint edges [m]
+ * @param heightM standard deviation of the ground's height [m]
  */
-public record GroundSigma(double pixelRad, double tiltRad, double yawRad, double ownM) {
-  /** Copy with additional uncertainty of the ground's tilt [rad]. */
-  public GroundSigma tilted(double moreRad) {
-    return new GroundSigma(pixelRad, Math.hypot(tiltRad, moreRad), yawRad, ownM);
+public record GroundSigma(
+    double pixelRad, double tiltRad, double yawRad, double ownM, double heightM) {
+  /**
+   * Copy for ground of uncertain tilt and height.
+   *
+   * @param moreRad additional standard deviation of its tilt [rad]
+   * @param moreM standard deviation of its height [m]
+   */
+  public GroundSigma uneven(double moreRad, double moreM) {
+    return new GroundSigma(pixelRad, Math.hypot(tiltRad, moreRad), yawRad, ownM, moreM);
   }
 
-  /** Standard deviation along the ray from the point below the camera [m]. */
-  public double alongM(double rangeM, double heightM) {
+  /**
+   * Standard deviation along the ray from the point below the camera [m].
+   *
+   * @param cameraM height of the camera above the ground [m]
+   */
+  public double alongM(double rangeM, double cameraM) {
     double angle = Math.hypot(pixelRad, tiltRad);
-    return Math.hypot(ownM, angle * (rangeM * rangeM + heightM * heightM) / heightM);
+    double byAngle = angle * (rangeM * rangeM + cameraM * cameraM) / cameraM;
+    return Math.hypot(ownM, Math.hypot(byAngle, heightM * rangeM / cameraM));
   }
 
   /** Standard deviation across the ray [m]. */
@@ -35,9 +47,9 @@ public record GroundSigma(double pixelRad, double tiltRad, double yawRad, double
    *
    * @param way vector from the camera to the position, LEVEL
    */
-  public Point axes(Point way, double heightM) {
+  public Point axes(Point way, double cameraM) {
     double range = Math.hypot(way.x(), way.y());
-    return turned(way, alongM(range, heightM), acrossM(range));
+    return turned(way, alongM(range, cameraM), acrossM(range));
   }
 
   /** Rotates deviations along and across a direction to the axes forward, right, down [m]. */

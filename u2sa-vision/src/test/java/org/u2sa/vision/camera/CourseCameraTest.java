@@ -152,6 +152,35 @@ class CourseCameraTest {
   }
 
   @Test
+  void look_fromTheTopOfARamp_lineLiesBetweenItsHeightAndTheGroundBeyond() {
+    kit.with("SLOPE ABOVE", 0.035);
+    kit.start(context -> new CourseCamera(context, camera));
+    double climbed = 2.0 * Math.sin(0.15);
+    for (int i = 0; i <= 40; i++) {
+      StateInformation state = new StateInformation().theta(0.15).psi(0.0).phi(0.0);
+      state.xDot(0.0).yDot(1.0).timestamp(kit.clock().micros());
+      kit.publish(Channels.STATE, state);
+      kit.advance(0.05);
+    }
+    StateInformation top = new StateInformation().theta(0.0).psi(0.0).phi(0.0);
+    top.xDot(0.0).yDot(1.0).timestamp(kit.clock().micros());
+    kit.publish(Channels.STATE, top);
+
+    show(kit.clock().micros());
+
+    double wider = (1.1 + 0.5 * climbed) / 1.1;
+    List<ObjectDescription> objects = kit.published(Channels.SENSED_OBJECTS);
+    assertThat(objects).isNotEmpty();
+    for (ObjectDescription object : objects) {
+      for (Point point : ((PolyLine) object).points()) {
+        assertThat(point.y()).isBetween(1.2 * wider - 0.08, 1.2 * wider + 0.08);
+      }
+      assertThat(object.motion().sigma().orElseThrow().x())
+          .isGreaterThan(object.x() * climbed / Math.sqrt(12.0) / (1.1 + 0.5 * climbed) * 0.7);
+    }
+  }
+
+  @Test
   void look_pieces_areLessCertainTheFartherTheyAre() {
     List<ObjectDescription> objects = seen(lane(), 0.0, 0.0);
     assertThat(objects).hasSizeGreaterThan(1);

@@ -90,10 +90,10 @@ class GroundViewProperties {
     double tilt = 1e-4;
     double angle = Math.atan2(height, range);
     double moved = height / Math.tan(angle - tilt) - range;
-    GroundSigma sigma = new GroundSigma(0.0, tilt, 0.0, 0.0);
+    GroundSigma sigma = new GroundSigma(0.0, tilt, 0.0, 0.0, 0.0);
     assertThat(sigma.alongM(range, height)).isCloseTo(moved, within(0.01 * moved));
     assertThat(sigma.acrossM(range)).isZero();
-    assertThat(new GroundSigma(tilt, 0.0, 0.0, 0.0).acrossM(range))
+    assertThat(new GroundSigma(tilt, 0.0, 0.0, 0.0, 0.0).acrossM(range))
         .isCloseTo(tilt * range, within(1e-12));
   }
 }
