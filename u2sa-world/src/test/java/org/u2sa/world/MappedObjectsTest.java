@@ -73,6 +73,37 @@ class MappedObjectsTest {
     assertThat(world.remarks()).contains("1 refused for their length");
   }
 
+  /** What messages may carry: claims without any error, or beyond all measure. */
+  @Test
+  void objects_absurdClaims_costNoneOfTheOthers() {
+    world
+        .kit
+        .with("MODELLERS", "OBJECTS")
+        .with("USUAL SPEED", 1.0)
+        .with("CONFIRM HITS", 1)
+        .start(WorldModeler::new);
+    double[] claims = {0.0, 1e-300, 1e-160, 1e-9, 1.0, 1e6, 1e15};
+    Random random = new Random(5L);
+    for (int i = 0; i < 400; i++) {
+      ObjectDescription[] both = {null, null, seen("a", 5.0, 1.0)};
+      for (int k = 0; k < 2; k++) {
+        both[k] = seen("b" + i % 3, -5.0 + random.nextGaussian(), 1.0);
+        double sigma = claims[random.nextInt(claims.length)];
+        double speed = random.nextBoolean() ? claims[random.nextInt(claims.length)] : -1e15;
+        both[k]
+            .motion()
+            .sigma(Point.of(sigma, claims[random.nextInt(claims.length)], sigma))
+            .velocity(Point.of(speed, claims[random.nextInt(claims.length)], 0.0))
+            .velocitySigma(claims[random.nextInt(claims.length)]);
+        both[k].timestamp(world.kit.clock().micros());
+      }
+      world.tick(local(0.0, 0.0, 0.0), both);
+      assertThat(world.objects()).extracting(ObjectDescription::uid).contains("a");
+    }
+
+    assertThat(world.kit.log("WorldModeler")).noneMatch(line -> line.contains("Exception"));
+  }
+
   @Test
   void objects_onTheEarth_areInGlobal() {
     Geodetic place = new Geodetic(-157.9, 21.3, 10.0);

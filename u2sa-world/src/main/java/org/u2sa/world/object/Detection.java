@@ -14,11 +14,19 @@ import org.u2sa.world.modeller.Sighting;
  * @param sigma standard deviations of the position, including the vehicle's own uncertainty [m]
  */
 record Detection(ObjectDescription object, Point place, Point sigma) {
+  /** Bounds of a standard deviation [m, m/s]: claims beyond have variances that lose precision. */
+  private static final double MIN_SIGMA = 1e-6;
+
+  private static final double MAX_SIGMA = 1e6;
+  private static final double FARTHEST_M = 1e7;
+  private static final double FASTEST_MPS = 1e4;
+
   /**
-   * Converts a sighting as received.
+   * Converts a sighting as received. Its standard deviations are bounded, and so is its velocity: an
+   * absurd one counts as unknown.
    *
    * @param defaultSigma standard deviation to use if the sighting states none [m]
-   * @return empty if it cannot be converted to the map's frame
+   * @return empty if it cannot be converted to the map's frame, or is absurdly far away
    */
   static Optional<Detection> of(ObjectDescription seen, Sighting sighting, double defaultSigma) {
     ObjectDescription stated = seen;
@@ -34,15 +42,25 @@ record Detection(ObjectDescription object, Point place, Point sigma) {
                 new Detection(
                     object,
                     sighting.frame().metres(object.center()),
-                    object.motion().sigma().orElseThrow()));
+                    bounded(object.motion().sigma().orElseThrow())))
+        .filter(detection -> detection.place().distance() < FARTHEST_M);
+  }
+
+  private static Point bounded(Point sigma) {
+    return Point.of(bounded(sigma.x()), bounded(sigma.y()), bounded(sigma.z()));
+  }
+
+  private static double bounded(double sigma) {
+    return Math.max(MIN_SIGMA, Math.min(MAX_SIGMA, sigma));
   }
 
   /** Velocity along the map's axes [m/s]; empty if unknown. */
   Optional<Point> velocity() {
-    return object.motion().velocity();
+    return object.motion().velocity().filter(each -> each.distance() < FASTEST_MPS);
   }
 
   OptionalDouble velocitySigma() {
-    return object.motion().velocitySigma();
+    OptionalDouble sigma = object.motion().velocitySigma();
+    return sigma.isPresent() ? OptionalDouble.of(bounded(sigma.getAsDouble())) : sigma;
   }
 }
