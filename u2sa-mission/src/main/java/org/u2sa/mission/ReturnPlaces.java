@@ -62,7 +62,7 @@ final class ReturnPlaces {
   /** Horizontal distance [m]; infinite if unknown. */
   private double distanceM(Waypoint place) {
     ReferenceFrame frame = place.referenceFrame();
-    if (state == null || state.referenceFrame().isEarth() != frame.isEarth()) {
+    if (state == null || !isComparable(state.referenceFrame(), frame)) {
       return Double.POSITIVE_INFINITY;
     }
     StateInformation own = state.in(frame);
@@ -73,5 +73,9 @@ final class ReturnPlaces {
             ? new Geodetic(from.x(), from.y(), 0.0).enuOf(new Geodetic(to.x(), to.y(), 0.0))
             : to.minus(from);
     return Math.hypot(apart.x(), apart.y());
+  }
+
+  private static boolean isComparable(ReferenceFrame one, ReferenceFrame other) {
+    return (one.isEarth() && other.isEarth()) || (one.isLocal() && other.isLocal());
   }
 }

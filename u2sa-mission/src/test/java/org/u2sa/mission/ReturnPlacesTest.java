@@ -66,4 +66,15 @@ class ReturnPlacesTest {
     rally(place("rally 1", 10.01));
     assertThat(nearest()).hasValue("rally 1");
   }
+
+  @Test
+  void nearest_stateAndRallyPointInFramesThatNobodyCanCompare_isHome() {
+    Waypoint aboard = place("rally 2", 1.0);
+    aboard.referenceFrame(ReferenceFrame.BODY);
+    rally(place("rally 1", 10.01), aboard);
+    for (ReferenceFrame frame : List.of(ReferenceFrame.BODY, ReferenceFrame.LOCAL_NED)) {
+      places.see(new StateInformation().referenceFrame(frame).x(0.0).y(0.0));
+      assertThat(nearest()).as(frame.toString()).hasValue("home");
+    }
+  }
 }

@@ -3,6 +3,8 @@ package org.u2sa.fuzz;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
+import java.util.Random;
 import org.u2sa.messages.CameraImage;
 import org.u2sa.messages.OccupancyGrid;
 import org.u2sa.messages.cbor.ByteString;
@@ -46,13 +48,40 @@ final class ExtremeMessages {
   private static final int OUTLINE_CORNERS = 200;
   private static final int LEDGER_SIDE = 100;
 
+  private static final double[] TINY = {1e-300, -1e-300, 1e-160, 1e-9, 1e-3, 10.0, 1e6};
+
   private final String serviceName;
+  private Optional<Random> mixing = Optional.empty(); // bounds differ from field to field
 
   /**
    * @param serviceName to whom messages are addressed that address one
    */
   ExtremeMessages(String serviceName) {
     this.serviceName = serviceName;
+  }
+
+  /**
+   * Messages of random types whose fields are at different bounds, or tiny, or ordinary; each three
+   * times.
+   */
+  List<U2SAData> mixed(Random random, int count) {
+    mixing = Optional.of(random);
+    List<MessageType<?>> types =
+        StandardTypes.registry().all().stream().filter(type -> !type.isAbstract()).toList();
+    List<U2SAData> all = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      U2SAData made = made(types.get(random.nextInt(types.size())), mixed(Extreme.SMALL));
+      all.addAll(Collections.nCopies(3, made)); // as often with the same time
+    }
+    mixing = Optional.empty();
+    return all;
+  }
+
+  /** The bound, or another one while mixing; long ones are left out. */
+  private Extreme mixed(Extreme extreme) {
+    return mixing
+        .map(random -> Extreme.values()[1 + random.nextInt(Extreme.values().length - 1)])
+        .orElse(extreme);
   }
 
   List<U2SAData> all() {
@@ -75,10 +104,10 @@ final class ExtremeMessages {
               || field.name().equals("timestamp")
               || extreme == Extreme.EMPTY && !field.isRequired();
       if (!isLeftOut && !field.isSet(message)) {
-        field.set(message, value(type, field, extreme));
+        field.set(message, value(type, field, mixed(extreme)));
       }
     }
-    if (extreme == Extreme.LARGE || extreme == Extreme.SMALL) {
+    if (mixing.isEmpty() && (extreme == Extreme.LARGE || extreme == Extreme.SMALL)) {
       message.timestamp(extreme == Extreme.LARGE ? LAST_MICROS : -LAST_MICROS);
     }
     if (message instanceof OccupancyGrid grid) {
@@ -148,9 +177,13 @@ final class ExtremeMessages {
     }
   }
 
-  private static Double number(NumberField<?> field, Extreme extreme) {
+  private Double number(NumberField<?> field, Extreme extreme) {
     double least = field.min() == Double.NEGATIVE_INFINITY ? -HUGE : field.min();
     double most = field.max() == Double.POSITIVE_INFINITY ? HUGE : field.max();
+    if (mixing.isPresent() && mixing.get().nextBoolean()) {
+      double tiny = TINY[mixing.get().nextInt(TINY.length)];
+      return Math.max(least, Math.min(most, tiny));
+    }
     if (extreme == Extreme.FAR && field.name().equals("y")) {
       return Math.min(most, POLE_DEG);
     }

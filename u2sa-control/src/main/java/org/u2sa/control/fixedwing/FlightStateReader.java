@@ -121,8 +121,8 @@ final class FlightStateReader {
       origin = place;
     }
     Point ned = origin.nedOf(place);
-    double roll = value(state, StateField.PHI);
-    double pitch = value(state, StateField.THETA);
+    double roll = Limit.angle(value(state, StateField.PHI));
+    double pitch = Limit.angle(value(state, StateField.THETA));
     double heading = value(state, StateField.PSI);
     Point rates =
         new Attitude(roll, pitch, heading)

@@ -22,11 +22,13 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   private static final int HUFFMAN_TABLE = 0xC4;
   private static final int EXTENSION = 0xC8;
   private static final int ARITHMETIC_TABLE = 0xCC;
-  private static final long MAX_PIXELS = 1L << 25; // a decoder needs 100 MB for them
+  private static final long MAX_PIXELS = 1L << 25;
+  private static final int BYTES_PER_PIXEL = 24; // that a decoder of progressive images may need
   private static final long MAX_SCANNED = 1L << 27; // pixels times scans: half a second of decoding
   private static final int SIZE_END =
       9; // length of a frame header up to its width: marker, length, precision, height, width
 
+  private final long maxPixels;
   private byte[] bytes = new byte[FIRST_ROOM_BYTES];
   private int length;
   private int segment; // start of the next segment; after START_OF_SCAN, start of the data
@@ -34,6 +36,17 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   private int frameHeader; // start of the last frame header; 0 if none yet
   private int scans;
   private long beganMicros;
+
+  JpegFramer() {
+    this(Runtime.getRuntime().maxMemory());
+  }
+
+  /**
+   * @param heapBytes maximum heap: larger images than fit a decoder's share are refused
+   */
+  JpegFramer(long heapBytes) {
+    maxPixels = Math.min(MAX_PIXELS, heapBytes / BYTES_PER_PIXEL);
+  }
 
   @Override
   public void accept(byte[] from, int count, long nowMicros) {
@@ -118,8 +131,11 @@ final class JpegFramer extends ByteParser<CameraFrame> {
   /** A progressive image of a few kilobytes may have a thousand scans, each of all pixels. */
   private void refuseIfSlow() {
     long pixels = frameHeader == 0 ? 0L : (long) width() * height();
-    if (pixels > MAX_PIXELS || pixels * scans > MAX_SCANNED) {
-      drop("an image of " + width() + " by " + height() + " pixels in " + scans + " scans");
+    if (pixels > maxPixels || pixels * scans > MAX_SCANNED) {
+      drop(
+          String.format(
+              "an image of %d by %d pixels in %d scans; expected at most %d pixels, times scans at most %d",
+              width(), height(), scans, maxPixels, MAX_SCANNED));
     }
   }
 

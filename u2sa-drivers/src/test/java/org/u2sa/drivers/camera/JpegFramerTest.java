@@ -46,6 +46,15 @@ class JpegFramerTest {
     assertThat(framer.latest().orElseThrow().pixels()).isEqualTo(file.toByteArray());
   }
 
+  @Test
+  void accept_pictureThatTheHeapCannotHoldDecoded_isRefused() {
+    JpegFramer small = new JpegFramer(320 * 240 * 24 - 1);
+    small.accept(jpeg, jpeg.length, 1);
+
+    assertThat(small.latest()).isEmpty();
+    assertThat(small.refused()).isEqualTo(1);
+  }
+
   private static int marker(byte[] jpeg, int marker) {
     int at = 0;
     while ((jpeg[at] & 0xFF) != 0xFF || (jpeg[at + 1] & 0xFF) != marker) {

@@ -26,7 +26,8 @@ record Detection(ObjectDescription object, Point place, Point sigma) {
    * absurd one counts as unknown.
    *
    * @param defaultSigma standard deviation to use if the sighting states none [m]
-   * @return empty if it cannot be converted to the map's frame, or is absurdly far away
+   * @return empty if it cannot be converted to the map's frame, or is absurdly far away or
+   *     large
    */
   static Optional<Detection> of(ObjectDescription seen, Sighting sighting, double defaultSigma) {
     ObjectDescription stated = seen;
@@ -43,7 +44,8 @@ record Detection(ObjectDescription object, Point place, Point sigma) {
                     object,
                     sighting.frame().metres(object.center()),
                     bounded(object.motion().sigma().orElseThrow())))
-        .filter(detection -> detection.place().distance() < FARTHEST_M);
+        .filter(detection -> detection.place().distance() < FARTHEST_M)
+        .filter(detection -> Extent.isWithin(detection.object(), FARTHEST_M));
   }
 
   private static Point bounded(Point sigma) {

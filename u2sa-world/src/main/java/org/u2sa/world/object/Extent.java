@@ -37,21 +37,35 @@ final class Extent {
     } else if (object instanceof Dock dock) {
       return Math.hypot(dock.length(), dock.width()) / 2.0;
     } else if (object instanceof PolyLine band) {
-      return farthest(band, band.points()) + band.width() / 2.0;
-    } else if (object instanceof Line line) {
-      return farthest(line, line.points());
-    } else if (object instanceof Polygon polygon) {
-      return farthest(polygon, polygon.points());
-    } else if (object instanceof PointCloud cloud) {
-      return farthest(cloud, cloud.points());
+      return farthest(band) + band.width() / 2.0;
     }
-    return 0.0;
+    return farthest(object);
   }
 
-  private static double farthest(ObjectDescription object, List<Point> points) {
+  /** Whether all of the object is within a distance of its centre [m] in each axis. */
+  static boolean isWithin(ObjectDescription object, double metres) {
+    double z = object.center().z();
+    return radius(object) < metres
+        && points(object).stream().allMatch(point -> Math.abs(point.z() - z) < metres);
+  }
+
+  private static List<Point> points(ObjectDescription object) {
+    if (object instanceof PolyLine band) {
+      return band.points();
+    } else if (object instanceof Line line) {
+      return line.points();
+    } else if (object instanceof Polygon polygon) {
+      return polygon.points();
+    } else if (object instanceof PointCloud cloud) {
+      return cloud.points();
+    }
+    return List.of();
+  }
+
+  private static double farthest(ObjectDescription object) {
     Metric metric = Metric.around(object.referenceFrame(), object.center());
     double farthest = 0.0;
-    for (Point point : points) {
+    for (Point point : points(object)) {
       Point metres = metric.metres(point);
       farthest = Math.max(farthest, Math.hypot(metres.x(), metres.y()));
     }
