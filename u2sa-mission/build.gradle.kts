@@ -6,6 +6,7 @@ description = "Mission Manager (thesis 3.2.3): missions, their files and their g
 
 dependencies {
     api(project(":u2sa-abstract"))
+    api(libs.jts)
     testImplementation(testFixtures(project(":u2sa-abstract")))
     testImplementation(libs.logback)
 }

@@ -1,11 +1,13 @@
 package org.u2sa.mission;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.log.LogLevelEnum;
@@ -121,30 +123,41 @@ final class FailsafeMissions {
    * Goals for the action; empty if the mission continues or is merely held.
    *
    * @param place nearest place to return to
+   * @param way waypoints that lead to another one within the fence
    */
-  Optional<GoalSequence> sequence(FailsafeAction action, Optional<Waypoint> place) {
+  Optional<GoalSequence> sequence(
+      FailsafeAction action, Optional<Waypoint> place, Function<Waypoint, List<Waypoint>> way) {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
-    List<GoalInformation> own = goals(action);
-    if (own.isEmpty() && action == FailsafeAction.LAND) {
-      logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
-      own = loaded.get(FailsafeAction.RETURN).goals();
-    }
-    if (own.isEmpty() && place.isPresent()) {
-      own = Collections.singletonList(returning(place.get()));
-    }
+    List<GoalInformation> own = own(action, place);
     if (own.isEmpty()) {
       String problem = "failsafe " + action + " without a RETURN MISSION or a home: holding";
       logger.log(LogLevelEnum.ERROR, problem);
       return Optional.of(ended());
     }
-    GoalSequence sequence = new GoalSequence(own, false, GoalSequence.Options.ALL);
+    List<GoalInformation> goals = new ArrayList<>(own);
+    if (own.get(0) instanceof Waypoint first) {
+      List<Waypoint> before = way.apply(first);
+      before.forEach(each -> goals.add(goals.size() - own.size(), renamed(each, action + " ")));
+    }
+    GoalSequence sequence = new GoalSequence(goals, false, GoalSequence.Options.ALL);
     loaded.values().stream()
         .flatMap(each -> each.home().stream())
         .filter(each -> !sequence.knows(each.uid()))
         .forEach(sequence::update);
     return Optional.of(sequence);
+  }
+
+  private List<GoalInformation> own(FailsafeAction action, Optional<Waypoint> place) {
+    List<GoalInformation> own = goals(action);
+    if (own.isEmpty() && action == FailsafeAction.LAND) {
+      logger.log(LogLevelEnum.ERROR, "failsafe LAND without a LAND MISSION: returning");
+      own = loaded.get(FailsafeAction.RETURN).goals();
+    }
+    return own.isEmpty() && place.isPresent()
+        ? Collections.singletonList(returning(place.get()))
+        : own;
   }
 
   /** An empty set of goals: the planner holds as at the end of a mission. */

@@ -105,6 +105,7 @@ public final class MissionManager extends PeriodicService {
             this,
             failsafes::landGoals,
             () -> returnPlaces.nearest(thresholdM()),
+            returnPlaces::wayTo,
             this::replace);
     registerPublisher(Channels.GOALS);
     registerPublisher(Channels.MISSION);
@@ -297,7 +298,8 @@ public final class MissionManager extends PeriodicService {
     }
     passTime();
     if (run.progress()
-        .turnTo(action, failsafes.sequence(action, returnPlaces.nearest(thresholdM())))) {
+        .turnTo(action, failsafes.sequence(
+                action, returnPlaces.nearest(thresholdM()), returnPlaces::wayTo))) {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,

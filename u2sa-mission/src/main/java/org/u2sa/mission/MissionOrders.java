@@ -2,6 +2,7 @@ package org.u2sa.mission;
 
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
@@ -37,6 +39,7 @@ final class MissionOrders {
   private final Logger logger;
   private final Supplier<List<GoalInformation>> landing;
   private final Supplier<Optional<Waypoint>> returning;
+  private final Function<Waypoint, List<Waypoint>> way;
   private final Consumer<Mission> replacement;
   private final Map<String, MissionOrderResult> answered =
       new LinkedHashMap<>() {
@@ -51,6 +54,7 @@ final class MissionOrders {
   /**
    * @param landing goals of the LAND MISSION
    * @param returning nearest place to return to
+   * @param way waypoints that lead to another one within the fence
    * @param replacement begins another mission
    */
   MissionOrders(
@@ -60,6 +64,7 @@ final class MissionOrders {
       Logger logger,
       Supplier<List<GoalInformation>> landing,
       Supplier<Optional<Waypoint>> returning,
+      Function<Waypoint, List<Waypoint>> way,
       Consumer<Mission> replacement) {
     this.run = run;
     this.resumable = resumable;
@@ -68,6 +73,7 @@ final class MissionOrders {
     this.replacement = replacement;
     this.landing = landing;
     this.returning = returning;
+    this.way = way;
   }
 
   /**
@@ -236,9 +242,12 @@ final class MissionOrders {
                     new BadInputException("the mission has no home, and there is no rally point"));
     GoalSequence mission = run.progress().mission();
     boolean isGoal = mission.knows(place.uid()) && place.uid().equals(Home.NAME);
-    return isGoal && !run.progress().isLeft()
-        ? goTo(place.uid())
-        : leaveFor(List.of(FailsafeMissions.returning(place)));
+    List<Waypoint> route = new ArrayList<>(way.apply(place));
+    if (isGoal && !run.progress().isLeft() && route.isEmpty()) {
+      return goTo(place.uid());
+    }
+    route.add(place);
+    return leaveFor(route.stream().map(FailsafeMissions::returning).collect(Collectors.toList()));
   }
 
   /** Pursues other goals, the last of which ends the mission. */

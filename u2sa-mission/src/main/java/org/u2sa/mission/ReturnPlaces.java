@@ -15,6 +15,7 @@ import org.u2sa.messages.safety.FenceState;
 /** Determines where the vehicle returns to: its home or a rally point, whichever is nearest. */
 final class ReturnPlaces {
   private final Supplier<Optional<Waypoint>> home;
+  private final ReturnWay way = new ReturnWay();
   private List<GoalInformation> rally = List.of();
   private StateInformation state; // null until a position is received
 
@@ -27,6 +28,7 @@ final class ReturnPlaces {
 
   void see(FenceState fence) {
     rally = fence.rally();
+    way.see(fence);
   }
 
   void see(StateInformation now) {
@@ -57,6 +59,11 @@ final class ReturnPlaces {
       }
     }
     return nearest;
+  }
+
+  /** Waypoints on the way to a place that keep to the fence; empty as {@link ReturnWay#between}. */
+  List<Waypoint> wayTo(Waypoint place) {
+    return state == null ? List.of() : way.between(state, place);
   }
 
   /** Horizontal distance [m]; infinite if unknown. */

@@ -4,12 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.geom.prep.PreparedGeometry;
 import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
+import org.locationtech.jts.simplify.DouglasPeuckerSimplifier;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -22,6 +24,8 @@ import org.u2sa.messages.goal.Waypoint;
  * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
+  private static final double OUTLINE_M = 0.1; // tolerance of a published outline
+
   /**
    * A place to return to instead of home if it is nearer.
    *
@@ -116,6 +120,38 @@ final class Fence {
     return areas;
   }
 
+  /**
+   * The corners of an area in the frame of the fence: longitude and latitude [deg], or east and north
+   * of a local plane [m], simplified to where they matter.
+   */
+  private List<Point> outline(Polygon area) {
+    Geometry simple = DouglasPeuckerSimplifier.simplify(area, OUTLINE_M);
+    List<Point> points = new ArrayList<>();
+    for (Coordinate corner : ((Polygon) simple).getExteriorRing().getCoordinates()) {
+      Point enu = Point.of(corner.x, corner.y, 0.0);
+      points.add(
+          origin
+              .map(place -> place.fromEnu(enu))
+              .map(at -> Point.of(at.longitudeDeg(), at.latitudeDeg(), 0.0))
+              .orElse(enu));
+    }
+    return points.subList(0, points.size() - 1);
+  }
+
+  /** Outline of the keep-in area, as {@link #frame} has it; empty if there is none. */
+  List<List<Point>> keepIn() {
+    return keepIn.map(area -> List.of(outline(area))).orElse(List.of());
+  }
+
+  /** Outlines of the keep-out areas; as {@link #keepIn}. */
+  List<List<Point>> keepOut() {
+    return keepOuts.stream().map(this::outline).collect(Collectors.toList());
+  }
+
+  ReferenceFrame frame() {
+    return origin.isPresent() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_ENU;
+  }
+
   private List<Geodetic> corners(Polygon area) {
     List<Geodetic> corners = new ArrayList<>();
     if (origin.isPresent()) {
@@ -177,8 +213,7 @@ final class Fence {
   }
 
   private StateInformation inFrame(StateInformation state) {
-    ReferenceFrame wanted = origin.isPresent() ? ReferenceFrame.GLOBAL : ReferenceFrame.LOCAL_ENU;
-    return state.referenceFrame().equals(wanted) ? state : state.in(wanted);
+    return state.referenceFrame().equals(frame()) ? state : state.in(frame());
   }
 
   /** Projects a global position onto the tangent plane at the origin. */

@@ -4,11 +4,15 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.io.ByteArrayInputStream;
 import java.io.File;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.cbor.Limits;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.Polygon;
 
 /**
  * A fence and where it comes from.
@@ -18,6 +22,8 @@ import org.u2sa.messages.safety.FenceState;
  * @param fence the fence in force, shrunk by the margin
  */
 record GivenFence(String file, String xml, Fence fence) {
+  private static final int MAX_CORNERS = 2_000; // in a message
+
   /**
    * Reads a fence.
    *
@@ -57,8 +63,28 @@ record GivenFence(String file, String xml, Fence fence) {
             .filter(point -> fence.objection(point).isEmpty())
             .map(Fence.RallyPoint::waypoint)
             .collect(Collectors.toList()));
+    List<Polygon> keepIn = shapes("keep-in", fence.keepIn());
+    List<Polygon> keepOut = shapes("keep-out", fence.keepOut());
+    if (corners(keepIn) + corners(keepOut) <= MAX_CORNERS) {
+      state.keepIn(keepIn).keepOut(keepOut);
+    }
     fence.floorM.ifPresent(state::lowest);
     fence.ceilingM.ifPresent(state::highest);
     return xml.getBytes(UTF_8).length <= Limits.TEXT_BYTES ? state.fence(xml) : state;
+  }
+
+  private List<Polygon> shapes(String name, List<List<Point>> outlines) {
+    List<Polygon> shapes = new ArrayList<>();
+    for (List<Point> outline : outlines) {
+      Polygon shape = new Polygon().points(outline);
+      Point first = outline.get(0);
+      shape.uid(name + " " + (shapes.size() + 1)).referenceFrame(fence.frame());
+      shapes.add(shape.x(first.x()).y(first.y()));
+    }
+    return shapes;
+  }
+
+  private static int corners(List<Polygon> shapes) {
+    return shapes.stream().mapToInt(shape -> shape.points().size()).sum();
   }
 }

@@ -9,6 +9,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
+import org.u2sa.messages.shape.Polygon;
 
 /** The geofence in force, published at the start and at each change. */
 public final class FenceState extends U2SAData {
@@ -22,6 +23,10 @@ public final class FenceState extends U2SAData {
       SCHEMA.messages("rally", GoalInformation.TYPE);
   private static final NumberField<FenceState> LOWEST = SCHEMA.optionalNumber("lowest", "m");
   private static final NumberField<FenceState> HIGHEST = SCHEMA.optionalNumber("highest", "m");
+  private static final ValueField<FenceState, List<Polygon>> KEEP_IN =
+      SCHEMA.messages("keepIn", Polygon.TYPE);
+  private static final ValueField<FenceState, List<Polygon>> KEEP_OUT =
+      SCHEMA.messages("keepOut", Polygon.TYPE);
 
   public static final MessageType<FenceState> TYPE = SCHEMA.build();
 
@@ -91,5 +96,23 @@ public final class FenceState extends U2SAData {
 
   public FenceState highest(double metres) {
     return put(HIGHEST, metres);
+  }
+
+  /** Area to stay in, shrunk by the margin; empty: no such area, or one of too many corners. */
+  public List<Polygon> keepIn() {
+    return require(KEEP_IN);
+  }
+
+  public FenceState keepIn(List<Polygon> value) {
+    return put(KEEP_IN, List.copyOf(value));
+  }
+
+  /** Areas to stay out of, widened by the margin; empty as {@link #keepIn}. */
+  public List<Polygon> keepOut() {
+    return require(KEEP_OUT);
+  }
+
+  public FenceState keepOut(List<Polygon> value) {
+    return put(KEEP_OUT, List.copyOf(value));
   }
 }

@@ -1,0 +1,111 @@
+package org.u2sa.mission;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.u2sa.messages.Metric;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.Polygon;
+
+/**
+ * Leads a vehicle that returns or lands around the areas that its fence forbids. It keeps the
+ * fence's margin once more, at least twice the threshold of a waypoint.
+ */
+final class ReturnWay {
+  private static final GeometryFactory FACTORY = new GeometryFactory();
+
+  private FenceState fence = new FenceState();
+
+  void see(FenceState inForce) {
+    fence = inForce;
+  }
+
+  /**
+   * Waypoints on the way to a place, which is not among them; empty if the straight way is allowed,
+   * or if none is known: without a fence, or in frames that cannot be compared.
+   */
+  List<Waypoint> between(StateInformation vehicle, Waypoint place) {
+    List<Polygon> shapes = new ArrayList<>(fence.keepIn());
+    shapes.addAll(fence.keepOut());
+    if (shapes.isEmpty()) {
+      return List.of();
+    }
+    ReferenceFrame frame = shapes.get(0).referenceFrame();
+    Optional<Point> from = in(frame, vehicle);
+    Optional<Point> to = in(frame, at(place));
+    if (from.isEmpty() || to.isEmpty()) {
+      return List.of();
+    }
+    Metric metric = Metric.around(frame, from.get());
+    double distanceM = Math.max(2.0 * place.horizontalThreshold(), fence.margin());
+    Coordinate end = coordinate(metric.metres(to.get()));
+    List<Waypoint> way = new ArrayList<>();
+    for (Coordinate corner :
+        new FenceRoute(allowed(metric, end, distanceM), distanceM)
+            .between(new Coordinate(0.0, 0.0), end)
+            .orElse(List.of())) {
+      Point point = metric.point(Point.of(corner.x, corner.y, 0.0));
+      Waypoint waypoint = new Waypoint().uid("way " + (way.size() + 1));
+      waypoint.x(point.x()).y(point.y()).referenceFrame(frame);
+      way.add(waypoint.horizontalThreshold(place.horizontalThreshold()));
+    }
+    return way;
+  }
+
+  private static StateInformation at(Waypoint place) {
+    StateInformation state = new StateInformation().referenceFrame(place.referenceFrame());
+    place.x().ifPresent(state::x);
+    place.y().ifPresent(state::y);
+    return state;
+  }
+
+  private static Optional<Point> in(ReferenceFrame frame, StateInformation state) {
+    ReferenceFrame own = state.referenceFrame();
+    boolean isComparable =
+        (own.isEarth() && frame.isEarth()) || (own.isLocal() && frame.isLocal());
+    if (!isComparable || state.x().isEmpty() || state.y().isEmpty()) {
+      return Optional.empty();
+    }
+    StateInformation there = state.in(frame);
+    return Optional.of(Point.of(there.x().orElseThrow(), there.y().orElseThrow(), 0.0));
+  }
+
+  /** The keep-in area, or one that leaves room around all others, without the keep-out areas. */
+  private Geometry allowed(Metric metric, Coordinate end, double distanceM) {
+    Envelope room = new Envelope(new Coordinate(0.0, 0.0), end);
+    List<Geometry> forbidden = new ArrayList<>();
+    for (Polygon shape : fence.keepOut()) {
+      forbidden.add(polygon(metric, shape));
+      room.expandToInclude(forbidden.get(forbidden.size() - 1).getEnvelopeInternal());
+    }
+    room.expandBy(10.0 * distanceM);
+    Geometry allowed =
+        fence.keepIn().stream()
+            .findFirst()
+            .map(shape -> polygon(metric, shape))
+            .orElseGet(() -> FACTORY.toGeometry(room));
+    for (Geometry area : forbidden) {
+      allowed = allowed.difference(area);
+    }
+    return allowed;
+  }
+
+  private static Geometry polygon(Metric metric, Polygon shape) {
+    List<Coordinate> ring = new ArrayList<>();
+    shape.points().forEach(point -> ring.add(coordinate(metric.metres(point))));
+    ring.add(ring.get(0).copy());
+    return FACTORY.createPolygon(ring.toArray(new Coordinate[0])).buffer(0.0);
+  }
+
+  private static Coordinate coordinate(Point metres) {
+    return new Coordinate(metres.x(), metres.y());
+  }
+}

@@ -1,0 +1,81 @@
+package org.u2sa.mission;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.io.ParseException;
+import org.locationtech.jts.io.WKTReader;
+
+class FenceRouteTest {
+  private static final GeometryFactory FACTORY = new GeometryFactory();
+  private static final Geometry FIELD = FACTORY.toGeometry(new Envelope(-200.0, 200.0, -200.0, 200.0));
+  private static final double DISTANCE_M = 2.0;
+
+  private static Geometry wkt(String text) throws ParseException {
+    return new WKTReader().read(text);
+  }
+
+  private static Optional<List<Coordinate>> route(Geometry allowed, double x, double y) {
+    return new FenceRoute(allowed, DISTANCE_M)
+        .between(new Coordinate(0.0, 0.0), new Coordinate(x, y));
+  }
+
+  private static Geometry line(List<Coordinate> corners, double x, double y) {
+    List<Coordinate> all = new ArrayList<>(corners);
+    all.add(0, new Coordinate(0.0, 0.0));
+    all.add(new Coordinate(x, y));
+    return FACTORY.createLineString(all.toArray(new Coordinate[0]));
+  }
+
+  @Test
+  void between_straightWayFree_hasNoCorners() throws ParseException {
+    Geometry allowed = FIELD.difference(wkt("POLYGON ((10 -5, 20 -5, 20 5, 10 5, 10 -5))"));
+
+    assertThat(route(allowed, 0.0, 50.0).orElseThrow()).isEmpty();
+  }
+
+  @Test
+  void between_squareInTheWay_leadsRoundTheNearerSideAtItsDistance() throws ParseException {
+    Geometry square = wkt("POLYGON ((10 -5, 20 -5, 20 9, 10 9, 10 -5))");
+
+    List<Coordinate> corners = route(FIELD.difference(square), 30.0, 0.0).orElseThrow();
+
+    assertThat(corners).hasSize(2).allSatisfy(c -> assertThat(c.y).isCloseTo(-7.0, within(1e-6)));
+    assertThat(line(corners, 30.0, 0.0).distance(square)).isCloseTo(DISTANCE_M, within(0.3));
+  }
+
+  @Test
+  void between_concaveKeepInArea_leadsRoundItsReflexCorner() throws ParseException {
+    Geometry ell = wkt("POLYGON ((-10 -10, 60 -10, 60 60, 40 60, 40 10, -10 10, -10 -10))");
+
+    List<Coordinate> corners = route(ell, 50.0, 50.0).orElseThrow();
+
+    assertThat(corners).isNotEmpty();
+    assertThat(ell.buffer(-0.9 * DISTANCE_M).covers(line(corners, 50.0, 50.0))).isTrue();
+  }
+
+  @Test
+  void between_startWithinAForbiddenArea_leavesItByTheNearestSide() throws ParseException {
+    Geometry allowed = FIELD.difference(wkt("POLYGON ((-30 -3, 4 -3, 4 20, -30 20, -30 -3))"));
+
+    List<Coordinate> corners = route(allowed, 50.0, 0.0).orElseThrow();
+
+    assertThat(corners.get(0).distance(new Coordinate(0.0, -5.0))).isLessThan(0.1);
+  }
+
+  @Test
+  void between_endWithinAForbiddenAreaOrBehindAClosedOne_isEmpty() throws ParseException {
+    Geometry wall = wkt("POLYGON ((10 -300, 20 -300, 20 300, 10 300, 10 -300))");
+
+    assertThat(route(FIELD.difference(wall), 15.0, 0.0)).isEmpty();
+    assertThat(route(FIELD.difference(wall), 30.0, 0.0)).isEmpty();
+  }
+}
