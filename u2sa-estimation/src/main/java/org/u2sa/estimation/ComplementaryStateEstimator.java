@@ -14,6 +14,8 @@ import org.u2sa.messages.InertialMeasurement;
 import org.u2sa.messages.LandmarkSighting;
 import org.u2sa.messages.StateField;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Attitude;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
@@ -23,16 +25,19 @@ import org.u2sa.service.handover.HandOver;
  * value (position, heading) pull the estimate with a time constant; fast measurements of its rate
  * (velocity, turn rate) propagate it in between (complementary filter, Higgins 1975). In:
  * sensed-state. Out: state, at the time of the newest measurement, in GLOBAL; only position and
- * heading with their rates. A measurement older than the newest, such as a GPS fix with 0.1 s
- * latency, is extrapolated to the state's time by the measured rates.
+ * heading with their rates. Measured roll and pitch turn speeds along the vehicle's axes to the
+ * earth's. A measurement older than the newest, such as a GPS fix with 0.1 s latency, is
+ * extrapolated to the state's time by the measured rates.
  *
- * <p>Each standard deviation comes from the value's latest source. Sources are not checked for
- * faults.
+ * <p>Each standard deviation comes from the value's latest source; that of a position increases by
+ * the error of the measured velocity since. Sources are not checked for faults.
  */
 public final class ComplementaryStateEstimator extends StateEstimator {
   private static final double FULL_TURN = 2.0 * Math.PI;
   private static final double EARTH_RADIUS_M = 6_371_000.0; // accurate enough for a correction
   private static final double DEG_PER_M = Math.toDegrees(1.0 / EARTH_RADIUS_M);
+  private static final double USUAL_SIGMA_MPS = 0.1; // of a velocity without one
+  private static final double LOST_M = 50.0; // standard deviation of a position no longer known
 
   private record Variables(
       @Variable(unit = "s", min = 0, ifAbsent = 1)
@@ -43,59 +48,8 @@ public final class ComplementaryStateEstimator extends StateEstimator {
           double headingTime,
       @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 2)
           @Description(
-              "Age at which a measured rate, position or heading expires, even if it arrives late.")
+              "Age at which a measured rate, position or heading expires, even if it arrives late. A position remains as long as its rate is measured, and becomes less certain.")
           double staleAfter) {}
-
-  /** A value that is pulled by its measurements and propagated by its rate. */
-  private static final class Channel {
-    private double value;
-    private double sigma;
-    private double rate;
-    private boolean hasValue;
-    private boolean hasRate;
-    private final Map<String, Long> pulls = new TreeMap<>(); // last measurement by source [µs]
-    private long pulledMicros;
-    private long rateMicros;
-
-    void moveOn(double seconds, double perUnit) {
-      value += moved(seconds, perUnit);
-    }
-
-    void rate(double newRate, long micros) {
-      if (hasRate && micros < rateMicros) {
-        return; // a newer rate is known
-      }
-      rate = newRate;
-      hasRate = true;
-      rateMicros = micros;
-    }
-
-    /** Change of the value over that time at the current rate. */
-    double moved(double seconds, double perUnit) {
-      return hasRate ? rate * seconds * perUnit : 0.0;
-    }
-
-    /**
-     * Each source is weighted by the time since its own previous measurement, because any source
-     * may be late. Without a rate, the value would lag behind its measurements: it follows at once.
-     */
-    void pull(String source, double apart, double newSigma, double timeS, long micros) {
-      Long before = pulls.put(source, micros);
-      double seconds =
-          Math.max(0.0, Clock.seconds(micros - (before == null ? pulledMicros : before)));
-      double share = hasValue && hasRate && timeS > 0.0 ? 1.0 - Math.exp(-seconds / timeS) : 1.0;
-      value += share * apart;
-      sigma = newSigma;
-      pulledMicros = hasValue ? Math.max(pulledMicros, micros) : micros;
-      hasValue = true;
-    }
-
-    void forget(long now, long staleMicros) {
-      hasValue &= now - pulledMicros <= staleMicros;
-      hasRate &= now - rateMicros <= staleMicros;
-      pulls.values().removeIf(micros -> now - micros > staleMicros);
-    }
-  }
 
   private static final Set<StateField> ESTIMATED =
       EnumSet.of(
@@ -110,12 +64,15 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   private final Variables tuning;
   private final Completeness completeness;
-  private final Channel longitude = new Channel();
-  private final Channel latitude = new Channel();
-  private final Channel altitude = new Channel();
-  private final Channel heading = new Channel();
+  private final PropagatedValue longitude = new PropagatedValue();
+  private final PropagatedValue latitude = new PropagatedValue();
+  private final PropagatedValue altitude = new PropagatedValue();
+  private final PropagatedValue heading = new PropagatedValue();
   private final Map<String, StateInformation> newest = new TreeMap<>();
   private long micros = Long.MIN_VALUE;
+  private double phi; // of the newest measurement of roll and pitch
+  private double theta;
+  private long tiltMicros = Long.MIN_VALUE / 2;
 
   /**
    * Launcher constructor.
@@ -153,14 +110,15 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   private void moveOn(long now) {
     double seconds = micros == Long.MIN_VALUE ? 0.0 : Clock.seconds(now - micros);
     micros = now;
-    longitude.moveOn(seconds, DEG_PER_M / Math.cos(Math.toRadians(latitude.value)));
+    longitude.moveOn(seconds, DEG_PER_M / Math.cos(Math.toRadians(latitude.value())));
     latitude.moveOn(seconds, DEG_PER_M);
     altitude.moveOn(seconds, 1.0);
     heading.moveOn(seconds, 1.0);
     long stale = Clock.micros(tuning.staleAfter());
-    for (Channel each : new Channel[] {longitude, latitude, altitude, heading}) {
-      each.forget(now, stale);
-    }
+    longitude.forget(now, stale, LOST_M);
+    latitude.forget(now, stale, LOST_M);
+    altitude.forget(now, stale, 0.0);
+    heading.forget(now, stale, 0.0);
   }
 
   private void take(StateInformation sensed, long measuredAt) {
@@ -174,28 +132,42 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   private void takeBody(StateInformation sensed, long measuredAt) {
     StateInformation frd = sensed.in(ReferenceFrame.BODY_FRD);
-    frd.psiDot().ifPresent(rate -> heading.rate(rate, measuredAt));
+    frd.psiDot().ifPresent(rate -> heading.rate(rate, 0.0, measuredAt));
     if (frd instanceof InertialMeasurement inertial) {
-      inertial.yawRate().ifPresent(rate -> heading.rate(rate, measuredAt));
+      inertial.yawRate().ifPresent(rate -> heading.rate(rate, 0.0, measuredAt));
     }
-    if (frd.xDot().isPresent() && heading.hasValue) {
-      double forward = frd.xDot().getAsDouble();
-      double right = frd.yDot().orElse(0.0);
-      double sin = StrictMath.sin(heading.value);
-      double cos = StrictMath.cos(heading.value);
-      longitude.rate(forward * sin + right * cos, measuredAt);
-      latitude.rate(forward * cos - right * sin, measuredAt);
+    if (frd.xDot().isPresent() && heading.hasValue()) {
+      boolean isTilted = micros - tiltMicros <= Clock.micros(tuning.staleAfter());
+      Attitude attitude =
+          new Attitude(isTilted ? phi : 0.0, isTilted ? theta : 0.0, heading.value());
+      Point along =
+          Point.of(frd.xDot().getAsDouble(), frd.yDot().orElse(0.0), frd.zDot().orElse(0.0));
+      Point ned = attitude.nedFromFrd().times(along);
+      double across = Math.hypot(ned.x(), ned.y()) * heading.sigma();
+      double rateSigma = Math.hypot(frd.xDotSigma().orElse(USUAL_SIGMA_MPS), across);
+      longitude.rate(ned.y(), rateSigma, measuredAt);
+      latitude.rate(ned.x(), rateSigma, measuredAt);
+      if (isTilted && frd.zDot().isPresent()) {
+        altitude.rate(-ned.z(), 0.0, measuredAt);
+      }
     }
   }
 
   private void takeGlobal(StateInformation sensed, long measuredAt) {
-    sensed.xDot().ifPresent(rate -> longitude.rate(rate, measuredAt));
-    sensed.yDot().ifPresent(rate -> latitude.rate(rate, measuredAt));
-    sensed.zDot().ifPresent(rate -> altitude.rate(rate, measuredAt));
-    sensed.psiDot().ifPresent(rate -> heading.rate(rate, measuredAt));
+    double xSigma = sensed.xDotSigma().orElse(USUAL_SIGMA_MPS);
+    double ySigma = sensed.yDotSigma().orElse(USUAL_SIGMA_MPS);
+    sensed.xDot().ifPresent(rate -> longitude.rate(rate, xSigma, measuredAt));
+    sensed.yDot().ifPresent(rate -> latitude.rate(rate, ySigma, measuredAt));
+    sensed.zDot().ifPresent(rate -> altitude.rate(rate, 0.0, measuredAt));
+    sensed.psiDot().ifPresent(rate -> heading.rate(rate, 0.0, measuredAt));
+    if (sensed.phi().isPresent() && sensed.theta().isPresent()) {
+      phi = sensed.phi().getAsDouble();
+      theta = sensed.theta().getAsDouble();
+      tiltMicros = measuredAt;
+    }
     if (sensed.x().isPresent() && sensed.y().isPresent()) {
       pull(latitude, DEG_PER_M, sensed, StateField.Y, StateField.Y_SIGMA);
-      double perM = DEG_PER_M / Math.cos(Math.toRadians(latitude.value));
+      double perM = DEG_PER_M / Math.cos(Math.toRadians(latitude.value()));
       pull(longitude, perM, sensed, StateField.X, StateField.X_SIGMA);
     }
     pull(altitude, 1.0, sensed, StateField.Z, StateField.Z_SIGMA);
@@ -204,7 +176,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   /** Pulls a channel toward a measured value, extrapolated to the state's time by its rate. */
   private void pull(
-      Channel channel,
+      PropagatedValue channel,
       double perUnit,
       StateInformation sensed,
       StateField field,
@@ -215,7 +187,7 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     }
     long measuredAt = sensed.timestamp().orElseThrow();
     double ageS = Clock.seconds(micros - measuredAt);
-    double apart = measured.getAsDouble() + channel.moved(ageS, perUnit) - channel.value;
+    double apart = measured.getAsDouble() + channel.moved(ageS, perUnit) - channel.value();
     double way =
         field == StateField.X
             ? Math.IEEEremainder(apart, 360.0)
@@ -232,6 +204,9 @@ public final class ComplementaryStateEstimator extends StateEstimator {
     put(state, latitude, StateField.Y, StateField.Y_SIGMA, StateField.Y_DOT);
     put(state, altitude, StateField.Z, StateField.Z_SIGMA, StateField.Z_DOT);
     put(state, heading, StateField.PSI, StateField.PSI_SIGMA, StateField.PSI_DOT);
+    altitude // a vehicle under water needs it to keep its depth
+        .slope()
+        .ifPresent(slope -> state.zDot(slope).zDotSigma(altitude.slopeSigma()));
     state.x().ifPresent(x -> state.x(Math.IEEEremainder(x, 360.0))); // across the date line
     state.psi().ifPresent(psi -> state.psi(turned(psi)));
     return state;
@@ -244,18 +219,18 @@ public final class ComplementaryStateEstimator extends StateEstimator {
 
   private static void put(
       StateInformation state,
-      Channel channel,
+      PropagatedValue channel,
       StateField value,
       StateField sigma,
       StateField rate) {
-    if (channel.hasValue) {
-      state.number(value, channel.value);
-      if (channel.sigma > 0.0) {
-        state.number(sigma, channel.sigma);
+    if (channel.hasValue()) {
+      state.number(value, channel.value());
+      if (channel.sigma() > 0.0) {
+        state.number(sigma, channel.sigma());
       }
     }
-    if (channel.hasRate) {
-      state.number(rate, channel.rate);
+    if (channel.hasRate()) {
+      state.number(rate, channel.rate());
     }
   }
 

@@ -18,6 +18,7 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.interfaces.log.LogLevelEnum;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
 
@@ -131,6 +132,18 @@ public final class FusingStateEstimator extends StateEstimator {
     }
   }
 
+  /** Starts at the position of another estimator, which no receiver may measure at present. */
+  private void beginAt(StateInformation state) {
+    if (state.referenceFrame().equals(ReferenceFrame.GLOBAL)
+        && state.x().isPresent()
+        && state.y().isPresent()) {
+      double east = state.xSigma().orElse(variables.sigmas().position());
+      double north = state.ySigma().orElse(variables.sigmas().position());
+      measurement.begin(START, micros(state));
+      filter.add(measurement.place(state.y().getAsDouble(), state.x().getAsDouble(), north, east));
+    }
+  }
+
   private StateInformation state(long micros) {
     publishedMicros = micros;
     Estimate estimate = filter.at(micros);
@@ -232,6 +245,7 @@ public final class FusingStateEstimator extends StateEstimator {
     isHeadingTold = true;
     airspeeds.ifPresent(watch -> watch.takeOver(state));
     if (!FilterMemory.read(filter, state::text)) {
+      state.message(STATE, StateInformation.class).ifPresent(this::beginAt);
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
         filter.add(
             leverArms.place(reader.read(each, measurement))); // other estimator: at least a start

@@ -104,7 +104,7 @@ public final class AllocatingControl extends ControlSystem {
     }
   }
 
-  private static final double UNKNOWN_SHARE = 0.5; // of the maximum speed, 1 sigma
+  private static final double UNKNOWN_SHARE = 0.75; // of the maximum speed, 1 sigma
 
   private final Settings<Choices> choices = settings(Choices.class);
   private final CascadeVariables tuning = new CascadeVariables(this);
@@ -127,6 +127,8 @@ public final class AllocatingControl extends ControlSystem {
   private boolean isBlind;
   private boolean wentBySight; // at the previous step
   private boolean isMeasured; // has been controlled by IMU and velocity log
+  private boolean coasts; // its horizontal velocity is unknown
+  private boolean hadWay; // had a navigation point at the previous step
   private boolean takesOver;
   private double fluidMps; // speed of the newest state through air or water
   private OptionalDouble headingBefore = OptionalDouble.empty();
@@ -198,6 +200,7 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private Optional<BodyMotion> motion(StateInformation state, Optional<NavigationPoint> point) {
+    coasts = !isStateless() && isVelocityUnknown(state);
     if (isStateless() != wentBySight) {
       wentBySight = isStateless();
       cascade.rest(); // its state was estimated from other axes
@@ -226,22 +229,16 @@ public final class AllocatingControl extends ControlSystem {
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();
-    if (point.isPresent() || !isVelocityUnknown(state)) {
-      return motion;
-    }
-    cascade.rest(DegreeOfFreedom.SURGE); // else their integrals would drive it on
-    cascade.rest(DegreeOfFreedom.SWAY);
-    return motion.map(BodyMotion::withoutHorizontalVelocity);
+    return coasts ? motion.map(BodyMotion::withoutHorizontalVelocity) : motion;
   }
 
   /**
-   * Whether the horizontal velocity is too uncertain to be braked: a vehicle without navigation
-   * points would accelerate against an error.
+   * Whether the horizontal velocity is too uncertain to be controlled: the vehicle would accelerate
+   * against an error.
    */
   private boolean isVelocityUnknown(StateInformation state) {
     double sigma = Math.max(state.xDotSigma().orElse(0.0), state.yDotSigma().orElse(0.0));
-    double fastest = tuning.of(DegreeOfFreedom.SURGE).fastest();
-    return !tuning.leans() && sigma > UNKNOWN_SHARE * fastest;
+    return !tuning.leans() && sigma > UNKNOWN_SHARE * tuning.of(DegreeOfFreedom.SURGE).fastest();
   }
 
   private MotionTarget target(StateInformation state, Optional<NavigationPoint> point) {
@@ -261,6 +258,12 @@ public final class AllocatingControl extends ControlSystem {
   }
 
   private void drive(BodyMotion motion, MotionTarget target) {
+    boolean stops = hadWay && target.way().isEmpty() && !tuning.leans();
+    hadWay = target.way().isPresent();
+    if (coasts || stops) {
+      cascade.rest(DegreeOfFreedom.SURGE); // else their integrals would drive it on
+      cascade.rest(DegreeOfFreedom.SWAY);
+    }
     if (takesOver) {
       cascade.takeOver(motion, target, presentWrench());
       takesOver = false;
@@ -335,7 +338,9 @@ public final class AllocatingControl extends ControlSystem {
     if (then.isEmpty() || ned.isEmpty()) {
       return Optional.empty();
     }
-    return BodyMotion.displacement(then.get(), state).map(gone -> ned.get().minus(gone));
+    return BodyMotion.displacement(then.get(), state)
+        .map(gone -> ned.get().minus(gone))
+        .map(way -> coasts ? Point.of(0.0, 0.0, way.z()) : way);
   }
 
   private void lookAtActuators() {

@@ -85,6 +85,13 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
     return Point.of(fld.x(), -fld.y(), fld.z());
   }
 
+  /**
+   * Rotates a vector from forward, right, down of the levelled vehicle to the vehicle's own axes.
+   */
+  Point fromLevel(Point level) {
+    return frd(new Attitude(0.0, 0.0, attitude.psi()).nedFromFrd().times(level));
+  }
+
   /** Velocity over ground: forward, right, down of the levelled vehicle [m/s]. */
   Point levelVelocity() {
     return level(attitude.nedFromFrd().times(velocity));

@@ -150,16 +150,17 @@ final class Cascade {
   }
 
   /**
-   * Wanted velocity along the vehicle's axes [m/s], with each axis within its limit and the total
-   * within the speed.
+   * Wanted velocity along the vehicle's axes [m/s]: forward, right and down of the levelled vehicle
+   * within each axis's limit, and horizontally within the speed. Limited along the axes of a
+   * pitched vehicle, it would not point to the target.
    */
   private Point velocity(BodyMotion motion, Point toGo, MotionTarget target) {
-    Point body = settings.leans() ? motion.level(toGo) : motion.frd(toGo);
-    double forward = towards(DegreeOfFreedom.SURGE, body.x());
-    double right = towards(DegreeOfFreedom.SWAY, body.y());
+    Point level = motion.level(toGo);
+    double forward = towards(DegreeOfFreedom.SURGE, level.x());
+    double right = towards(DegreeOfFreedom.SWAY, level.y());
     if (turnsFirst || !settings.leans() && !tuning[SWAY].isControlled()) {
-      double aside = Math.hypot(body.x(), body.y());
-      double ahead = aside > 0.0 ? body.x() / aside : 0.0;
+      double aside = Math.hypot(level.x(), level.y());
+      double ahead = aside > 0.0 ? level.x() / aside : 0.0;
       if (target.headingRad().isEmpty()) { // turn first
         double sign = target.isBackwards() ? -1.0 : 1.0;
         forward = sign * Math.max(0.0, sign * towards(DegreeOfFreedom.SURGE, aside) * ahead);
@@ -169,7 +170,9 @@ final class Cascade {
     double speedMps = target.speedMps().orElse(settings.way().cruiseSpeed());
     double speed = Math.hypot(forward, right);
     double scale = speed > speedMps ? speedMps / speed : 1.0;
-    return Point.of(scale * forward, scale * right, towards(DegreeOfFreedom.HEAVE, body.z()));
+    Point velocity =
+        Point.of(scale * forward, scale * right, towards(DegreeOfFreedom.HEAVE, level.z()));
+    return settings.leans() ? velocity : motion.fromLevel(velocity);
   }
 
   private double towards(DegreeOfFreedom axis, double error) {

@@ -1,10 +1,12 @@
 package org.u2sa.control.cascade;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.u2sa.interfaces.communication.Channels;
+import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.contract.ConfigurationChange;
@@ -90,6 +92,96 @@ class AllocatingControlTest {
 
     kit.publish(Channels.STATE, drifting(4.0));
     assertThat(kit.percent("THRUSTER")).isZero();
+  }
+
+  /** At the end of the points, the share of its thrust against drag would drive it on. */
+  @Test
+  void control_pointsEnd_brakesAtOnce() {
+    startThruster(1.0);
+    for (int i = 0; i < 50; i++) { // slower than wanted: its integral grows
+      underWay(0.5, 0.1);
+    }
+    assertThat(kit.percent("THRUSTER")).isGreaterThan(10.0);
+
+    kit.advance(2.0);
+    kit.publish(Channels.STATE, eastwards(0.5, 0.1));
+    assertThat(kit.percent("THRUSTER")).isCloseTo(-5.0, within(0.1)); // 1 kg times 1/s times 0.5
+  }
+
+  /** Against an error of its speed it would drive off, and a submarine tumble. */
+  @Test
+  void control_speedUnknownOnItsWay_coasts() {
+    startThruster(2.0);
+    underWay(0.5, 0.2);
+    assertThat(kit.percent("THRUSTER")).isPositive();
+
+    underWay(0.5, 1.6);
+    assertThat(kit.percent("THRUSTER")).isZero();
+  }
+
+  /** Level to a point far ahead at the same depth, with its nose up. */
+  @Test
+  void control_pitchedVehicleToAPointAtItsDepth_doesNotDive() {
+    startThruster(0.4);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("VERTICAL")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .force(Point.of(0.0, 0.0, 10.0)));
+    double pitch = Math.toRadians(20.0);
+    kit.publish(Channels.STATE, eastwards(0.0, 0.01).theta(pitch).phi(0.0));
+    kit.publish(
+        Channels.NAVIGATION,
+        at(NavigationPoint.at(Point.of(20.0 * Math.cos(pitch), 0.0, 20.0 * Math.sin(pitch)))));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, eastwards(0.0, 0.01).theta(pitch).phi(0.0));
+
+    double down =
+        kit.percent("VERTICAL") * Math.cos(pitch) - kit.percent("THRUSTER") * Math.sin(pitch);
+    assertThat(kit.percent("THRUSTER")).isGreaterThan(3.0);
+    assertThat(down).isCloseTo(0.0, within(0.1));
+  }
+
+  private void startThruster(double maxSpeedMps) {
+    kit.with("SURGE WEIGHT", 1.0).with("SURGE MASS", 1.0).with("SURGE MAX SPEED", maxSpeedMps);
+    kit.with("HEAVE WEIGHT", 1.0).with("HEAVE MASS", 1.0);
+    kit.start(AllocatingControl::new);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("THRUSTER")
+            .minimum(-100.0)
+            .maximum(100.0)
+            .force(Point.of(10.0, 0.0, 0.0)));
+  }
+
+  /** A state, a point far ahead for it, and the next state. */
+  private void underWay(double speedMps, double sigmaMps) {
+    kit.publish(Channels.STATE, eastwards(speedMps, sigmaMps));
+    kit.publish(Channels.NAVIGATION, at(NavigationPoint.at(Point.of(20.0, 0.0, 0.0)).speed(1.0)));
+    kit.advance(0.1);
+    kit.publish(Channels.STATE, eastwards(speedMps, sigmaMps));
+    kit.advance(0.1);
+  }
+
+  private NavigationPoint at(NavigationPoint point) {
+    point.timestamp(kit.clock().micros());
+    return point;
+  }
+
+  private static StateInformation eastwards(double speedMps, double sigmaMps) {
+    return new StateInformation()
+        .x(9.0)
+        .y(54.0)
+        .z(0.0)
+        .xDot(speedMps)
+        .yDot(0.0)
+        .zDot(0.0)
+        .psi(Math.PI / 2.0)
+        .xDotSigma(sigmaMps)
+        .yDotSigma(sigmaMps);
   }
 
   private static StateInformation drifting(double sigmaMps) {

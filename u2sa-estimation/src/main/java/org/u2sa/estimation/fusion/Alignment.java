@@ -16,6 +16,8 @@ final class Alignment {
     for (int i = 0; i < 3; i++) {
       s.isolate(FilterState.VELOCITY + i, square(i == 2 ? Math.min(speed, 3.0) : speed));
     }
+    s.isolate(FilterState.ATTITUDE, square(tuning.domain().tiltSigmaRad));
+    s.isolate(FilterState.ATTITUDE + 1, square(tuning.domain().tiltSigmaRad));
     s.isolate(FilterState.ATTITUDE + 2, square(Math.PI / Math.sqrt(3.0)));
     s.isolate(FilterState.RATE + 2, square(tuning.turnSigma()));
     wheelScale(s, tuning);

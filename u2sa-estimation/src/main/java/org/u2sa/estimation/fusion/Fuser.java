@@ -267,7 +267,7 @@ final class Fuser {
   private double correlationS(FilterState s, Measurement m, int source, SensedQuantity quantity) {
     boolean isOnlyAltimeter =
         quantity == SensedQuantity.ALTITUDE
-            && tuning.domain() == MotionDomain.AIR
+            && (tuning.domain() == MotionDomain.AIR || tuning.domain() == MotionDomain.UNDERWATER)
             && !m.has(SensedQuantity.PLACE)
             && !judge.isCorroborated(s, source, quantity);
     return isOnlyAltimeter

@@ -64,11 +64,11 @@ final class LeverArm {
   }
 
   /** Adds the lever arm to a position row: north, east or down. */
-  void position(FilterState s, Linearization to, int axis, double sign) {
+  void position(Linearization to, int axis, double sign) {
     if (isThere) {
       to.shift(sign * apartM(axis), apartVariance(axis));
       if (hasHeading) {
-        attitude(s, to, arm, axis, sign);
+        attitude(to, arm, axis, sign);
       }
     }
   }
@@ -83,7 +83,7 @@ final class LeverArm {
       return;
     }
     to.shift(turned[axis], swingNoise2);
-    attitude(s, to, turned, axis, 1.0);
+    attitude(to, turned, axis, 1.0);
     double r0 = r[3 * axis];
     double r1 = r[3 * axis + 1];
     double r2 = r[3 * axis + 2];
@@ -104,16 +104,11 @@ final class LeverArm {
   }
 
   /** Sets the attitude columns: a vector a in earth axes changes by δθ × a. */
-  private static void attitude(
-      FilterState s, Linearization to, double[] of, int axis, double sign) {
+  private static void attitude(Linearization to, double[] of, int axis, double sign) {
     int next = (axis + 1) % 3;
     int last = (axis + 2) % 3;
-    if (s.hasTilt || next == 2) {
-      to.setLast(FilterState.ATTITUDE + next, sign * of[last]);
-    }
-    if (s.hasTilt || last == 2) {
-      to.setLast(FilterState.ATTITUDE + last, -sign * of[next]);
-    }
+    to.setLast(FilterState.ATTITUDE + next, sign * of[last]);
+    to.setLast(FilterState.ATTITUDE + last, -sign * of[next]);
   }
 
   /** Sets the angular-rate columns; with gyroscopes, only the biases are uncertain. */

@@ -89,7 +89,7 @@ final class MeasurementModel {
             i == 0 ? apart * northRadius : Math.IEEEremainder(apart, FULL_TURN) * axisDistance;
         linear.row(metres, 0.0, m.sigma(SensedQuantity.PLACE, i));
         linear.predicted[linear.rows - 1] = s.x[FilterState.NORTH + i]; // for displacement checks
-        lever.position(s, linear, i, 1.0);
+        lever.position(linear, i, 1.0);
       }
     }
     return true;
@@ -101,7 +101,7 @@ final class MeasurementModel {
         m.value(SensedQuantity.ALTITUDE, 0),
         s.x[FilterState.ALTITUDE],
         m.sigma(SensedQuantity.ALTITUDE, 0));
-    lever.position(s, linear, 2, -1.0);
+    lever.position(linear, 2, -1.0);
     return true;
   }
 
@@ -110,7 +110,7 @@ final class MeasurementModel {
       if (m.has(quantity, i)) {
         linear.set(FilterState.POSITION + first + i, 1.0);
         linear.row(m.value(quantity, i), s.x[FilterState.NORTH + first + i], m.sigma(quantity, i));
-        lever.position(s, linear, first + i, 1.0);
+        lever.position(linear, first + i, 1.0);
       }
     }
   }
@@ -147,10 +147,8 @@ final class MeasurementModel {
     linear.set(FilterState.VELOCITY, b0);
     linear.set(FilterState.VELOCITY + 1, b1);
     linear.set(FilterState.VELOCITY + 2, b2);
-    if (s.hasTilt) {
-      linear.set(FilterState.ATTITUDE, b1 * v[2] - b2 * v[1]);
-      linear.set(FilterState.ATTITUDE + 1, b2 * v[0] - b0 * v[2]);
-    }
+    linear.set(FilterState.ATTITUDE, b1 * v[2] - b2 * v[1]);
+    linear.set(FilterState.ATTITUDE + 1, b2 * v[0] - b0 * v[2]);
     linear.set(FilterState.ATTITUDE + 2, b0 * v[1] - b1 * v[0]);
     if (throughFluid) {
       linear.set(FilterState.FLOW, -b0);

@@ -12,6 +12,8 @@ final class ProcessModel {
   private static final double LONGEST_STEP_S = 0.05;
   private static final double SCALE_NOISE = 1e-4; // wheel-speed scale, per √s
   private static final double FLOW_MEMORY_S = 600.0;
+  private static final double RIGHTING_S = 1.5; // in which an unmeasured tilt returns to level
+  private static final double TILT_FRESH_S = 1.0;
 
   private final FilterTuning tuning;
   private final PersistentErrors persistent;
@@ -52,12 +54,14 @@ final class ProcessModel {
       accelerate(s, dt);
     } else {
       turnVelocity(s, dt);
+      rise(s, dt);
     }
     double vn = x[FilterState.V];
     double ve = x[FilterState.V + 1];
     double vd = x[FilterState.V + 2];
     s.move(dt * (vn - 0.5 * dt * a[0]), dt * (ve - 0.5 * dt * a[1]), dt * (vd - 0.5 * dt * a[2]));
     turn(s, dt);
+    right(s, dt);
     f.carry(s.p.data);
     addNoise(s, dt);
   }
@@ -119,6 +123,47 @@ final class ProcessModel {
     }
   }
 
+  /** Whether depth and specific force give the vertical motion while the velocity is not aided. */
+  private boolean isRiseMeasured(FilterState s) {
+    return tuning.domain() == MotionDomain.UNDERWATER
+        && s.isInertial
+        && !s.isStrapdown
+        && s.hasTilt
+        && s.hasAltitude
+        && s.forceMicros == s.gyroMicros;
+  }
+
+  /** Integrates the vertical component of specific force and gravity. */
+  private void rise(FilterState s, double dt) {
+    if (!isRiseMeasured(s)) {
+      return;
+    }
+    a[2] = s.gravity();
+    for (int k = 0; k < 3; k++) {
+      a[2] += r[6 + k] * (s.x[FilterState.FORCE + k] - s.x[FilterState.BF + k]);
+      f.set(FilterState.VELOCITY + 2, FilterState.FORCE_BIAS + k, -dt * r[6 + k]);
+    }
+    s.x[FilterState.V + 2] += dt * a[2];
+  }
+
+  /**
+   * Lets an unmeasured tilt return to level, as the vehicle's weight does, and become as uncertain
+   * as the domain says (first-order Gauss–Markov process).
+   */
+  private void right(FilterState s, double dt) {
+    double sigma = tuning.domain().tiltSigmaRad;
+    boolean isMeasured = s.tiltMicros > 0 && (s.micros - s.tiltMicros) * 1e-6 < TILT_FRESH_S;
+    if (sigma == 0.0 || s.isInertial || isMeasured) {
+      return;
+    }
+    double share = dt / RIGHTING_S;
+    Quaternions.turnEarth(s.x, FilterState.Q, share * r[5], -share * r[2], 0.0);
+    for (int i = FilterState.ATTITUDE; i < FilterState.ATTITUDE + 2; i++) {
+      f.set(i, i, 1.0 - share);
+      s.p.data[i * (N + 1)] += 2.0 * share * sigma * sigma;
+    }
+  }
+
   private void turn(FilterState s, double dt) {
     double[] x = s.x;
     int source = s.isInertial ? FilterState.GYRO_BIAS : FilterState.RATE;
@@ -165,7 +210,8 @@ final class ProcessModel {
     for (int i = 0; i < 3; i++) {
       double wander = i == 2 ? tuning.verticalNoise() : tuning.accelerationNoise();
       double unused = wander * wander + (i == 2 ? 0.0 : felt);
-      double q = s.isStrapdown ? x[FilterState.FORCE_DENSITY] : unused;
+      boolean isSensed = s.isStrapdown || i == 2 && isRiseMeasured(s);
+      double q = isSensed ? x[FilterState.FORCE_DENSITY] : unused;
       if (!s.hasSpeedInput()) {
         addVelocityNoise(s, i, q, dt);
       }
