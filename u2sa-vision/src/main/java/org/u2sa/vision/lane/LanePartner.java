@@ -105,8 +105,8 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
       if (step * ahead < STEP_M) {
         continue; // on the inside of a bend, or not yet past the end
       }
-      if (isNearOther(at, end.line(), other)) {
-        meeting(last, end.line(), other, left).ifPresent(points::add);
+      if (approachesOther(last, at, end.line(), other)) {
+        meeting(last, at, end.line(), other, left).ifPresent(points::add);
         break;
       }
       gone += LineGeometry.metres(last, at);
@@ -116,16 +116,22 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
   }
 
   /**
-   * Point at which the same side of the lane resumes: the nearest line end on that side of the
-   * other line.
+   * Point at which the same side of the lane resumes: the nearest line end ahead on that side of
+   * the other line.
    */
-  private Optional<Point> meeting(Point from, List<Point> own, List<Point> other, double left) {
+  private Optional<Point> meeting(
+      Point from, Point to, List<Point> own, List<Point> other, double left) {
     return lines.stream()
         .filter(line -> line != own && line != other)
         .flatMap(line -> Stream.of(line.get(0), line.get(line.size() - 1)))
         .filter(at -> LineGeometry.metres(from, at) < MEETING_WIDTHS * reach.narrowestM())
+        .filter(at -> isAhead(from, to, at))
         .filter(at -> reach.isLane(Math.signum(left) * asideM(at, other)))
         .min(Comparator.comparingDouble(at -> LineGeometry.metres(from, at)));
+  }
+
+  private static boolean isAhead(Point from, Point to, Point place) {
+    return LineGeometry.metres(to, place) < LineGeometry.metres(from, place);
   }
 
   /** Whether most points have a parallel line beside them at a lane's width. */
@@ -153,11 +159,15 @@ record LanePartner(List<List<Point>> lines, LineGaps.Reach reach, LineGaps.Drive
     return LineGeometry.leftM(place, line, LineGeometry.nearest(place, line));
   }
 
-  /** Whether a point is closer than the narrowest lane width to a line other than these two. */
-  boolean isNearOther(Point at, List<Point> own, List<Point> other) {
+  /**
+   * Whether a step comes closer than the narrowest lane width to a line other than these two. A
+   * line left behind is none to stop at: it may be the same one, seen before the position jumped.
+   */
+  boolean approachesOther(Point from, Point to, List<Point> own, List<Point> other) {
     for (List<Point> line : lines) {
       for (int i = 0; line != own && line != other && i < line.size(); i++) {
-        if (LineGeometry.isWithin(reach.narrowestM(), at, line.get(i))) {
+        Point at = line.get(i);
+        if (LineGeometry.isWithin(reach.narrowestM(), to, at) && isAhead(from, to, at)) {
           return true;
         }
       }

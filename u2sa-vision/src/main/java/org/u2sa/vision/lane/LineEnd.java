@@ -73,7 +73,7 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
   }
 
   interface Stop {
-    boolean isAt(Point place);
+    boolean isBetween(Point from, Point to);
   }
 
   /** Extends the line with the curvature of its end. */
@@ -85,8 +85,9 @@ record LineEnd(List<Point> line, Point at, double dx, double dy) {
     for (double gone = 0.0; gone < lengthM - 1.0e-9; gone += CURVE_STEP_M) {
       double step = Math.min(CURVE_STEP_M, lengthM - gone);
       heading += bend * step;
+      Point from = to;
       to = Point.of(to.x() + step * Math.cos(heading), to.y() + step * Math.sin(heading), 0.0);
-      if (stop.isAt(to)) {
+      if (stop.isBetween(from, to)) {
         break;
       }
       points.add(to);

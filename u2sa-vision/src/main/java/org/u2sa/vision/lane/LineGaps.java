@@ -159,7 +159,8 @@ final class LineGaps {
   }
 
   private List<Point> alone(LineEnd end, double lengthM) {
-    return end.extension(lengthM, at -> partner.isNearOther(at, end.line(), end.line()));
+    return end.extension(
+        lengthM, (from, to) -> partner.approachesOther(from, to, end.line(), end.line()));
   }
 
   /** Whether the ground along an extension was observed for at least about the gap length. */

@@ -264,12 +264,12 @@ class LineGapsTest {
     paint.lookThrice(
         concat(
             PaintedLines.arc(6.0, -1.8, 1.8, 60),
-            PaintedLines.arc(2.0, -1.8, -1.1, 4),
-            PaintedLines.arc(2.0, 1.1, 1.8, 4)));
+            PaintedLines.arc(1.8, -1.9, -1.3, 4),
+            PaintedLines.arc(1.8, 1.3, 1.9, 4)));
     List<List<Point>> gaps =
         gaps(new LineGaps.Reach(5.2, 0.5, 6.0, LANE_M, WIDEST_M), (x, y) -> false, (a, b) -> false);
-    for (double angle = -1.1; angle <= 1.1; angle += 0.1) {
-      Point at = Point.of(2.0 * Math.cos(angle), 2.0 * Math.sin(angle), 0.0);
+    for (double angle = -1.3; angle <= 1.3; angle += 0.1) { // ends turn by 74° into the gap
+      Point at = Point.of(1.8 * Math.cos(angle), 1.8 * Math.sin(angle), 0.0);
       assertThat(gaps)
           .as("the inner line at %.1f rad", angle)
           .anySatisfy(gap -> assertThat(nearest(at, gap)).isLessThan(0.5));
@@ -289,6 +289,18 @@ class LineGapsTest {
     Point last = beside.get(beside.size() - 1);
     assertThat(last.x()).isCloseTo(3.0, offset(0.2));
     assertThat(last.y()).isCloseTo(-2.5, offset(0.05));
+  }
+
+  @Test
+  void gaps_lineSeenAgainAsideAfterAJump_goOnFromItsFarthestEnd() {
+    // The same line, 0.7 m beside where it was before the position jumped, and seen farther.
+    paint.lookThrice(-6.0, 2.0, 12.0, 2.0, -6.0, -2.0, 0.0, -2.0, -1.0, -2.7, 1.4, -2.7);
+    List<Point> beside = from(lane(1.2, 6.0), 1.4, -2.7);
+    assertThat(beside.get(beside.size() - 1).x()).isCloseTo(7.4, offset(0.3));
+    assertThat(beside).allSatisfy(p -> assertThat(p.y()).isCloseTo(-2.7, offset(0.05)));
+    assertThat(PaintedLines.length(from(lane(1.2, 1.2), 1.4, -2.7)))
+        .as("without the other line of the lane")
+        .isCloseTo(1.2, offset(1.0e-6));
   }
 
   @Test
