@@ -7,19 +7,21 @@ final class SightingCount {
   long stateless; // dropped: the vehicle state of their time is unknown
   long untimed; // dropped: no timestamp
   long early; // dropped: timestamp in the future
+  long crowded; // objects dropped: more than a step has time for
   long badScans; // without beams, or longer than a scan can take
   long badStates; // states without position, heading or time
 
   @Override
   public String toString() {
     return String.format(
-        "%s sightings, %s scans, %s without a state of their time, %s without a time, %s%s"
+        "%s sightings, %s scans, %s without a state of their time, %s without a time, %s%s%s"
             + "%s states without place or heading",
         sightings,
         scans,
         stateless,
         untimed,
         early == 0 ? "" : early + " from the future, ",
+        crowded == 0 ? "" : crowded + " objects too many at once, ",
         badScans == 0 ? "" : badScans + " scans without beams or too long, ",
         badStates);
   }

@@ -1,6 +1,7 @@
 package org.u2sa.world;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -43,6 +44,8 @@ import org.u2sa.world.modeller.Sighting;
  * arrives.
  */
 public final class WorldModeler extends PeriodicService {
+  private static final int MAX_OBJECTS = 1_000; // sighted in a step
+  private static final int MAX_OF_ONE = 300; // of them by one sensor
   private static final double RATE_HZ = 10.0;
   private static final long FUTURE_MICROS = Clock.MICROS_PER_SECOND; // tolerated clock difference
   private static final double LONGEST_SCAN_S = 10.0; // longer scans are invalid
@@ -202,11 +205,18 @@ public final class WorldModeler extends PeriodicService {
     publish(micros);
   }
 
-  /** Dispatches measurements, grouped by sensor and time. */
+  /** Dispatches measurements, grouped by sensor and time, as many as a step has time for. */
   private void place(List<U2SAData> measured) {
     List<ObjectDescription> together = new ArrayList<>();
+    Map<String, Integer> placed = new HashMap<>(); // objects by sensor
+    int all = 0;
     for (U2SAData each : measured) {
       if (each instanceof ObjectDescription object) {
+        if (all == MAX_OBJECTS || placed.merge(object.sensorName(), 1, Integer::sum) > MAX_OF_ONE) {
+          count.crowded++;
+          continue;
+        }
+        all++;
         if (!together.isEmpty() && !isSameFrame(together.get(0), object)) {
           objects(together);
           together = new ArrayList<>();

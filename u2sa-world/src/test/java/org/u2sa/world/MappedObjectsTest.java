@@ -73,6 +73,22 @@ class MappedObjectsTest {
     assertThat(world.remarks()).contains("1 refused for their length");
   }
 
+  @Test
+  void objects_hundredsAtOnceByOneSensor_leaveRoomForOthersAndAreCounted() {
+    world.kit.with("MODELLERS", "OBJECTS").with("CONFIRM HITS", 1).start(WorldModeler::new);
+    ObjectDescription[] all = new ObjectDescription[901];
+    for (int i = 0; i < 900; i++) {
+      all[i] = seen("c" + i, 2.0 + i % 50, i / 50.0).sensorName("Crowd");
+    }
+    all[900] = seen("a", -5.0, 1.0);
+    world.tick(local(0.0, 0.0, 0.0), all);
+    world.tick(local(0.0, 0.0, 0.0));
+    world.kit.advance(1.0);
+
+    assertThat(world.objects()).extracting(ObjectDescription::uid).contains("a");
+    assertThat(world.remarks()).contains("600 objects too many at once");
+  }
+
   /** What messages may carry: claims without any error, or beyond all measure. */
   @Test
   void objects_absurdClaims_costNoneOfTheOthers() {
