@@ -77,8 +77,8 @@ public final class ComplementaryStateEstimator extends StateEstimator {
   /**
    * Launcher constructor.
    *
-   * @throws org.u2sa.interfaces.BadInputException if NEEDED names a number that this estimator never
-   *     provides, such as roll
+   * @throws org.u2sa.interfaces.BadInputException if NEEDED names a number that this estimator
+   *     never provides, such as roll
    */
   public ComplementaryStateEstimator(ServiceContext context) {
     super(context, "StateEstimator");

@@ -208,7 +208,8 @@ public final class FusingStateEstimator extends StateEstimator {
       remark(UNHEARD, "");
       return;
     }
-    String what = String.join(", ", unheard) + "; these have: " + String.join(", ", newest.keySet());
+    String what =
+        String.join(", ", unheard) + "; these have: " + String.join(", ", newest.keySet());
     remark(UNHEARD, what);
     if (reports == UNHEARD_AFTER_REPORTS) {
       trouble(UNHEARD + ": " + what);

@@ -32,7 +32,8 @@ record NeededNumbers(
    * @throws BadInputException if the vehicle needs a number that it never estimates
    */
   static Completeness watch(U2SAService service, Set<StateField> estimated) {
-    for (StateField field : Completeness.fields(service.settings(NeededNumbers.class).get().needed)) {
+    for (StateField field :
+        Completeness.fields(service.settings(NeededNumbers.class).get().needed)) {
       if (!estimated.contains(field)) {
         throw new BadInputException(
             String.format(

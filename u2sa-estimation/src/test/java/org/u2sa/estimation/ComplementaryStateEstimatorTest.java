@@ -83,7 +83,8 @@ class ComplementaryStateEstimatorTest {
 
     assertThatThrownBy(() -> kit.start(ComplementaryStateEstimator::new))
         .isInstanceOf(BadInputException.class)
-        .hasMessage("variable \"NEEDED\": \"phi\": ComplementaryStateEstimator does not estimate it");
+        .hasMessage(
+            "variable \"NEEDED\": \"phi\": ComplementaryStateEstimator does not estimate it");
   }
 
   @Test

@@ -77,9 +77,7 @@ final class FenceRoute {
 
   private boolean isFree(Coordinate a, Coordinate b) {
     Geometry leg =
-        a.equals2D(b)
-            ? FACTORY.createPoint(a)
-            : FACTORY.createLineString(new Coordinate[] {a, b});
+        a.equals2D(b) ? FACTORY.createPoint(a) : FACTORY.createLineString(new Coordinate[] {a, b});
     return checked.covers(leg);
   }
 

@@ -298,8 +298,9 @@ public final class MissionManager extends PeriodicService {
     }
     passTime();
     if (run.progress()
-        .turnTo(action, failsafes.sequence(
-                action, returnPlaces.nearest(thresholdM()), returnPlaces::wayTo))) {
+        .turnTo(
+            action,
+            failsafes.sequence(action, returnPlaces.nearest(thresholdM()), returnPlaces::wayTo))) {
       boolean resumes = action == FailsafeAction.CONTINUE;
       log(
           resumes ? LogLevelEnum.INFO : LogLevelEnum.WARN,

@@ -69,8 +69,7 @@ final class ReturnWay {
 
   private static Optional<Point> in(ReferenceFrame frame, StateInformation state) {
     ReferenceFrame own = state.referenceFrame();
-    boolean isComparable =
-        (own.isEarth() && frame.isEarth()) || (own.isLocal() && frame.isLocal());
+    boolean isComparable = (own.isEarth() && frame.isEarth()) || (own.isLocal() && frame.isLocal());
     if (!isComparable || state.x().isEmpty() || state.y().isEmpty()) {
       return Optional.empty();
     }

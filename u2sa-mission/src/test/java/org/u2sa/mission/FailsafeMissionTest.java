@@ -234,7 +234,10 @@ class FailsafeMissionTest {
     assertThatThrownBy(() -> missions.get().load()).isInstanceOf(BadInputException.class);
 
     GoalSequence landing =
-        missions.get().sequence(FailsafeAction.LAND, Optional.empty(), place -> List.of()).orElseThrow();
+        missions
+            .get()
+            .sequence(FailsafeAction.LAND, Optional.empty(), place -> List.of())
+            .orElseThrow();
     assertThat(landing.currentNames()).containsExactly("LAND 1");
     assertThat(landing.knows("LAND home")).isTrue();
   }

@@ -16,7 +16,8 @@ import org.locationtech.jts.io.WKTReader;
 
 class FenceRouteTest {
   private static final GeometryFactory FACTORY = new GeometryFactory();
-  private static final Geometry FIELD = FACTORY.toGeometry(new Envelope(-200.0, 200.0, -200.0, 200.0));
+  private static final Geometry FIELD =
+      FACTORY.toGeometry(new Envelope(-200.0, 200.0, -200.0, 200.0));
   private static final double DISTANCE_M = 2.0;
 
   private static Geometry wkt(String text) throws ParseException {

@@ -30,7 +30,10 @@ class ReturnWayTest {
     square.uid("keep-out 1").referenceFrame(frame);
     return square.points(
         List.of(
-            at(frame, 20.0, -8.0), at(frame, 40.0, -8.0), at(frame, 40.0, 20.0), at(frame, 20.0, 20.0)));
+            at(frame, 20.0, -8.0),
+            at(frame, 40.0, -8.0),
+            at(frame, 40.0, 20.0),
+            at(frame, 20.0, 20.0)));
   }
 
   private List<Waypoint> fromTheEast(ReferenceFrame frame, ReferenceFrame own) {
@@ -39,8 +42,7 @@ class ReturnWayTest {
     Point to = at(own, 0.0, 0.0);
     Waypoint home = new Waypoint().uid("home").x(to.x()).y(to.y()).horizontalThreshold(1.0);
     home.referenceFrame(own);
-    return way.between(
-        new StateInformation().referenceFrame(own).x(from.x()).y(from.y()), home);
+    return way.between(new StateInformation().referenceFrame(own).x(from.x()).y(from.y()), home);
   }
 
   @Test

@@ -23,10 +23,10 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Flies a Cessna 172, or another aeroplane by its gains and speeds, autonomously from the runway
- * along its mission. In: state, navigation, arming-state. Out: actuation (aileron, elevator, rudder,
- * throttle, mixture, flaps, brakes, once per state), control-status. Without fresh navigation it
- * holds wings level and altitude, then circles; on the ground it holds the brakes. If navigation
- * leads to the ground, it lands. Disarmed and at rest, it keeps the throttle closed.
+ * along its mission. In: state, navigation, arming-state. Out: actuation (aileron, elevator,
+ * rudder, throttle, mixture, flaps, brakes, once per state), control-status. Without fresh
+ * navigation it holds wings level and altitude, then circles; on the ground it holds the brakes. If
+ * navigation leads to the ground, it lands. Disarmed and at rest, it keeps the throttle closed.
  */
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
@@ -136,8 +136,8 @@ public final class CessnaControl extends ControlSystem {
   }
 
   /**
-   * Whether it moves or may begin to: armed, READY TIME after its first state, within which a Safety
-   * Manager tells that it is not.
+   * Whether it moves or may begin to: armed, READY TIME after its first state, within which a
+   * Safety Manager tells that it is not.
    */
   private boolean mayMove(FlightState now) {
     if (Double.isNaN(firstS)) {

@@ -3,8 +3,9 @@ package org.u2sa.control.fixedwing;
 import org.u2sa.control.Transfer;
 
 /**
- * First climb of an aeroplane that is launched by hand or catapult: until it is clear of the ground,
- * height comes before speed, and bank is limited. Its launcher is where it was last seen at rest; one first seen in flight is clear.
+ * First climb of an aeroplane that is launched by hand or catapult: until it is clear of the
+ * ground, height comes before speed, and bank is limited. Its launcher is where it was last seen at
+ * rest; one first seen in flight is clear.
  */
 final class LaunchClimb {
   private static final double AT_REST_MPS = 2.0; // over ground

@@ -38,6 +38,7 @@ public final class HealthMonitor extends PeriodicService {
 
   /** Steps the monitor itself may miss before it stops treating silence as evidence. */
   private static final double LOST_AFTER_PERIODS = 4.0;
+
   private static final int MAX_NAMES = 500; // so that invented names do not fill the memory
 
   private final Map<String, WatchedService> services = new TreeMap<>();

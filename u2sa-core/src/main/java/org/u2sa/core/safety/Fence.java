@@ -121,8 +121,8 @@ final class Fence {
   }
 
   /**
-   * The corners of an area in the frame of the fence: longitude and latitude [deg], or east and north
-   * of a local plane [m], simplified to where they matter.
+   * The corners of an area in the frame of the fence: longitude and latitude [deg], or east and
+   * north of a local plane [m], simplified to where they matter.
    */
   private List<Point> outline(Polygon area) {
     Geometry simple = DouglasPeuckerSimplifier.simplify(area, OUTLINE_M);

@@ -13,6 +13,7 @@ import org.u2sa.messages.contract.DiscoveryResponse;
 import org.u2sa.messages.contract.HealthReport;
 import org.u2sa.messages.contract.ServiceCondition;
 import org.u2sa.messages.contract.ServiceStatus;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.GoalResult;
@@ -31,6 +32,7 @@ import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.safety.ManualDrive;
 import org.u2sa.messages.safety.ManualOrder;
 import org.u2sa.messages.safety.ManualState;
+import org.u2sa.messages.shape.Polygon;
 
 /** What the third format brought: scans, and fields of older messages. */
 final class GoldenFormat3 {
@@ -206,6 +208,8 @@ final class GoldenFormat3 {
             .margin(2.5)
             .lowest(55.0)
             .highest(162.5)
+            .keepIn(List.of(area("keep-in 1")))
+            .keepOut(List.of(area("keep-out 1")))
             .rally(
                 List.of(
                     new Waypoint()
@@ -263,5 +267,13 @@ final class GoldenFormat3 {
     golden.add(
         "MissionOrder-pause",
         new MissionOrder().requestId("o2").action(MissionAction.PAUSE).operator("anna"));
+  }
+
+  private static Polygon area(String name) {
+    Polygon area = new Polygon();
+    area.uid(name).x(10.5).y(54.25);
+    return area.points(
+        List.of(
+            Point.of(10.5, 54.25, 0.0), Point.of(10.75, 54.25, 0.0), Point.of(10.5, 54.5, 0.0)));
   }
 }

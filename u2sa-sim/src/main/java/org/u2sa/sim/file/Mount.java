@@ -35,8 +35,8 @@ record Mount(Point place, Point turn) {
   }
 
   /**
-   * Current states at the position of one sensor. The angular acceleration in them is the mean since
-   * the previous state, as of a sensor that averages between readings.
+   * Current states at the position of one sensor. The angular acceleration in them is the mean
+   * since the previous state, as of a sensor that averages between readings.
    */
   Supplier<VehicleTruth> following(Supplier<VehicleTruth> vehicle) {
     AtomicReference<VehicleTruth> previous = new AtomicReference<>();

@@ -22,12 +22,11 @@ record Detection(ObjectDescription object, Point place, Point sigma) {
   private static final double FASTEST_MPS = 1e4;
 
   /**
-   * Converts a sighting as received. Its standard deviations are bounded, and so is its velocity: an
-   * absurd one counts as unknown.
+   * Converts a sighting as received. Its standard deviations are bounded, and so is its velocity:
+   * an absurd one counts as unknown.
    *
    * @param defaultSigma standard deviation to use if the sighting states none [m]
-   * @return empty if it cannot be converted to the map's frame, or is absurdly far away or
-   *     large
+   * @return empty if it cannot be converted to the map's frame, or is absurdly far away or large
    */
   static Optional<Detection> of(ObjectDescription seen, Sighting sighting, double defaultSigma) {
     ObjectDescription stated = seen;
