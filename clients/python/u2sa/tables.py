@@ -602,6 +602,8 @@ MESSAGES = [
         ('rally', 'messages:GoalInformation', 'always', (), None, None, (), 3, None, False),
         ('lowest', 'float64', 'optional', None, None, None, (), 3, None, False),
         ('highest', 'float64', 'optional', None, None, None, (), 3, None, False),
+        ('keepIn', 'messages:Polygon', 'always', (), None, None, (), 3, None, False),
+        ('keepOut', 'messages:Polygon', 'always', (), None, None, (), 3, None, False),
     ]),
     (('FenceOrder',), False, [
         ('systemId', 'text', 'optional', None, None, None, (), 1, 255, False),
@@ -1848,4 +1850,6 @@ LABELS = (
     'photoDistance',
     'lookAt',
     'landingStart',
+    'keepIn',
+    'keepOut',
 )

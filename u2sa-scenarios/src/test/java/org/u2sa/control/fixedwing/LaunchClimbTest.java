@@ -12,7 +12,7 @@ class LaunchClimbTest {
   private static final double STALL_MPS = 12.0;
   private static final double USUAL_RAD = 0.7;
 
-  private final LaunchClimb climb = new LaunchClimb();
+  private final AirbornePhases.LaunchClimb climb = new AirbornePhases.LaunchClimb();
 
   private double limitRad(double speedMps, double altitudeM) {
     climb.see(States.level().speed(speedMps).altitude(altitudeM).now(), STALL_MPS);
@@ -49,7 +49,7 @@ class LaunchClimbTest {
     double before = limitRad(15.0, 304.0);
     HandOver state = new HandOver("test");
     climb.transfer(Transfer.saving(state));
-    LaunchClimb successor = new LaunchClimb();
+    AirbornePhases.LaunchClimb successor = new AirbornePhases.LaunchClimb();
     successor.transfer(Transfer.restoring(state));
 
     assertThat(successor.bankLimitRad(USUAL_RAD)).isEqualTo(before);
