@@ -72,7 +72,8 @@ public final class CourseSight {
                 settings.flagTop(),
                 settings.flagCloth(),
                 settings.maxObjectDistance()),
-            new GroundSigma(0.0, settings.tiltSigma(), settings.yawSigma(), settings.ownSigma(), 0.0));
+            new GroundSigma(
+                0.0, settings.tiltSigma(), settings.yawSigma(), settings.ownSigma(), 0.0));
   }
 
   /**
