@@ -11,6 +11,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 public final class ClimbedHeight {
   private static final double LEVEL_M = 2.5; // longest top of a ramp
+  private static final double HIGHEST_M = 0.6; // ramp
   private static final double GAP_S = 1.0; // without states
 
   private final double slopeAboveRad;
@@ -68,8 +69,11 @@ public final class ClimbedHeight {
     }
   }
 
-  /** Height [m]; 0 on level ground and below where the slope began. */
+  /**
+   * Height [m]; 0 on level ground, below where the slope began, and on a hill, which is higher than
+   * a ramp: the ground before it is far behind.
+   */
   public double metres() {
-    return climbedM;
+    return climbedM <= HIGHEST_M ? climbedM : 0.0;
   }
 }

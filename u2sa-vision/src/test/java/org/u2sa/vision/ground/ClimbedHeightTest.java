@@ -41,11 +41,20 @@ class ClimbedHeightTest {
   }
 
   @Test
-  void metres_onAHill_endWhereItIsLevel() {
+  void metres_onALongTop_end() {
     after(0.0, 1.0);
-    after(SLOPE, 5.0);
+    after(SLOPE, 2.0);
 
     assertThat(after(0.0, 3.0)).isZero();
+  }
+
+  @Test
+  void metres_onAHill_areNoneFarAboveItsFoot() {
+    after(0.0, 1.0);
+
+    assertThat(after(SLOPE, 3.0)).isCloseTo(3.0 * PER_M, within(0.01));
+    assertThat(after(SLOPE, 47.0)).isZero();
+    assertThat(after(-SLOPE, 48.0)).isCloseTo(2.0 * PER_M, within(0.01));
   }
 
   @Test
