@@ -126,8 +126,9 @@ final class Fence {
    */
   private List<Point> outline(Polygon area) {
     Geometry simple = DouglasPeuckerSimplifier.simplify(area, OUTLINE_M);
+    Geometry shown = simple.isEmpty() ? area : simple; // smaller than the tolerance
     List<Point> points = new ArrayList<>();
-    for (Coordinate corner : ((Polygon) simple).getExteriorRing().getCoordinates()) {
+    for (Coordinate corner : ((Polygon) shown).getExteriorRing().getCoordinates()) {
       Point enu = Point.of(corner.x, corner.y, 0.0);
       points.add(
           origin
@@ -135,17 +136,24 @@ final class Fence {
               .map(at -> Point.of(at.longitudeDeg(), at.latitudeDeg(), 0.0))
               .orElse(enu));
     }
-    return points.subList(0, points.size() - 1);
+    return points.subList(0, Math.max(0, points.size() - 1));
+  }
+
+  private List<List<Point>> outlines(List<Polygon> areas) {
+    return areas.stream()
+        .map(this::outline)
+        .filter(outline -> !outline.isEmpty())
+        .collect(Collectors.toList());
   }
 
   /** Outline of the keep-in area, as {@link #frame} has it; empty if there is none. */
   List<List<Point>> keepIn() {
-    return keepIn.map(area -> List.of(outline(area))).orElse(List.of());
+    return keepIn.map(area -> outlines(List.of(area))).orElse(List.of());
   }
 
   /** Outlines of the keep-out areas; as {@link #keepIn}. */
   List<List<Point>> keepOut() {
-    return keepOuts.stream().map(this::outline).collect(Collectors.toList());
+    return outlines(keepOuts);
   }
 
   ReferenceFrame frame() {

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -77,6 +78,23 @@ class FenceOrdersTest extends WatchedVehicle {
     assertThat(fence().fence()).contains("\n" + square(-50, 50));
     assertThat(fence().file()).contains("configured.xml");
     assertThat(fence().margin()).isEqualTo(2.0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"1e-300", "1e-9", "0.05", "3"})
+  void replace_circlesOfAnySize_areAnsweredAndPublished(String radius) {
+    start();
+    live(0.2);
+    FenceOrderResult result =
+        replace(
+            "<fence><reference>Local ENU</reference><keepOut><centre><x>40</x><y>0</y></centre><radius>"
+                + radius
+                + "</radius></keepOut></fence>");
+
+    assertThat(result.accepted()).as(result.outcome()).isTrue();
+    assertThat(fence().keepOut())
+        .allSatisfy(area -> assertThat(area.points()).hasSizeGreaterThan(2));
+    assertThat(fence().keepOut()).hasSize(radius.equals("1e-300") ? 0 : 1);
   }
 
   @Test

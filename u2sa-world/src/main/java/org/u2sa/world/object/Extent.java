@@ -63,9 +63,13 @@ final class Extent {
   }
 
   private static double farthest(ObjectDescription object) {
+    List<Point> points = points(object);
+    if (points.isEmpty()) {
+      return 0.0;
+    }
     Metric metric = Metric.around(object.referenceFrame(), object.center());
     double farthest = 0.0;
-    for (Point point : points(object)) {
+    for (Point point : points) {
       Point metres = metric.metres(point);
       farthest = Math.max(farthest, Math.hypot(metres.x(), metres.y()));
     }
