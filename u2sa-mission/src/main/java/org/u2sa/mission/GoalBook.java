@@ -40,6 +40,9 @@ final class GoalBook {
    */
   private static final int MAX_BYTES = 320 * 1_024;
 
+  /** Of these, what goal updates may fill: the rest is for operators' orders. */
+  private static final int MAX_UPDATED_BYTES = MAX_BYTES / 4 * 3;
+
   private final Map<String, GoalInformation> defined = new LinkedHashMap<>();
   private final Map<String, GoalInformation> present = new LinkedHashMap<>();
   private final Map<String, Long> finished = new LinkedHashMap<>();
@@ -160,7 +163,7 @@ final class GoalBook {
     for (GoalInformation goal : present.values()) {
       bytes += goal == before ? 0 : goal.serialize().length;
     }
-    return bytes <= MAX_BYTES;
+    return bytes <= MAX_UPDATED_BYTES;
   }
 
   /**

@@ -317,6 +317,21 @@ class MissionOrdersTest extends ThreeWaypoints {
   }
 
   @Test
+  void goalUpdates_asManyAsAreTaken_leaveRoomForOperatorsOrders() {
+    kit.start(MissionManager::new);
+    for (int i = 0; i < 10; i++) {
+      Waypoint invented = new Waypoint().uid("invented " + i).horizontalThreshold(1.0);
+      invented.x(5.0).y(5.0);
+      kit.publish(Channels.GOAL_UPDATES, invented.description("x".repeat(60_000)));
+    }
+
+    assertThat(kit.log("MissionManager"))
+        .anyMatch(line -> line.contains("refused: the goals would be too long to publish"));
+    accepted(
+        goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>"), "inserted \"4\" after \"1\"");
+  }
+
+  @Test
   void insert_wrongGoals_areRefusedWithFileAndLine() {
     kit.start(MissionManager::new);
     refused(
