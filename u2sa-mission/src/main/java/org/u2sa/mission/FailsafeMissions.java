@@ -126,7 +126,9 @@ final class FailsafeMissions {
    * @param way waypoints that lead to another one within the fence
    */
   Optional<GoalSequence> sequence(
-      FailsafeAction action, Optional<Waypoint> place, Function<Waypoint, List<Waypoint>> way) {
+      FailsafeAction action,
+      Optional<Waypoint> place,
+      Function<Waypoint, Optional<List<Waypoint>>> way) {
     if (action != FailsafeAction.RETURN && action != FailsafeAction.LAND) {
       return Optional.empty();
     }
@@ -138,8 +140,13 @@ final class FailsafeMissions {
     }
     List<GoalInformation> goals = new ArrayList<>(own);
     if (own.get(0) instanceof Waypoint first) {
-      List<Waypoint> before = way.apply(first);
-      before.forEach(each -> goals.add(goals.size() - own.size(), renamed(each, action + " ")));
+      Optional<List<Waypoint>> before = way.apply(first);
+      if (before.isEmpty()) {
+        String problem = "failsafe " + action + ": the fence leaves no way to its place: holding";
+        logger.log(LogLevelEnum.ERROR, problem);
+        return Optional.of(ended());
+      }
+      before.get().forEach(each -> goals.add(goals.size() - own.size(), renamed(each, action + " ")));
     }
     GoalSequence sequence = new GoalSequence(goals, false, GoalSequence.Options.ALL);
     loaded.values().stream()

@@ -2,7 +2,6 @@ package org.u2sa.mission;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import org.locationtech.jts.geom.Coordinate;
@@ -25,22 +24,39 @@ final class FenceRoute {
 
   private static final double CHECKED = 0.9; // of the distance: ways lead over its own corners
   private static final double ROUGH = 0.08; // of the distance, for simplification
+  private static final double ROUGHEST = 20.0;
   private static final double MITRE = 2.0;
+  private static final double ROUNDING_M = 1e-6;
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
+  private final Geometry allowed;
+  private final double distanceM;
   private final Geometry free;
   private final PreparedGeometry checked;
-  private final List<Coordinate> corners = new ArrayList<>();
+  private final List<Coordinate> corners;
 
   /**
    * @param allowed polygonal area, large where there is no limit
    * @param distanceM above 0
    */
   FenceRoute(Geometry allowed, double distanceM) {
+    this.allowed = allowed;
+    this.distanceM = distanceM;
     free = smaller(allowed, distanceM);
     checked = PreparedGeometryFactory.prepare(smaller(allowed, CHECKED * distanceM));
-    Collections.addAll(
-        corners, DouglasPeuckerSimplifier.simplify(free, ROUGH * distanceM).getCoordinates());
+    corners = corners(allowed, distanceM);
+  }
+
+  /** Corners of the free area, fewer and farther from the borders if there would be too many. */
+  private static List<Coordinate> corners(Geometry allowed, double distanceM) {
+    double rough = ROUGH * distanceM;
+    Coordinate[] corners;
+    do {
+      Geometry area = smaller(allowed, (1.0 - ROUGH) * distanceM + rough);
+      corners = DouglasPeuckerSimplifier.simplify(area, rough).getCoordinates();
+      rough *= 4.0;
+    } while (corners.length > MAX_CORNERS && rough < ROUGHEST * distanceM);
+    return List.of(corners);
   }
 
   private static Geometry smaller(Geometry area, double byM) {
@@ -54,31 +70,55 @@ final class FenceRoute {
   }
 
   /**
-   * Corners on the way, without start and end; empty if the straight way is free, or if there is
-   * none. A start outside the free area first goes to the nearest point of it.
+   * Corners on the way, without start and end; no corners if the straight way comes no nearer to a
+   * border than its ends, and empty if there is no way. From and to a place nearer than the distance
+   * the way leads over the nearest point of the free area; a start may be outside.
    */
   Optional<List<Coordinate>> between(Coordinate from, Coordinate to) {
-    if (free.isEmpty() || corners.size() > MAX_CORNERS || !isFree(to, to)) {
+    if (isStraight(from, to)) {
+      return Optional.of(List.of());
+    }
+    if (free.isEmpty() || corners.size() > MAX_CORNERS || !allowed.covers(leg(to, to))) {
       return Optional.empty();
     }
-    List<Coordinate> way = new ArrayList<>();
-    Coordinate start = from;
-    if (!isFree(from, from)) {
-      start = DistanceOp.nearestPoints(free, FACTORY.createPoint(from))[0];
-      way.add(start);
-    }
-    return search(start, to)
+    Coordinate start = nearestFree(from);
+    Coordinate end = nearestFree(to);
+    return search(start, end)
         .map(
-            rest -> {
-              way.addAll(rest);
+            between -> {
+              List<Coordinate> way = new ArrayList<>(between);
+              if (start != from) {
+                way.add(0, start);
+              }
+              if (end != to) {
+                way.add(end);
+              }
               return way;
             });
   }
 
+  private boolean isStraight(Coordinate from, Coordinate to) {
+    Geometry leg = leg(from, to);
+    Geometry border = allowed.getBoundary();
+    double nearest =
+        Math.min(
+            CHECKED * distanceM,
+            Math.min(border.distance(leg(from, from)), border.distance(leg(to, to))));
+    return allowed.covers(leg) && border.distance(leg) >= nearest - ROUNDING_M;
+  }
+
+  private Coordinate nearestFree(Coordinate place) {
+    return isFree(place, place) ? place : DistanceOp.nearestPoints(free, leg(place, place))[0];
+  }
+
   private boolean isFree(Coordinate a, Coordinate b) {
-    Geometry leg =
-        a.equals2D(b) ? FACTORY.createPoint(a) : FACTORY.createLineString(new Coordinate[] {a, b});
-    return checked.covers(leg);
+    return checked.covers(leg(a, b));
+  }
+
+  private static Geometry leg(Coordinate a, Coordinate b) {
+    return a.equals2D(b)
+        ? FACTORY.createPoint(a)
+        : FACTORY.createLineString(new Coordinate[] {a, b});
   }
 
   private Optional<List<Coordinate>> search(Coordinate from, Coordinate to) {

@@ -39,7 +39,7 @@ final class MissionOrders {
   private final Logger logger;
   private final Supplier<List<GoalInformation>> landing;
   private final Supplier<Optional<Waypoint>> returning;
-  private final Function<Waypoint, List<Waypoint>> way;
+  private final Function<Waypoint, Optional<List<Waypoint>>> way;
   private final Consumer<Mission> replacement;
   private final Map<String, MissionOrderResult> answered =
       new LinkedHashMap<>() {
@@ -64,7 +64,7 @@ final class MissionOrders {
       Logger logger,
       Supplier<List<GoalInformation>> landing,
       Supplier<Optional<Waypoint>> returning,
-      Function<Waypoint, List<Waypoint>> way,
+      Function<Waypoint, Optional<List<Waypoint>>> way,
       Consumer<Mission> replacement) {
     this.run = run;
     this.resumable = resumable;
@@ -242,7 +242,10 @@ final class MissionOrders {
                     new BadInputException("the mission has no home, and there is no rally point"));
     GoalSequence mission = run.progress().mission();
     boolean isGoal = mission.knows(place.uid()) && place.uid().equals(Home.NAME);
-    List<Waypoint> route = new ArrayList<>(way.apply(place));
+    List<Waypoint> route =
+        new ArrayList<>(
+            way.apply(place)
+                .orElseThrow(() -> new BadInputException("the fence leaves no way to " + place.uid())));
     if (isGoal && !run.progress().isLeft() && route.isEmpty()) {
       return goTo(place.uid());
     }

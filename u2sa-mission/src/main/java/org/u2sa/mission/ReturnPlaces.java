@@ -61,9 +61,9 @@ final class ReturnPlaces {
     return nearest;
   }
 
-  /** Waypoints on the way to a place that keep to the fence; empty as {@link ReturnWay#between}. */
-  List<Waypoint> wayTo(Waypoint place) {
-    return state == null ? List.of() : way.between(state, place);
+  /** Waypoints on the way to a place that keep to the fence, as {@link ReturnWay#between}. */
+  Optional<List<Waypoint>> wayTo(Waypoint place) {
+    return state == null ? Optional.of(List.of()) : way.between(state, place);
   }
 
   /** Horizontal distance [m]; infinite if unknown. */

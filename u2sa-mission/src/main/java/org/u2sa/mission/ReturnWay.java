@@ -7,6 +7,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.operation.union.UnaryUnionOp;
 import org.u2sa.messages.Metric;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -17,9 +18,13 @@ import org.u2sa.messages.shape.Polygon;
 
 /**
  * Leads a vehicle that returns or lands around the areas that its fence forbids. It keeps the
- * fence's margin once more, at least twice the threshold of a waypoint.
+ * fence's margin once more, at least twice the threshold of a waypoint, or less in passages that are
+ * narrower.
  */
 final class ReturnWay {
+  private static final double[] SHARES = {1.0, 0.5, 0.25, 0.1}; // of the distance
+  private static final double[] FEW_SHARES = {1.0, 0.1};
+  private static final int MANY_POINTS = 300; // each share takes a tenth of a second
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
   private FenceState fence = new FenceState();
@@ -29,35 +34,52 @@ final class ReturnWay {
   }
 
   /**
-   * Waypoints on the way to a place, which is not among them; empty if the straight way is allowed,
-   * or if none is known: without a fence, or in frames that cannot be compared.
+   * Waypoints on the way to a place, which is not among them; none without a fence, in frames that
+   * cannot be compared, and if the straight way is allowed. Empty if the fence leaves no way.
    */
-  List<Waypoint> between(StateInformation vehicle, Waypoint place) {
+  Optional<List<Waypoint>> between(StateInformation vehicle, Waypoint place) {
     List<Polygon> shapes = new ArrayList<>(fence.keepIn());
     shapes.addAll(fence.keepOut());
     if (shapes.isEmpty()) {
-      return List.of();
+      return Optional.of(List.of());
     }
     ReferenceFrame frame = shapes.get(0).referenceFrame();
     Optional<Point> from = in(frame, vehicle);
     Optional<Point> to = in(frame, at(place));
     if (from.isEmpty() || to.isEmpty()) {
-      return List.of();
+      return Optional.of(List.of());
     }
     Metric metric = Metric.around(frame, from.get());
     double distanceM = Math.max(2.0 * place.horizontalThreshold(), fence.margin());
     Coordinate end = coordinate(metric.metres(to.get()));
-    List<Waypoint> way = new ArrayList<>();
-    for (Coordinate corner :
-        new FenceRoute(allowed(metric, end, distanceM), distanceM)
-            .between(new Coordinate(0.0, 0.0), end)
-            .orElse(List.of())) {
+    return corners(allowed(metric, end, distanceM), end, distanceM)
+        .map(way -> waypoints(way, metric, frame, place.horizontalThreshold()));
+  }
+
+  private static List<Waypoint> waypoints(
+      List<Coordinate> way, Metric metric, ReferenceFrame frame, double thresholdM) {
+    List<Waypoint> waypoints = new ArrayList<>();
+    for (Coordinate corner : way) {
       Point point = metric.point(Point.of(corner.x, corner.y, 0.0));
-      Waypoint waypoint = new Waypoint().uid("way " + (way.size() + 1));
+      Waypoint waypoint = new Waypoint().uid("way " + (waypoints.size() + 1));
       waypoint.x(point.x()).y(point.y()).referenceFrame(frame);
-      way.add(waypoint.horizontalThreshold(place.horizontalThreshold()));
+      waypoints.add(waypoint.horizontalThreshold(thresholdM));
     }
-    return way;
+    return waypoints;
+  }
+
+  /** At the largest of several distances at which there is a way, as through narrow passages. */
+  private static Optional<List<Coordinate>> corners(
+      Geometry allowed, Coordinate end, double distanceM) {
+    Coordinate start = new Coordinate(0.0, 0.0);
+    for (double share : allowed.getNumPoints() > MANY_POINTS ? FEW_SHARES : SHARES) {
+      Optional<List<Coordinate>> way =
+          new FenceRoute(allowed, share * distanceM).between(start, end);
+      if (way.isPresent()) {
+        return way;
+      }
+    }
+    return Optional.empty();
   }
 
   private static StateInformation at(Waypoint place) {
@@ -91,10 +113,7 @@ final class ReturnWay {
             .findFirst()
             .map(shape -> polygon(metric, shape))
             .orElseGet(() -> FACTORY.toGeometry(room));
-    for (Geometry area : forbidden) {
-      allowed = allowed.difference(area);
-    }
-    return allowed;
+    return forbidden.isEmpty() ? allowed : allowed.difference(UnaryUnionOp.union(forbidden));
   }
 
   private static Geometry polygon(Metric metric, Polygon shape) {

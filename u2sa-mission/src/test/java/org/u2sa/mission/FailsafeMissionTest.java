@@ -236,7 +236,7 @@ class FailsafeMissionTest {
     GoalSequence landing =
         missions
             .get()
-            .sequence(FailsafeAction.LAND, Optional.empty(), place -> List.of())
+            .sequence(FailsafeAction.LAND, Optional.empty(), place -> Optional.of(List.of()))
             .orElseThrow();
     assertThat(landing.currentNames()).containsExactly("LAND 1");
     assertThat(landing.knows("LAND home")).isTrue();

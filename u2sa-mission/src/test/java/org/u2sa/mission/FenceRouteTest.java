@@ -73,10 +73,44 @@ class FenceRouteTest {
   }
 
   @Test
-  void between_endWithinAForbiddenAreaOrBehindAClosedOne_isEmpty() throws ParseException {
+  void between_endNearerToABorderThanTheDistance_leadsToItByTheNearestFreePoint()
+      throws ParseException {
+    Geometry field = wkt("POLYGON ((-10 -100, 31 -100, 31 100, -10 100, -10 -100))");
+    Geometry square = wkt("POLYGON ((10 -5, 20 -5, 20 9, 10 9, 10 -5))");
+    Geometry allowed = field.difference(square);
+
+    List<Coordinate> corners = route(allowed, 30.0, 0.0).orElseThrow();
+
+    assertThat(corners).hasSize(3);
+    assertThat(line(corners, 30.0, 0.0).distance(square)).isGreaterThan(1.7);
+    assertThat(corners.get(2).distance(new Coordinate(29.0, 0.0))).isLessThan(0.1);
+  }
+
+  @Test
+  void between_alongABorderNearerThanTheDistance_isStraight() throws ParseException {
+    Geometry field = wkt("POLYGON ((-10 -1, 100 -1, 100 50, -10 50, -10 -1))");
+
+    assertThat(route(field, 30.0, 0.0).orElseThrow()).isEmpty();
+  }
+
+  @Test
+  void between_moreCornersThanCanBeSearched_leadsRoundThemAtAGreaterDistance() {
+    Geometry allowed = FIELD;
+    for (int i = 0; i < 40; i++) {
+      Coordinate centre = new Coordinate(20.0 + 20.0 * (i % 8), -40.0 + 20.0 * (i / 8));
+      allowed = allowed.difference(FACTORY.createPoint(centre).buffer(6.0, 16));
+    }
+
+    List<Coordinate> corners = route(allowed, 190.0, 0.0).orElseThrow();
+
+    assertThat(corners).isNotEmpty();
+    assertThat(line(corners, 190.0, 0.0).distance(allowed.getBoundary())).isGreaterThan(1.7);
+  }
+
+  @Test
+  void between_behindAClosedArea_isEmpty() throws ParseException {
     Geometry wall = wkt("POLYGON ((10 -300, 20 -300, 20 300, 10 300, 10 -300))");
 
-    assertThat(route(FIELD.difference(wall), 15.0, 0.0)).isEmpty();
     assertThat(route(FIELD.difference(wall), 30.0, 0.0)).isEmpty();
   }
 }

@@ -3,6 +3,7 @@ package org.u2sa.mission;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.u2sa.messages.StateInformation;
@@ -42,7 +43,8 @@ class ReturnWayTest {
     Point to = at(own, 0.0, 0.0);
     Waypoint home = new Waypoint().uid("home").x(to.x()).y(to.y()).horizontalThreshold(1.0);
     home.referenceFrame(own);
-    return way.between(new StateInformation().referenceFrame(own).x(from.x()).y(from.y()), home);
+    return way.between(new StateInformation().referenceFrame(own).x(from.x()).y(from.y()), home)
+        .orElseThrow();
   }
 
   @Test
@@ -59,6 +61,68 @@ class ReturnWayTest {
     }
   }
 
+  /** A passage of 3 m, where twice the margin is 6 m, in a wall across the field. */
+  @Test
+  void between_passageNarrowerThanTheDistance_isUsed() {
+    ReferenceFrame frame = ReferenceFrame.LOCAL_ENU;
+    Polygon field = new Polygon().points(box(-20.0, -50.0, 80.0, 50.0));
+    Polygon upper = new Polygon().points(box(30.0, 20.0, 34.0, 60.0));
+    Polygon lower = new Polygon().points(box(30.0, -60.0, 34.0, 17.0));
+    List.of(field, upper, lower).forEach(each -> each.uid("area").referenceFrame(frame));
+    way.see(
+        new FenceState().margin(MARGIN_M).keepIn(List.of(field)).keepOut(List.of(upper, lower)));
+    Waypoint home = new Waypoint().uid("home").x(0.0).y(0.0).horizontalThreshold(1.0);
+    home.referenceFrame(frame);
+
+    List<Waypoint> corners =
+        way.between(new StateInformation().referenceFrame(frame).x(60.0).y(0.0), home)
+            .orElseThrow();
+
+    assertThat(corners)
+        .isNotEmpty()
+        .allSatisfy(c -> assertThat(c.y().orElseThrow()).isBetween(17.2, 19.8));
+  }
+
+  @Test
+  void between_placeInAForbiddenArea_isNoWay() {
+    ReferenceFrame frame = ReferenceFrame.LOCAL_ENU;
+    Polygon around = new Polygon().points(box(-5.0, -5.0, 5.0, 5.0));
+    around.uid("area").referenceFrame(frame);
+    way.see(new FenceState().keepOut(List.of(around)));
+    Waypoint home = new Waypoint().uid("home").x(0.0).y(0.0).horizontalThreshold(1.0);
+    home.referenceFrame(frame);
+
+    assertThat(way.between(new StateInformation().referenceFrame(frame).x(60.0).y(0.0), home))
+        .isEmpty();
+  }
+
+  @Test
+  void between_hundredsOfAreas_leadsRoundThem() {
+    ReferenceFrame frame = ReferenceFrame.LOCAL_ENU;
+    List<Polygon> areas = new ArrayList<>();
+    for (int i = 0; i < 390; i++) {
+      double east = 20.0 + 4.0 * (i % 30);
+      double north = 4.0 * (i / 30) - 26.0;
+      Polygon area = new Polygon().points(box(east, north, east + 1.0, north + 1.0));
+      area.uid("area").referenceFrame(frame);
+      areas.add(area);
+    }
+    way.see(new FenceState().keepOut(areas));
+    Waypoint home = new Waypoint().uid("home").x(0.0).y(0.5).horizontalThreshold(0.5);
+    home.referenceFrame(frame);
+
+    assertThat(way.between(new StateInformation().referenceFrame(frame).x(160.0).y(0.5), home))
+        .isPresent();
+  }
+
+  private static List<Point> box(double west, double south, double east, double north) {
+    return List.of(
+        Point.of(west, south, 0.0),
+        Point.of(east, south, 0.0),
+        Point.of(east, north, 0.0),
+        Point.of(west, north, 0.0));
+  }
+
   @Test
   void between_localFrames_isInThatOfTheFence() {
     assertThat(fromTheEast(ReferenceFrame.LOCAL_ENU, ReferenceFrame.LOCAL_ENU))
@@ -71,6 +135,6 @@ class ReturnWayTest {
     assertThat(fromTheEast(ReferenceFrame.GLOBAL, ReferenceFrame.LOCAL_ENU)).isEmpty();
     way.see(new FenceState());
     assertThat(way.between(new StateInformation().x(0.0).y(0.0), new Waypoint().x(1.0).y(1.0)))
-        .isEmpty();
+        .hasValue(List.of());
   }
 }
