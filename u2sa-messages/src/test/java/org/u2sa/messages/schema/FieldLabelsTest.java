@@ -135,11 +135,11 @@ class FieldLabelsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "a2 06 fb4004000000000000 06 fb4004000000000000 | the key comes twice",
-        "a2 06 fb4004000000000000 6178 fb4004000000000000 | the key comes twice",
-        "a2 6178 fb4004000000000000 06 fb4004000000000000 | the key comes twice",
-        "a2 6178 fb4004000000000000 622336 fb4004000000000000 | the key comes twice",
-        "a2 1903e8 01 1903e8 01 | the key comes twice",
+        "a2 06 fb4004000000000000 06 fb4004000000000000 | the key occurs twice",
+        "a2 06 fb4004000000000000 6178 fb4004000000000000 | the key occurs twice",
+        "a2 6178 fb4004000000000000 06 fb4004000000000000 | the key occurs twice",
+        "a2 6178 fb4004000000000000 622336 fb4004000000000000 | the key occurs twice",
+        "a2 1903e8 01 1903e8 01 | the key occurs twice",
         "a1 06 6178 | StateInformation.x, byte 3: expected a number, not text",
         "a1 20 00 | expected text, not an integer",
         "a1 1bffffffffffffffff 00 | not of 65",

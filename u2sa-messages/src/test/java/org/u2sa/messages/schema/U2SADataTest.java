@@ -186,7 +186,7 @@ class U2SADataTest {
 
     assertThatThrownBy(goal::serialize)
         .isInstanceOf(IllegalStateException.class)
-        .hasMessageContaining("bytes exceed the 1048576 that readers take");
+        .hasMessageContaining("bytes exceed the 1048576 that readers accept");
   }
 
   @Test
