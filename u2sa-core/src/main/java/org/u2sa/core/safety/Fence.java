@@ -23,7 +23,7 @@ import org.u2sa.messages.goal.Waypoint;
  */
 final class Fence {
   /**
-   * A place to return to instead of home if it is nearer.
+   * A position to return to instead of home if it is nearer.
    *
    * @param name "rally 1" is the fence's first
    * @param waypoint position; its threshold is ignored
