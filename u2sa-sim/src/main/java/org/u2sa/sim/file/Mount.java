@@ -27,7 +27,7 @@ record Mount(Point place, Point turn) {
   }
 
   /**
-   * State at the sensor's position. Its acceleration lacks the term of the vehicle's angular
+   * State at the sensor's position. Its acceleration omits the term due to the vehicle's angular
    * acceleration.
    */
   VehicleTruth of(VehicleTruth vehicle) {
