@@ -14,9 +14,7 @@ import org.u2sa.messages.schema.Schema;
  * does not know this class receives a StateInformation.
  */
 public class InertialMeasurement extends StateInformation {
-  /**
-   * Suffix of the sensor's name in the name of this source, which differs from that of its state.
-   */
+  /** Suffix to the sensor's name: distinguishes this source from that of its state. */
   public static final String SUFFIX = " inertial";
 
   private static final Schema<InertialMeasurement> SCHEMA =

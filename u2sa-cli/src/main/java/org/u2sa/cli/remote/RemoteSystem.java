@@ -222,8 +222,7 @@ public final class RemoteSystem {
   private BrokerAddress search(Clock clock) throws InterruptedException {
     FoundBroker found = BrokerSearch.theOnly(Optional.ofNullable(systemId), clock, timeoutS);
     if (found.encrypted() && caFile.isEmpty()) {
-      throw new BadInputException(
-          "the broker " + found + " requires TLS: --ca names its authority");
+      throw new BadInputException("the broker " + found + " needs TLS: --ca names its authority");
     }
     return new BrokerAddress(found.host(), found.port());
   }

@@ -123,10 +123,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(RATE_LIMIT, value);
   }
 
-  /**
-   * Dead band [%, 0…99]: smaller commands have no effect; beyond it, the effect grows from zero;
-   * empty: 0.
-   */
+  /** Dead band [%, 0…99]: a command's effect is zero up to it and grows from there; empty: 0. */
   public OptionalDouble deadband() {
     return get(DEADBAND);
   }

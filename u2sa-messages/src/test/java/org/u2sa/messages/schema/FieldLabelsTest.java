@@ -142,7 +142,7 @@ class FieldLabelsTest {
         "a2 1903e8 01 1903e8 01 | the key occurs twice",
         "a1 06 6178 | StateInformation.x, byte 3: expected a number, not text",
         "a1 20 00 | expected text, not an integer",
-        "a1 1bffffffffffffffff 00 | not of 65",
+        "a1 1bffffffffffffffff 00 | not a 65",
         "a1 1806 | expected a data item, not the end",
         "a2 1903e8 07 | StateInformation.#1000, byte 5: expected a data item, not the end",
         "a2 1903e8 07 18 | StateInformation.#1000, byte 6: expected more bytes, not the end",
