@@ -160,7 +160,7 @@ final class RplidarParser {
       malformed++;
       trusted = false;
       hasBegun = false; // discard a scan with a gap
-      ended = null; // also one whose end may be false
+      ended = null; // its end may have been misread
       return 1;
     }
     confirm();
