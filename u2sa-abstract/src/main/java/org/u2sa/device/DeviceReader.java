@@ -48,7 +48,7 @@ public final class DeviceReader<R extends Device.Reading> {
   }
 
   /**
-   * Maps a reading to messages. A reading with values that a message refuses, such as a voltage
+   * Maps a reading to messages. A reading with values that a message rejects, such as a voltage
    * below zero, is dropped, counted and reported as malformed data (empty).
    *
    * @param mapping throws IllegalArgumentException for such values

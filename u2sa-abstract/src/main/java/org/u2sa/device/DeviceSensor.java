@@ -61,7 +61,7 @@ public abstract class DeviceSensor<R extends Device.Reading> extends Sensor {
    * Maps a new reading to the messages to publish, in order; messages without a timestamp get the
    * reading's timestamp.
    *
-   * @throws IllegalArgumentException if a message refuses a value: the reading is then dropped,
+   * @throws IllegalArgumentException if a message rejects a value: the reading is then dropped,
    *     counted and reported as malformed data
    */
   protected abstract Stream<? extends U2SAData> messages(R reading);

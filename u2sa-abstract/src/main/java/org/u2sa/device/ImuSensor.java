@@ -39,7 +39,7 @@ public final class ImuSensor extends DeviceSensor<Orientation> {
           double headingSigma,
       @Variable(ifAbsentText = "true")
           @Description(
-              "Whether angular rates and specific forces are published, too, if the IMU measures both.")
+              "Whether angular rates and specific forces are also published, if the IMU measures both.")
           boolean publishInertial,
       @Variable(unit = "rad/s", min = 0, max = 10, ifAbsent = 0.005)
           @Description("Standard deviation of an angular rate, from the data sheet.")

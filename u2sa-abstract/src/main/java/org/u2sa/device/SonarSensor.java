@@ -66,7 +66,7 @@ public final class SonarSensor extends DeviceSensor<Sonar.Ping> {
     try {
       return Stream.of(scan());
     } finally {
-      beams.clear(); // even if the scan refuses a value: the next one starts without these pings
+      beams.clear(); // even if the scan rejects a value: the next one starts without these pings
     }
   }
 

@@ -122,13 +122,13 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
     }
   }
 
-  /** {@inheritDoc} Subclasses that have something to add call this one too. */
+  /** {@inheritDoc} Overriding methods must call this one. */
   @Override
   protected void handOver(HandOver state) {
     commands.handOver(state);
   }
 
-  /** {@inheritDoc} Subclasses that have something to add call this one too. */
+  /** {@inheritDoc} Overriding methods must call this one. */
   @Override
   protected void takeOver(HandOver state) {
     commands.takeOver(state);

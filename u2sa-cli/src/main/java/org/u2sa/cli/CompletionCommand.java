@@ -17,12 +17,12 @@ import picocli.CommandLine.Parameters;
       "Print the shell script that completes u2sa's commands, options and values.",
       "",
       "  source <(./u2sa completion bash)     in bash, for ./u2sa and u2sa; permanently in ~/.bashrc",
-      "  source <(./u2sa completion zsh)      in zsh, behind autoload -Uz compinit && compinit"
+      "  source <(./u2sa completion zsh)      in zsh, after autoload -Uz compinit && compinit"
     })
 final class CompletionCommand extends BaseCommand {
   enum Shell {
     BASH,
-    /** zsh, which uses bash's completion. */
+    /** zsh, using bash's completion. */
     ZSH
   }
 

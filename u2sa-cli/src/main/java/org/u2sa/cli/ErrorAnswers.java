@@ -47,7 +47,7 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
   int answer(Throwable thrown, PrintWriter err) {
     boolean badInput =
         thrown instanceof BadInputException
-            || thrown instanceof McapException; // their messages name the file
+            || thrown instanceof McapException; // these messages name the file
     boolean told =
         badInput
             || thrown instanceof RunFailedException
@@ -87,7 +87,7 @@ final class ErrorAnswers implements IParameterExceptionHandler, IExecutionExcept
               : command.getSubcommands().isEmpty() ? "argument" : "command";
       return "unknown " + kind + " '" + typed + "'";
     }
-    // picocli names Java types, which are meaningless to a user
+    // picocli's messages name Java types, which are meaningless to users
     return e.getMessage().replaceFirst("is not an? (long|int)$", "is not a whole number");
   }
 

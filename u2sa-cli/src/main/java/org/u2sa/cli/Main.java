@@ -62,7 +62,7 @@ public final class Main {
     CommandLine line = CommandTree.build(providers, ansi, args).setOut(out).setErr(err);
     try {
       return line.execute(args);
-    } catch (Error e) { // picocli rethrows it; a broken installation deserves a clear message, too
+    } catch (Error e) { // picocli rethrows it; also reports a broken installation clearly
       RootCommand root = line.getCommand();
       return new ErrorAnswers(root::debug).answer(e, err);
     } finally {

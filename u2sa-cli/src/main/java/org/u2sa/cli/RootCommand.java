@@ -38,13 +38,13 @@ import picocli.CommandLine.Spec;
       "  ./u2sa apk                                assemble the Android application",
       "  ./u2sa <command> --help                   help on one command",
       "",
-      "A run leaves a picture of its track (SVG, PNG), KML, CSV, summary.json and logs in out/<run>/.",
+      "A run writes a picture of its track (SVG, PNG), KML, CSV, summary.json and logs to out/<run>/.",
     },
     optionListHeading = "%n@|bold OPTIONS|@%n",
     commandListHeading = "%n@|bold COMMANDS|@%n",
     exitCodeListHeading = "%n@|bold EXIT CODES|@%n",
     exitCodeList = {
-      "0:done; of a mission: every goal was reached",
+      "0:done; for a mission, every goal was reached",
       "1:the run failed: a goal was missed, or something unexpected happened",
       "2:bad input: unknown command or option, faulty configuration or mission; nothing was started"
     })

@@ -26,7 +26,7 @@ final class CommandBlend {
   /**
    * Reads the last commands of the previous control system.
    *
-   * @param alike whether the predecessor had the same class: then its state is complete, and
+   * @param alike whether the predecessor had the same class; if so, its state is complete and
    *     nothing is blended
    */
   void takeOver(HandOver state, boolean alike) {
@@ -38,7 +38,7 @@ final class CommandBlend {
     }
   }
 
-  /** From now on commands are those of the current law. */
+  /** Ends the blend: from now on, commands are those of the current law. */
   void end() {
     from.clear();
   }

@@ -63,7 +63,7 @@ public abstract class ControlSystem extends EventDrivenService {
       new HashMap<>(); // newest point whose state is stored
   private double stepS;
   private long heardStateMicros = Long.MIN_VALUE; // by the run's clock
-  private boolean isStateless; // if so, states are origins, one per navigation point
+  private boolean isStateless; // states are origins, one per navigation point
 
   /**
    * @param serviceName default name, overridden by the variable SERVICE NAME
@@ -81,8 +81,7 @@ public abstract class ControlSystem extends EventDrivenService {
   /**
    * Commands the actuators, by {@link #command}. Called for each state newer than the previous one.
    *
-   * @param state the newest estimate; in GLOBAL or LOCAL_NED, whichever frame of the earth or of a
-   *     local plane it came in
+   * @param state the newest estimate, in GLOBAL or LOCAL_NED, depending on the frame it came in
    * @param point target, in the vehicle's own frame (BODY) at the point's timestamp; empty if
    *     absent or stale
    */
@@ -93,7 +92,7 @@ public abstract class ControlSystem extends EventDrivenService {
 
   /**
    * Whether a navigation point alone suffices. Without states, such a control system is called with
-   * the origin of LOCAL_NED, heading north, in place of a state, without speed or attitude.
+   * the origin of LOCAL_NED, heading north, without speed or attitude.
    */
   protected boolean obeysWithoutState() {
     return false;
@@ -106,7 +105,7 @@ public abstract class ControlSystem extends EventDrivenService {
     return isStateless;
   }
 
-  /** The subsystem that it moves; the vehicle, unless overridden. Constant. */
+  /** The subsystem that this service moves; the vehicle, unless overridden. Constant. */
   protected String subsystem() {
     return VEHICLE;
   }
@@ -153,7 +152,7 @@ public abstract class ControlSystem extends EventDrivenService {
   private void begin(boolean stateless) {
     if (stateless != isStateless) {
       isStateless = stateless;
-      log(stateless ? "no state: obeys navigation points alone" : "a state again");
+      log(stateless ? "no state: obeying navigation points alone" : "a state again");
       states = new StateHistory();
       points.clear();
       placed.clear();
@@ -205,8 +204,8 @@ public abstract class ControlSystem extends EventDrivenService {
 
   /**
    * The newest navigation point of a subsystem, unless it is stale by the newest state's time. If
-   * its state was not received, because it has not arrived yet or was superseded in the inbox, the
-   * last point with a received state is used.
+   * the state it was computed from has not been received, because it is late or was superseded in
+   * the inbox, uses the last point with a received state.
    */
   protected final Optional<NavigationPoint> navigationPoint(String subsystem) {
     Optional<NavigationPoint> newest =

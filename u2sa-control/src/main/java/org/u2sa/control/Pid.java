@@ -36,7 +36,7 @@ public final class Pid {
       require("set-point weight", setpointWeight, 0.0, 1.0);
     }
 
-    /** Uses the usual filter (N = 10) and full set-point weight. */
+    /** Gains with the usual filter (N = 10) and full set-point weight. */
     public static Gains of(double gain, double integralS, double derivativeS) {
       return new Gains(gain, integralS, derivativeS, USUAL_FILTER, 1.0);
     }

@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.schema.U2SAData;
 
-/** Recent states by timestamp. */
+/** Keeps recent states by timestamp. */
 final class StateHistory {
   private long spanMicros;
   private final TreeMap<Long, StateInformation> states = new TreeMap<>();
@@ -21,8 +21,8 @@ final class StateHistory {
   /**
    * Adds a state that has a timestamp.
    *
-   * @return false if it is not newer than the newest state; a state older by more than the span
-   *     restarts the history, because the clock was set back
+   * @return false if it is not newer than the newest state; a state that is older by more than the
+   *     span restarts the history, because the clock was set back
    */
   boolean add(StateInformation state) {
     long time = state.timestamp().orElseThrow();
@@ -57,7 +57,7 @@ final class StateHistory {
     return Optional.ofNullable(states.get(micros));
   }
 
-  /** Whether a message is no older than the span, relative to the newest state. */
+  /** Whether a message is at most the span older than the newest state. */
   boolean isFresh(U2SAData message) {
     Map.Entry<Long, StateInformation> newest = states.lastEntry();
     return newest != null

@@ -35,7 +35,7 @@ public final class Transfer {
   }
 
   /**
-   * The value to continue with.
+   * Saves or restores a value; returns the value to continue with.
    *
    * @param now current value, saved unless it is NaN
    * @param ifAbsent value to restore if none was saved
@@ -48,7 +48,7 @@ public final class Transfer {
     return now;
   }
 
-  /** The flag to continue with; false if none was saved. */
+  /** Saves or restores a flag; returns the flag to continue with, false if none was saved. */
   public boolean flag(String name, boolean now) {
     if (isRestoring) {
       return state.flag(name);
@@ -57,7 +57,7 @@ public final class Transfer {
     return now;
   }
 
-  /** The constant to continue with; null if none was saved. */
+  /** Saves or restores a constant; returns the one to continue with, or null. */
   public <E extends Enum<E>> E constant(String name, Class<E> type, E now) {
     if (isRestoring) {
       return state.text(name).map(text -> Enum.valueOf(type, text)).orElse(null);

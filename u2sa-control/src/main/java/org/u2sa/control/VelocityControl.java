@@ -39,7 +39,7 @@ public final class VelocityControl extends ControlSystem {
           @Description("Turn rate at 100 %, as set for the actuators.")
           double fullTurn,
       @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 2)
-          @Description("Speed to a navigation point that specifies none.")
+          @Description("Speed towards a navigation point that does not specify one.")
           double cruiseSpeed,
       @Variable(unit = "1/s", min = 0.01, max = 10, ifAbsent = 0.8)
           @Description("Maximum speed per metre of remaining distance.")
@@ -49,7 +49,7 @@ public final class VelocityControl extends ControlSystem {
           double turnGain,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 1)
           @Description(
-              "Minimum distance of a point to turn to: the bearing of a nearer point is mostly error.")
+              "Minimum distance of a point to turn towards: the bearing of a nearer point is mostly error.")
           double facingDistance,
       @Variable(ifAbsentText = "true")
           @Description("Whether the vehicle can move sideways and backwards, like a multicopter.")
@@ -81,7 +81,7 @@ public final class VelocityControl extends ControlSystem {
     double climbPercent = percent(toGo.z() * perMetre, now.fullClimb());
     double most = Math.max(Math.abs(forwardPercent), Math.abs(leftPercent));
     most = Math.max(FULL_PERCENT, Math.max(most, Math.abs(climbPercent)));
-    double share = FULL_PERCENT / most; // scale all axes: clamping each would change the direction
+    double share = FULL_PERCENT / most; // clamping each axis would change the direction
     command(FORWARD, share * forwardPercent);
     command(LEFT, share * leftPercent);
     command(CLIMB, share * climbPercent);

@@ -20,14 +20,14 @@ final class AirspeedWatch {
   private static final double FLIES_MPS = 10.0; // over ground
   private static final double SURE_MPS = 1.0; // maximum sigma of a ground speed to compare with
   private static final double MIN_OFF_MPS = 6.0; // gusts and the wind's change with height
-  private static final double OFF_SHARE = 0.3; // of the airspeed
-  private static final double OFF_S = 1.5; // until it is contradicted
-  private static final double AGREES_S = 10.0; // until it counts again
-  private static final double LONGEST_S = 0.5; // between two estimates
-  private static final double SIGMA_MPS = 2.0; // of the airspeed by wind and ground speed
+  private static final double OFF_SHARE = 0.3; // fraction of the airspeed
+  private static final double OFF_S = 1.5; // until the airspeed counts as contradicted
+  private static final double AGREES_S = 10.0; // until the airspeed is trusted again
+  private static final double LONGEST_S = 0.5; // maximum time between two estimates
+  private static final double SIGMA_MPS = 2.0; // of an airspeed computed from wind and ground speed
 
   private final Consumer<String> trouble;
-  private final WindInTurns turns = new WindInTurns(); // while contradicted
+  private final WindInTurns turns = new WindInTurns(); // used while contradicted
   private double windNorthMps;
   private double windEastMps;
   private double learntS;
@@ -114,7 +114,7 @@ final class AirspeedWatch {
     long now = sensed.timestamp().orElseThrow();
     boolean isOff = Math.abs(offMps) > limitMps;
     if (isOff == isContradicted) {
-      sinceMicros = Long.MIN_VALUE; // as before
+      sinceMicros = Long.MIN_VALUE; // unchanged
       return;
     }
     sinceMicros = sinceMicros == Long.MIN_VALUE ? now : sinceMicros;

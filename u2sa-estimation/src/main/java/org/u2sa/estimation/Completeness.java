@@ -13,7 +13,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.service.U2SAService;
 
 /**
- * Reports in a service's log and health report when published states have lacked needed numbers for
+ * Reports in a service's log and health report when published states have lacked needed values for
  * too long, and when they are complete again.
  */
 final class Completeness {
@@ -24,7 +24,7 @@ final class Completeness {
   private String said = "";
 
   /**
-   * @param withinMicros time for which a number may be absent [µs]
+   * @param withinMicros time for which a value may be absent [µs]
    */
   Completeness(U2SAService service, List<StateField> needed, long withinMicros) {
     this.service = service;
@@ -83,7 +83,7 @@ final class Completeness {
     }
     Set<String> heard = new TreeSet<>();
     sensors.forEach(sensor -> heard.add(sensor.sensorName()));
-    service.trouble(what + " on sensed-state (heard: " + String.join(", ", heard) + ")");
+    service.trouble(what + " on sensed-state (received: " + String.join(", ", heard) + ")");
   }
 
   private static String words(List<StateField> missing) {

@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * Extrapolates a measured position and attitude to a later time using the rates measured with them,
  * and increases their standard deviations for the unmeasured motion since.
  *
- * @param velocitySigmaMps standard deviation of a velocity that has none [m/s]
+ * @param velocitySigmaMps assumed standard deviation of a velocity without one [m/s]
  * @param accelerationMps2 unmeasured acceleration, 1 σ [m/s²]
  * @param unknownSpeedMps speed if no velocity is measured, 1 σ [m/s]
  * @param unknownTurnRadPerS turn rate if none is measured, 1 σ [rad/s]

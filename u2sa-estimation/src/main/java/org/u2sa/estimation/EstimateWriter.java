@@ -12,7 +12,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  * LOCAL_NED. Unknown fields are absent; present ones have standard deviations.
  */
 public final class EstimateWriter {
-  private static final double VERTICAL = 0.02; // cos θ
+  private static final double VERTICAL = 0.02; // cos θ near vertical pitch
 
   private EstimateWriter() {}
 

@@ -182,7 +182,7 @@ public final class FusingStateEstimator extends StateEstimator {
     }
     for (Report report : filter.sources().at(now)) {
       if (report.source().equals(START) && report.standing() == Standing.SILENT) {
-        continue; // a one-time source is expected to be silent
+        continue; // a one-time source falls silent as expected
       }
       remark(report.source(), report.text());
       Standing before = standings.put(report.source(), report.standing());
@@ -248,8 +248,7 @@ public final class FusingStateEstimator extends StateEstimator {
     if (!FilterMemory.read(filter, state::text)) {
       state.message(STATE, StateInformation.class).ifPresent(this::beginAt);
       for (StateInformation each : state.messages("MEASUREMENTS", StateInformation.class)) {
-        filter.add(
-            leverArms.place(reader.read(each, measurement))); // other estimator: at least a start
+        filter.add(leverArms.place(reader.read(each, measurement))); // gives a start, at least
       }
     }
   }

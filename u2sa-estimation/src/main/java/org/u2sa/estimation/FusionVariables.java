@@ -72,11 +72,11 @@ record FusionVariables(
         double gate,
     @Variable(unit = "s", min = 0, ifAbsent = 30)
         @Description(
-            "Time for which errors of position sources persist: a receiver's error wanders over many seconds and does not average out. 0: each error is new.")
+            "Time for which errors of position sources persist: a receiver's error wanders over many seconds and does not average out. 0: errors are independent.")
         double positionCorrelation,
     @Variable(unit = "s", min = 0, ifAbsent = 60)
         @Description(
-            "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: each error is new.")
+            "Time for which errors of heading sources persist: a compass's deviation stays while the vehicle keeps its direction. 0: errors are independent.")
         double headingCorrelation,
     @Variable(unit = "s", min = 0, max = 1, ifAbsent = 0.1)
         @Description(
@@ -101,7 +101,7 @@ record FusionVariables(
         double startPsiSigma,
     @Variable(ifAbsentText = "false")
         @Description(
-            "Whether START X and START Y hold without any receiver of positions, as for a submarine that dead-reckons.")
+            "Whether START X and START Y apply even without a position receiver, as for a submarine that dead-reckons.")
         boolean startWithoutReceiver,
     @Variable(ifAbsentText = "")
         @Description(
@@ -109,14 +109,14 @@ record FusionVariables(
         String leverArms,
     @Variable(ifAbsentText = "")
         @Description(
-            "Names of the sensors whose speeds through the fluid count, separated by commas, for a vehicle with sensors of both air and water; empty: all.")
+            "Names of the sensors whose speeds through the fluid count, separated by commas, for a vehicle with both air and water sensors; empty: all.")
         String fluidSensors,
     @Variable(unit = "m^2", min = 0, max = 1e5, ifAbsent = 0)
         @Description(
             "Side area of a boat above the water: WIND SENSORS then determine its sideways drift through the water, replacing the no-sideslip constraint. 0: none.")
         double sailArea,
     @Variable(unit = "kg", min = 0.01, max = 1e9, ifAbsent = 100)
-        @Description("Mass of the boat, with the added mass sideways; for SAIL AREA.")
+        @Description("Mass of the boat, including the added mass in sway; for SAIL AREA.")
         double displacement,
     @Variable(min = 0.01, max = 1e9, ifAbsent = 100)
         @Description("Drag of the hull sideways through the water, in N s/m; for SAIL AREA.")

@@ -8,7 +8,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.StateField;
 import org.u2sa.service.U2SAService;
 
-/** Variables of an estimator: which numbers of the state may not be absent for long. */
+/** Variables of an estimator: which values of the state must not be absent for long. */
 record NeededNumbers(
     @Variable(ifAbsentText = "x, y, psi")
         @Description(

@@ -51,8 +51,8 @@ final class NewestMeasurements {
    *
    * @param sensed measurement, which must have a timestamp
    * @return empty if another sensor's measurement is newer, because the state must not go back in
-   *     time; the measurement is then used from the next one on. Also empty for a measurement in a
-   *     body frame while other sensors measure in an external frame
+   *     time; the measurement is then used for later states. Also empty for a measurement in a body
+   *     frame while other sensors measure in an external frame
    */
   Optional<StateInformation> with(StateInformation sensed) {
     long now = sensed.timestamp().orElseThrow();
@@ -62,7 +62,7 @@ final class NewestMeasurements {
     for (StateInformation each : bySensor.values()) {
       boolean isComparable =
           each.referenceFrame().equals(sensed.referenceFrame())
-              && micros(each) - now <= staleMicros; // else from a different clock
+              && micros(each) - now <= staleMicros; // otherwise from a different clock
       if (each != sensed && isComparable) {
         others.add(each);
       }

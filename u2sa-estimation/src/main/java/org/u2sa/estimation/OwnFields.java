@@ -12,10 +12,10 @@ final class OwnFields {
   private OwnFields() {}
 
   /**
-   * Copies a state. If a sensor's message class has additional fields, the copy is of that class
-   * and includes these fields.
+   * Copies a state. If a sensor's message class has additional fields, the copy has that class and
+   * includes these fields.
    *
-   * @param sensors the first one with additional fields is used
+   * @param sensors sensors' messages; the first one with additional fields is used
    */
   static StateInformation with(StateInformation state, Collection<StateInformation> sensors) {
     if (state.getClass() == StateInformation.class) {

@@ -7,7 +7,7 @@ import org.u2sa.messages.StateInformation;
 
 /**
  * Turns measured wind into the sideways drift of a boat through the water (thesis 4.2.1.1): the
- * wind pushes the side above the water, the hull's drag resists. Angular motion is left out.
+ * wind pushes the side above the water, the hull's drag resists. Angular motion is ignored.
  */
 final class SailDrift {
   private static final double HALF_AIR_KG_PER_M3 = 0.6;
@@ -19,7 +19,7 @@ final class SailDrift {
    * Properties of the boat.
    *
    * @param sailAreaM2 side area above the water
-   * @param displacementKg mass, with the added mass sideways
+   * @param displacementKg mass, including the added mass in sway
    * @param drag linear drag sideways through the water [N s/m], above 0
    * @param squareDrag quadratic drag [N s²/m²]
    */

@@ -22,7 +22,7 @@ import org.u2sa.service.ServiceRole;
 public abstract class StateEstimator extends EventDrivenService {
   private static final double FUTURE_S = 0.5; // tolerated clock difference between sensors
   private static final int WARN_OF_IGNORED = 100;
-  private static final int MAX_SOURCES = 32; // each costs time and memory per estimate
+  private static final int MAX_SOURCES = 32; // each costs time and memory in every estimate
 
   private final Set<String> sources = new HashSet<>(); // names of sensors
   private long ignored;

@@ -6,15 +6,15 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Wind from airspeed and ground speed on different headings: the same on all headings if the
- * airspeed is right, different on each if it is not.
+ * Wind computed from airspeed and ground speed on different headings: the same on all headings if
+ * the airspeed is right, different on each if it is wrong.
  */
 final class WindInTurns {
-  private static final int SECTORS = 8; // of headings
+  private static final int SECTORS = 8; // heading sectors
   private static final int ENOUGH = 4; // number of sectors with a wind
   private static final double SAME_MPS = 3.0; // maximum deviation from their mean
   private static final double SMOOTHING_S = 4.0;
-  private static final double VISIT_S = 10.0; // after a longer absence the sector starts again
+  private static final double VISIT_S = 10.0; // longer after the last visit, a sector starts over
   private static final double VALID_S = 120.0;
 
   private final double[] north = new double[SECTORS]; // wind vector, downwind [m/s]

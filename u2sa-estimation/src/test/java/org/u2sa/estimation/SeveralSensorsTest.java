@@ -193,7 +193,7 @@ class SeveralSensorsTest {
     sense(5 * SECOND + 1, fix());
     kit.advance(1.0);
     assertThat(lastError())
-        .isEqualTo("state lacks psi: no source of heading on sensed-state (heard: GPS)");
+        .isEqualTo("state lacks psi: no source of heading on sensed-state (received: GPS)");
     assertThat(kit.log("StateEstimator"))
         .filteredOn(line -> line.contains("state lacks"))
         .hasSize(1);
@@ -209,7 +209,7 @@ class SeveralSensorsTest {
     sense(6 * SECOND, heading(1.0));
     kit.advance(1.0);
     assertThat(lastError())
-        .isEqualTo("state lacks x, y: no source of position on sensed-state (heard: Compass)");
+        .isEqualTo("state lacks x, y: no source of position on sensed-state (received: Compass)");
   }
 
   @Test

@@ -11,7 +11,7 @@ import io.dronefleet.mavlink.annotations.MavlinkMessageInfo;
  * @param standardMode MAV_STANDARD_MODE; 0: none
  * @param customMode as in HEARTBEAT
  * @param properties MAV_MODE_PROPERTY bits
- * @param modeName at most 34 characters
+ * @param modeName up to 34 characters
  */
 @MavlinkMessageInfo(id = 435, crc = 134, description = "A mode of the vehicle.")
 public record AvailableModes(

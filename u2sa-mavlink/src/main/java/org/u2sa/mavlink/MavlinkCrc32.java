@@ -3,8 +3,8 @@ package org.u2sa.mavlink;
 import java.util.zip.CRC32;
 
 /**
- * MAVLink's CRC-32 of files and parameters: the polynomial of {@link CRC32}, but starting with 0
- * and without inverting the result (PX4's crc32part, QGroundControl's QGC::crc32). Because CRCs are
+ * MAVLink's CRC-32 of files and parameters: it has the polynomial of {@link CRC32}, but starts with
+ * 0 and does not invert the result (PX4's crc32part, QGroundControl's QGC::crc32). Because CRCs are
  * linear, it equals the usual CRC of the bytes XOR that of as many zeros.
  */
 public final class MavlinkCrc32 {

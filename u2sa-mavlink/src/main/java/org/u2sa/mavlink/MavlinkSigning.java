@@ -11,8 +11,8 @@ import java.util.function.LongSupplier;
 
 /**
  * Signs MAVLink 2 packets and checks signatures (mavlink.io/en/guide/message_signing). A packet is
- * admitted once: each stream's timestamps must rise, and a new stream's must not be older than a
- * minute. Thread-safe, so that all links of a system share it.
+ * admitted once: each stream's timestamps must increase, and those of a new stream must not be more
+ * than a minute old. Thread-safe, so that all links of a system share it.
  */
 public final class MavlinkSigning {
   private static final long EPOCH_MICROS = 1_420_070_400_000_000L; // 2015-01-01 UTC
@@ -63,7 +63,7 @@ public final class MavlinkSigning {
     return frame;
   }
 
-  /** First 48 bits of SHA-256 over the key and all of the frame before. */
+  /** First 48 bits of SHA-256 over the key and the frame up to the signature. */
   private byte[] signature(byte[] frame) {
     byte[] text = Arrays.copyOf(key, key.length + frame.length - SIGNATURE);
     System.arraycopy(frame, 0, text, key.length, frame.length - SIGNATURE);
@@ -74,7 +74,7 @@ public final class MavlinkSigning {
     return (unixMicros.getAsLong() - EPOCH_MICROS) / TICK_MICROS;
   }
 
-  /** Reason to reject a frame; empty if admitted, which then counts as used. */
+  /** Reason to reject a frame; empty if admitted, after which its timestamp is used up. */
   synchronized String refusal(byte[] frame) {
     boolean isSigned = (frame[0] & 0xFF) == MAGIC_2 && frame[FLAGS] == SIGNED;
     if (!isSigned) {

@@ -26,7 +26,7 @@ public final class BatteryState extends U2SAData {
     return TYPE;
   }
 
-  /** Name of the measuring sensor; distinguishes several batteries. */
+  /** Name of the measuring sensor, which distinguishes several batteries. */
   public String sensorName() {
     return require(SENSOR_NAME);
   }

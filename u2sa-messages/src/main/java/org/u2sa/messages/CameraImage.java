@@ -33,7 +33,7 @@ public final class CameraImage extends U2SAData {
     return TYPE;
   }
 
-  /** Name of the camera; distinguishes several cameras. */
+  /** Name of the camera, which distinguishes several cameras. */
   public String sensorName() {
     return require(SENSOR_NAME);
   }

@@ -10,7 +10,7 @@ import java.util.zip.Inflater;
 
 /**
  * Wire form of a grid's cells: zlib-compressed (RFC 1950), Base64-encoded (RFC 4648, with padding)
- * and split into consecutive texts. Text, so that JSON readers can decode it too.
+ * and split into consecutive texts. Text, so that JSON readers can also decode it.
  */
 final class GridCells {
   static final int MAX_SIDE = 4_096;
@@ -81,7 +81,7 @@ final class GridCells {
     if ((long) columns * rows > maxCells) {
       throw broken(
           String.format(
-              "%s × %s are more than the %s for which the heap suffices", columns, rows, maxCells),
+              "%s × %s are more than the %s that fit into the heap", columns, rows, maxCells),
           null);
     }
     byte[] cells = new byte[columns * rows];

@@ -14,7 +14,7 @@ import org.u2sa.messages.schema.Schema;
  * does not know this class receives a StateInformation.
  */
 public class InertialMeasurement extends StateInformation {
-  /** What follows the sensor's name in the name of this source, apart from that of its state. */
+  /** Suffix to the sensor's name: distinguishes this source from that of its state. */
   public static final String SUFFIX = " inertial";
 
   private static final Schema<InertialMeasurement> SCHEMA =
@@ -45,7 +45,7 @@ public class InertialMeasurement extends StateInformation {
 
   private InertialMeasurement(@SuppressWarnings("unused") Void nothingSet) {}
 
-  /** Creates an instance for a reader or a copy, which set each field once. */
+  /** Creates an instance for a reader or a copy, each of which sets every field once. */
   private static InertialMeasurement blank() {
     return new InertialMeasurement(null);
   }

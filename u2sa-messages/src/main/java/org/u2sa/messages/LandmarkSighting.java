@@ -108,7 +108,7 @@ public class LandmarkSighting extends StateInformation {
     return in(frame, null);
   }
 
-  /** Converts the landmark's position; a sighting has no state itself. */
+  /** Converts the landmark's position; a sighting itself has no state. */
   @Override
   public LandmarkSighting in(ReferenceFrame frame, Geodetic origin) {
     LandmarkSighting converted = (LandmarkSighting) copy().referenceFrame(frame);

@@ -81,7 +81,7 @@ public class NavigationPoint extends U2SAData {
   }
 
   /**
-   * Turn that leads to the wanted heading, relative to the vehicle's heading at the timestamp,
+   * Turn that leads to the desired heading, relative to the vehicle's heading at the timestamp,
    * positive to the right [rad]; empty: control chooses the heading.
    */
   public OptionalDouble turn() {

@@ -60,7 +60,7 @@ public class ObjectDescription extends U2SAData {
     return put(UID, uid);
   }
 
-  /** Object type as the mission names it, such as "barrel" or "gate"; empty if unknown. */
+  /** Object type as named in the mission, such as "barrel" or "gate"; empty if unknown. */
   public String objectType() {
     return get(OBJECT_TYPE);
   }
@@ -119,7 +119,7 @@ public class ObjectDescription extends U2SAData {
 
   /**
    * Confidence that the object exists [0…1]; empty if unknown. A sensor that has looked and seen
-   * nothing may say so by an object of confidence 0, which is on no map.
+   * nothing may report this as an object of confidence 0, which no map includes.
    */
   public OptionalDouble confidence() {
     return get(CONFIDENCE);
@@ -152,8 +152,8 @@ public class ObjectDescription extends U2SAData {
   }
 
   /**
-   * Distance from a point to the closest point of the object [m]; 0 inside. Every shape implements
-   * its own.
+   * Distance from a point to the closest point of the object [m]; 0 inside. Each shape has its own
+   * implementation.
    *
    * @param from point in the object's own frame; in GLOBAL longitude, latitude [deg] and altitude
    *     [m]

@@ -33,7 +33,7 @@ public final class ObjectList extends U2SAData {
 
   /**
    * Sensors whose measurements are missing; if not empty, the objects and the grid may be
-   * incomplete. Empty if none is, and from senders that predate the field.
+   * incomplete. Empty if none are missing, and from senders that predate the field.
    */
   public List<String> awaited() {
     List<String> value = get(AWAITED);

@@ -47,7 +47,7 @@ public final class PointConversion {
     }
     ReferenceFrame fixed = source.isBody() ? target : source;
     if (vehicle == null || vehicle.referenceFrame().isBody()) {
-      throw new IllegalArgumentException(what + ": the vehicle's place and heading are needed");
+      throw new IllegalArgumentException(what + ": the vehicle's position and heading are needed");
     }
     if (fixed.isEarth() != vehicle.referenceFrame().isEarth()) {
       throw new IllegalArgumentException(

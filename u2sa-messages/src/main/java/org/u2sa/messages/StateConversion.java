@@ -44,12 +44,12 @@ final class StateConversion {
     if (source.isBody() || target.isBody()) {
       throw new IllegalArgumentException(
           StateTriple.between(source, target)
-              + ": a StateInformation is of one family of frames; the vehicle's place and attitude"
+              + ": a StateInformation is of one family of frames; the vehicle's position and attitude"
               + " would be needed");
     }
     if (origin == null) {
       throw new IllegalArgumentException(
-          StateTriple.between(source, target) + ": the place of the local origin is needed");
+          StateTriple.between(source, target) + ": the position of the local origin is needed");
     }
     if (source.isEarth()) {
       StateInformation ned =

@@ -48,7 +48,7 @@ public class StateInformation extends FluidState<StateInformation> {
     return TYPE;
   }
 
-  /** Sensor or estimator that the state is from; empty until set. */
+  /** Sensor or estimator that produced the state; empty until set. */
   public String sensorName() {
     return get(SENSOR_NAME);
   }

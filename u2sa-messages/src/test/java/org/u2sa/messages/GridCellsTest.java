@@ -22,7 +22,6 @@ class GridCellsTest {
 
     assertThat(GridCells.unpack(packed, 100, 10, 1_000)).hasSize(1_000);
     assertThatThrownBy(() -> GridCells.unpack(packed, 100, 10, 999))
-        .hasMessage(
-            "OccupancyGrid.cells: 100 × 10 are more than the 999 for which the heap suffices");
+        .hasMessage("OccupancyGrid.cells: 100 × 10 are more than the 999 that fit into the heap");
   }
 }

@@ -146,7 +146,9 @@ final class FailsafeMissions {
         logger.log(LogLevelEnum.ERROR, problem);
         return Optional.of(ended());
       }
-      before.get().forEach(each -> goals.add(goals.size() - own.size(), renamed(each, action + " ")));
+      before
+          .get()
+          .forEach(each -> goals.add(goals.size() - own.size(), renamed(each, action + " ")));
     }
     GoalSequence sequence = new GoalSequence(goals, false, GoalSequence.Options.ALL);
     loaded.values().stream()

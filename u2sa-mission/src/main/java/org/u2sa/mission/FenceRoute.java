@@ -71,8 +71,8 @@ final class FenceRoute {
 
   /**
    * Corners on the way, without start and end; no corners if the straight way comes no nearer to a
-   * border than its ends, and empty if there is no way. From and to a place nearer than the distance
-   * the way leads over the nearest point of the free area; a start may be outside.
+   * border than its ends, and empty if there is no way. From and to a place nearer than the
+   * distance the way leads over the nearest point of the free area; a start may be outside.
    */
   Optional<List<Coordinate>> between(Coordinate from, Coordinate to) {
     if (isStraight(from, to)) {
@@ -83,6 +83,10 @@ final class FenceRoute {
     }
     Coordinate start = nearestFree(from);
     Coordinate end = nearestFree(to);
+    boolean isStartAllowed = allowed.covers(leg(from, from));
+    if ((isStartAllowed && !allowed.covers(leg(from, start))) || !allowed.covers(leg(end, to))) {
+      return Optional.empty(); // a forbidden area lies between
+    }
     return search(start, end)
         .map(
             between -> {

@@ -245,7 +245,8 @@ final class MissionOrders {
     List<Waypoint> route =
         new ArrayList<>(
             way.apply(place)
-                .orElseThrow(() -> new BadInputException("the fence leaves no way to " + place.uid())));
+                .orElseThrow(
+                    () -> new BadInputException("the fence leaves no way to " + place.uid())));
     if (isGoal && !run.progress().isLeft() && route.isEmpty()) {
       return goTo(place.uid());
     }

@@ -7,7 +7,9 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
-import org.locationtech.jts.operation.union.UnaryUnionOp;
+import org.locationtech.jts.geom.util.PolygonExtracter;
+import org.locationtech.jts.operation.overlayng.OverlayNG;
+import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
 import org.u2sa.messages.Metric;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
@@ -18,8 +20,8 @@ import org.u2sa.messages.shape.Polygon;
 
 /**
  * Leads a vehicle that returns or lands around the areas that its fence forbids. It keeps the
- * fence's margin once more, at least twice the threshold of a waypoint, or less in passages that are
- * narrower.
+ * fence's margin once more, at least twice the threshold of a waypoint, or less in passages that
+ * are narrower.
  */
 final class ReturnWay {
   private static final double[] SHARES = {1.0, 0.5, 0.25, 0.1}; // of the distance
@@ -113,7 +115,12 @@ final class ReturnWay {
             .findFirst()
             .map(shape -> polygon(metric, shape))
             .orElseGet(() -> FACTORY.toGeometry(room));
-    return forbidden.isEmpty() ? allowed : allowed.difference(UnaryUnionOp.union(forbidden));
+    if (forbidden.isEmpty()) {
+      return allowed;
+    }
+    Geometry rest =
+        OverlayNGRobust.overlay(allowed, OverlayNGRobust.union(forbidden), OverlayNG.DIFFERENCE);
+    return FACTORY.buildGeometry(PolygonExtracter.getPolygons(rest)); // without collapsed borders
   }
 
   private static Geometry polygon(Metric metric, Polygon shape) {

@@ -107,6 +107,20 @@ class FenceRouteTest {
     assertThat(line(corners, 190.0, 0.0).distance(allowed.getBoundary())).isGreaterThan(1.7);
   }
 
+  /** The free area is nearer through the wall than by the pocket's mouth. */
+  @Test
+  void between_startInAPocketTooNarrowForTheDistance_isNoWayThroughItsWall() throws ParseException {
+    Geometry pocket =
+        wkt("POLYGON ((-1.5 -20, -1 -20, -1 3, 1 3, 1 -20, 1.5 -20, 1.5 3.5, -1.5 3.5, -1.5 -20))");
+
+    assertThat(route(FIELD.difference(pocket), 0.0, 40.0)).isEmpty();
+    List<Coordinate> corners =
+        new FenceRoute(FIELD.difference(pocket), 0.2)
+            .between(new Coordinate(0.0, 0.0), new Coordinate(0.0, 40.0))
+            .orElseThrow();
+    assertThat(line(corners, 0.0, 40.0).distance(pocket)).isGreaterThan(0.15);
+  }
+
   @Test
   void between_behindAClosedArea_isEmpty() throws ParseException {
     Geometry wall = wkt("POLYGON ((10 -300, 20 -300, 20 300, 10 300, 10 -300))");

@@ -16,7 +16,7 @@ import org.u2sa.service.U2SAService;
 final class BlindStand {
   private final U2SAService planner;
   private final Avoidance avoidance;
-  private final BooleanSupplier looksOut; // needs to know its surroundings
+  private final BooleanSupplier looksOut; // whether surroundings must be known
   private final Supplier<AvoidanceVariables> settings;
   private String said = "";
 
@@ -35,7 +35,7 @@ final class BlindStand {
    * Whether to stop now; reports each change to the operator.
    *
    * @param failsafe LAND continues, as does RETURN if the vehicle cannot stop, because circling
-   *     would not end
+   *     would never end
    */
   boolean stands(FailsafeAction failsafe, long nowMicros) {
     Optional<String> trouble =
@@ -55,7 +55,7 @@ final class BlindStand {
     }
     if (what.isEmpty()) {
       planner.log(LogLevelEnum.WARN, "surroundings known again: continues");
-      avoidance.begin(); // the time without them does not count as lack of progress
+      avoidance.begin(); // time without them is not lack of progress
     } else {
       planner.trouble(what);
     }

@@ -9,8 +9,8 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
 /**
- * The way around obstacles and traffic for states that otherwise follow lines. Without a route
- * planner there is none.
+ * Way around obstacles and traffic for states that otherwise follow lines; absent without a route
+ * planner.
  */
 final class Detour {
   private final Avoidance avoidance;
@@ -30,7 +30,7 @@ final class Detour {
     return avoidance.isOn();
   }
 
-  /** Whether something is in the way straight to a place. */
+  /** Whether something blocks the straight way to a position. */
   boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {
     return avoidance.isOn() && avoidance.isHindered(vehicle, state, to);
   }
@@ -40,7 +40,7 @@ final class Detour {
     return avoidance.isOn() && avoidance.comesTraffic(vehicle, state, to);
   }
 
-  /** Whether an obstacle is in the way of a straight descent to a place on the ground. */
+  /** Whether an obstacle blocks a straight descent to a position on the ground. */
   boolean blocksDescent(Vehicle vehicle, StateInformation state, Place from, Place to) {
     return avoidance.isOn() && avoidance.blocksDescent(vehicle, state, from, to);
   }

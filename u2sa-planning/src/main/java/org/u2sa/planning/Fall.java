@@ -8,15 +8,15 @@ import org.u2sa.messages.frame.Point;
  * Fall of a compact payload in steady wind, with drag proportional to the square of its airspeed: a
  * = g − g |v| v / v∞², v through the air, v∞ the terminal speed.
  *
- * @param timeS until the ground [s]
- * @param way over ground: north, east, down [m]
+ * @param timeS time until it reaches the ground [s]
+ * @param way displacement over ground: north, east, down [m]
  */
 record Fall(double timeS, Point way) {
   private static final double STEP_S = 0.02;
   private static final double LONGEST_S = 120.0;
 
   /**
-   * Falls from a height, by the midpoint rule.
+   * Computes the fall from a height, by the midpoint rule.
    *
    * @param heightM above the ground [m]
    * @param velocity over ground at the release: north, east, down [m/s]

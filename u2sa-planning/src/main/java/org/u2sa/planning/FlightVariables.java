@@ -10,14 +10,14 @@ record FlightVariables(
             "Altitude difference within which a take-off without verticalThreshold is completed.")
         double takeOffAccuracy,
     @Variable(unit = "m", min = 10, max = 10000, ifAbsent = 600)
-        @Description("Length of the straight descent of a landing that specifies none.")
+        @Description("Length of the straight descent if a landing does not specify it.")
         double approachLength,
     @Variable(unit = "deg", min = 1, max = 45, ifAbsent = 5)
-        @Description("Angle of the descent of a landing that specifies none.")
+        @Description("Angle of the descent if a landing does not specify it.")
         double approachSlope,
     @Variable(unit = "m", min = 1, max = 200, ifAbsent = 15)
         @Description(
-            "Cross-track and altitude error at the start of the descent above which the approach is flown again.")
+            "Cross-track and altitude error at the start of the descent above which the approach is repeated.")
         double approachAccuracy,
     @Variable(unit = "m/s", min = 0.1, max = 5, ifAbsent = 0.5)
         @Description("Sink rate at which a multirotor touches down.")

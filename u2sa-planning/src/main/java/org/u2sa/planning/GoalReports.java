@@ -7,7 +7,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.service.handover.HandOver;
 
-/** Reports finished goals to the Mission Manager; repeats a report until it reacts. */
+/** Reports finished goals to the Mission Manager; repeats a report until the manager reacts. */
 final class GoalReports {
   private final Consumer<GoalInformation> publish;
   private final LongSupplier intervalMicros;

@@ -12,14 +12,14 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
 /**
- * {@link Landing}: down a straight approach, or vertically; completed when the vehicle has stood
- * for a while.
+ * {@link Landing}: descends along a straight approach or vertically; completed when the vehicle has
+ * been at rest for a while.
  */
 final class LandingState implements PlannerState {
   private static final double STILL_MPS = 0.25;
   private static final double STANDS_S = 2.0;
   private static final double LOW_M = 3.0; // height above the ground given by the goal
-  private static final double SIGMAS = 2.0; // by which the height may be wrong
+  private static final double SIGMAS = 2.0; // possible height error, in standard deviations
   private static final double SINKS_SHARE = 0.2; // fraction of the touch-down sink rate, in the air
 
   /** One way to land. */
@@ -28,7 +28,7 @@ final class LandingState implements PlannerState {
 
     Plan plan(Landing goal, StateInformation state, Vehicle vehicle);
 
-    /** Whether the vehicle is on its last way down, so that it stands if it does not sink. */
+    /** Whether the vehicle is on its final descent: if it does not sink, it has landed. */
     boolean isFinal();
   }
 
@@ -36,8 +36,8 @@ final class LandingState implements PlannerState {
   private final Descent straight;
   private final Descent vertical;
   private final Supplier<FlightVariables> settings;
-  private long sinceMicros = Long.MIN_VALUE; // it has stopped
-  private double sinceDownM; // remaining then [m]
+  private long sinceMicros = Long.MIN_VALUE; // when it stopped
+  private double sinceDownM; // remaining height then [m]
 
   LandingState(
       Detour detour,

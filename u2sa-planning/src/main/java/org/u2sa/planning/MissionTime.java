@@ -6,7 +6,7 @@ import org.u2sa.service.handover.HandOver;
 
 /** Time since the start of the mission, the time base of goals. */
 final class MissionTime {
-  private long startMicros = Long.MIN_VALUE; // mission start if its time had always counted
+  private long startMicros = Long.MIN_VALUE; // mission start, if time had always counted
 
   /** Mission start: the list's elapsed time ago, or else the arrival of its first goals [µs]. */
   void update(GoalList list, long nowMicros) {

@@ -21,7 +21,7 @@ import org.u2sa.planning.seen.SeenTarget;
 
 /**
  * Moves the vehicle near an object of the world model, and points subsystems at it. Without a State
- * Estimator the objects' own frame, that of the vehicle, suffices (thesis 4.3.2).
+ * Estimator, objects in the vehicle's frame suffice (thesis 4.3.2).
  */
 final class ObjectGoalState implements PlannerState {
   private final Avoidance avoidance;
@@ -101,7 +101,7 @@ final class ObjectGoalState implements PlannerState {
     return Plan.unless(step.givenUp(), points);
   }
 
-  /** Stops and waits for the object to be seen. */
+  /** Stops and waits until the object is in sight. */
   private Plan unseen(ObjectGoal goal, Vehicle vehicle) {
     if (unseenSinceMicros == Long.MIN_VALUE) {
       unseenSinceMicros = vehicle.timestampMicros();

@@ -60,10 +60,10 @@ public class PathPlanner extends EventDrivenService {
   private Optional<GoalList> goals = Optional.empty();
   // Goal list transferred by the predecessor; it arrives again because it is retained.
   private Optional<GoalList> takenOver = Optional.empty();
-  private Optional<GoalInformation> goal = Optional.empty(); // pursued
+  private Optional<GoalInformation> goal = Optional.empty(); // goal being pursued
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
-  private boolean byHand; // navigation is not obeyed
+  private boolean byHand; // navigation is currently ignored
   private String foreseen = ""; // UID of the goal expected next
   private long stateMicros = Long.MIN_VALUE; // arrival of the last state
   private String complaint = ""; // last one logged, to log it once
@@ -133,7 +133,7 @@ public class PathPlanner extends EventDrivenService {
         });
   }
 
-  /** Configured settings; but a landing glide path is linear, whatever the altitude profile. */
+  /** Configured settings, except that a landing's glide path is always linear. */
   final LineSettings lines() {
     PlanningVariables configured = settings.get();
     return failsafe == FailsafeAction.LAND
@@ -164,7 +164,7 @@ public class PathPlanner extends EventDrivenService {
     foreseen = state.text("FORESEEN").orElse("");
     goal = state.message("GOAL", GoalInformation.class);
     if (goal.flatMap(states::forGoal).filter(planner -> planner.takeOver(state)).isEmpty()) {
-      foreseen = goal.map(GoalInformation::uid).orElse(foreseen); // enters it again
+      foreseen = goal.map(GoalInformation::uid).orElse(foreseen); // re-enter the same goal
       goal = Optional.empty();
     }
     end.takeOver(state);
@@ -181,7 +181,7 @@ public class PathPlanner extends EventDrivenService {
     boolean known = takenOver.filter(list::equals).isPresent();
     takenOver = Optional.empty();
     if (known) {
-      return; // retained; the previous planner has acted on it
+      return; // retained, and already handled by the previous planner
     }
     boolean held = isHolding();
     goals = Optional.of(list);
@@ -199,7 +199,7 @@ public class PathPlanner extends EventDrivenService {
    * Processes objects of the world model. Without a State Estimator, objects in the vehicle's own
    * axes suffice for a goal that is relative to them, and lists without any such objects for its
    * search: the vehicle is at their origin (thesis 4.3.2). Any other goal, a holding position or a
-   * failsafe needs the vehicle's position; without it no navigation points are published.
+   * failsafe requires the vehicle's position; without it no navigation points are published.
    */
   private void onObjects(ObjectList list) {
     long now = clock().micros();
@@ -236,7 +236,7 @@ public class PathPlanner extends EventDrivenService {
     }
   }
 
-  /** After driving by hand, the vehicle holds where it was left, not where it held before. */
+  /** After manual driving, the vehicle holds where it was left, not where it held before. */
   private void onManual(ManualState state) {
     if (byHand && !state.active()) {
       holdAt = Optional.empty();
@@ -305,7 +305,7 @@ public class PathPlanner extends EventDrivenService {
   /** Stops a vehicle whose surroundings are unknown, or circles if it cannot stop. */
   private List<NavigationPoint> standing(StateInformation state) {
     if (!avoidance.world().age().isKnown()) {
-      return List.of(); // the vehicle never moved: it must not take off either
+      return List.of(); // the vehicle has not moved yet and must not take off
     }
     return blind.brakes()
         ? List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0)).speed(0.0))

@@ -20,22 +20,22 @@ import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * {@link PayloadDrop}: flies so that the computed fall ends at the position, passing upwind of it
+ * {@link PayloadDrop}: flies such that the computed fall ends at the position, passing upwind of it
  * in a crosswind, and releases the payload. A multirotor hovers upwind of it.
  */
 final class PayloadDropState implements PlannerState {
   private static final int ATTEMPTS = 3;
   private static final double RELEASING_S = 1.0; // duration of the release command
   private static final double HOVERS_MPS = 0.5;
-  private static final double HOVER_SHARE = 0.5; // of the threshold, for a hovering release
+  private static final double HOVER_SHARE = 0.5; // of the threshold, when hovering
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;
   private final LineGuidance guidance;
-  private double altitudeM; // on the way there
+  private double altitudeM; // altitude on the way there
   private int attempts;
-  private double beforeM; // by which the fall ended short at the last state
+  private double beforeM; // distance by which the fall ended short at the last state
   private long releasedMicros;
   private String remark = "";
 
@@ -92,7 +92,7 @@ final class PayloadDropState implements PlannerState {
     straighten();
   }
 
-  /** Begins the straight way to the release. */
+  /** Begins the straight leg to the release point. */
   private void straighten() {
     guidance.begin(Optional.empty());
     beforeM = Double.NEGATIVE_INFINITY;

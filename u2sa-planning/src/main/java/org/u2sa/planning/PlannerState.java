@@ -17,9 +17,9 @@ public interface PlannerState {
   Class<? extends GoalInformation> goalClass();
 
   /**
-   * Whether a goal can be pursued without a State Estimator, by objects seen from the vehicle alone
-   * (thesis 4.3.2). {@link #plan} is then called with a state at the origin that faces north, in a
-   * world of the objects in BODY only.
+   * Whether a goal can be pursued without a State Estimator, using only objects seen from the
+   * vehicle (thesis 4.3.2). {@link #plan} is then called with a state at the origin that faces
+   * north, in a world that contains only the objects in BODY.
    */
   default boolean needsNoState() {
     return false;

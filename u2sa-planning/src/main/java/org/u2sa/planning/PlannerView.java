@@ -11,15 +11,15 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.planning.seen.PlanarShape;
 
 /**
- * The vehicle's surroundings as the planner knows them, for the {@link PlannerState}s of
- * extensions. Confined to the planner's thread.
+ * The vehicle's surroundings as known to the planner, for the {@link PlannerState}s of extensions.
+ * Confined to the planner's thread.
  */
 public interface PlannerView {
   /**
    * Step of an approach.
    *
    * @param point next navigation point
-   * @param givenUp why the place cannot be reached; empty while it may be
+   * @param givenUp why the position cannot be reached; empty while it may be reachable
    */
   record Step(NavigationPoint point, Optional<String> givenUp) {}
 
@@ -50,21 +50,21 @@ public interface PlannerView {
    * Position on the planner's plane: north, east, down [m].
    *
    * @param frame GLOBAL, LOCAL_NED or LOCAL_ENU
-   * @throws IllegalArgumentException if the frame has no place on the plane
+   * @throws IllegalArgumentException if the frame cannot be mapped to the plane
    */
   Point onPlane(ReferenceFrame frame, Point point, StateInformation state);
 
-  /** Navigation point straight to a place on the planner's plane, whatever is in between. */
+  /** Navigation point straight to a position on the planner's plane, regardless of obstacles. */
   NavigationPoint straight(StateInformation state, Point place);
 
   /** Time since the start of the mission [s], the time base of goals. */
   double missionS();
 
-  /** Starts an approach to another place. */
+  /** Starts an approach to another position. */
   void begin();
 
   /**
-   * Plans the next step to a place, around obstacles if the planner avoids any.
+   * Plans the next step to a position, around obstacles if the planner avoids any.
    *
    * @param pursuit the planner's input
    * @param place on the planner's plane: north, east, down [m]

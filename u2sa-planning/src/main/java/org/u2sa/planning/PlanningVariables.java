@@ -8,13 +8,13 @@ import org.u2sa.planning.guidance.LineSettings.AltitudeProfile;
 import org.u2sa.planning.guidance.TurnAnticipation;
 
 /**
- * Configuration variables of every {@link PathPlanner}. Only these distinguish an aircraft from a
+ * Configuration variables of every {@link PathPlanner}. They alone distinguish an aircraft from a
  * ground vehicle.
  */
 record PlanningVariables(
     @Variable(unit = "m/s^2", min = 0, ifAbsent = 0)
         @Description(
-            "Lateral acceleration of turns: g tan(bank) for aircraft; 0 for a vehicle that turns on the spot.")
+            "Lateral acceleration of turns: g tan(bank) for aircraft; 0 for a vehicle that turns in place.")
         double turnAcceleration,
     @Variable(unit = "s", min = 0, ifAbsent = 0)
         @Description(
@@ -26,7 +26,7 @@ record PlanningVariables(
         double cornerLimit,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 1)
         @Description(
-            "Minimum look-ahead distance along the line. A shorter one holds the line more tightly.")
+            "Minimum look-ahead distance along the line. A shorter distance holds the line more tightly.")
         double lookAhead,
     @Variable(unit = "s", min = 0, ifAbsent = 1)
         @Description(
@@ -34,14 +34,14 @@ record PlanningVariables(
         double lookAheadTime,
     @Variable(ifAbsentText = "IMMEDIATE")
         @Description(
-            "IMMEDIATE changes to the altitude of a leg's end at once, LINEAR in proportion to the distance flown.")
+            "IMMEDIATE changes immediately to the altitude of a leg's end, LINEAR in proportion to the distance flown.")
         AltitudeProfile altitudeProfile,
     @Variable(min = 1, max = 1000, ifAbsent = 3)
         @Description("Passes at a waypoint before giving up.")
         int attempts,
     @Variable(min = 0, max = 5, ifAbsent = 0)
         @Description(
-            "Horizontal thresholds of waypoints are at least this many standard deviations of the state's position; 0: as the mission says.")
+            "Horizontal thresholds of waypoints are at least this many standard deviations of the state's position; 0: as given in the mission.")
         double thresholdSigmas,
     @Variable(ifAbsentText = "STOP")
         @Description(
@@ -51,7 +51,7 @@ record PlanningVariables(
         @Description("Holding-circle radius; 0: hold in place.")
         double loiterRadius,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
-        @Description("Maximum age of a state to plan from.")
+        @Description("Maximum age of a state used for planning.")
         double staleAfter,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 1)
         @Description(

@@ -28,14 +28,14 @@ import org.u2sa.planning.survey.SurveyVariables;
 
 /**
  * Flies over a {@link SearchArea} in lanes until the World Modeler's record of it has no gaps: lays
- * lanes over the missing parts, flies them, and checks again (thesis 4.4.2). It leaves its lane
- * around obstacles and traffic; missed parts are flown again.
+ * lanes over the missing parts, flies them, and checks again (thesis 4.4.2). It leaves its lane to
+ * avoid obstacles and traffic; missed parts are flown again.
  */
 final class SearchAreaState implements PlannerState {
   private static final double LEDGER_WITHIN_S = 15.0;
-  private static final double SETTLES_S = 3.0; // until the last images are in the record
-  private static final double RECORDS_S = 1.0; // between two looks at the record
-  private static final double UNREACHABLE_S = 4.0; // without a route
+  private static final double SETTLES_S = 3.0; // time until the last images are in the record
+  private static final double RECORDS_S = 1.0; // interval between two checks of the record
+  private static final double UNREACHABLE_S = 4.0; // time without a route
 
   private final Avoidance avoidance;
   private final WaypointGuidance guidance;
@@ -44,13 +44,13 @@ final class SearchAreaState implements PlannerState {
   private final Supplier<LineSettings> lines;
   private final SurveyHeights heights;
   private final Deque<LaneLegs.Leg> legs = new ArrayDeque<>();
-  private PlanningPlane plane; // of the legs
+  private PlanningPlane plane; // plane of the legs
   private boolean isAlong; // on its lane, after the transit to it
   private boolean evades;
   private boolean isReversed; // reversed, because it cannot be entered from its other end
-  private long lostSince; // without a route; MAX_VALUE with one
+  private long lostSince; // since when there is no route; MAX_VALUE with one
   private int passes;
-  private long waitsSince; // for the record
+  private long waitsSince; // since when it waits for the record
   private long looksAfter;
 
   SearchAreaState(
@@ -116,7 +116,7 @@ final class SearchAreaState implements PlannerState {
       if (ledger.isEmpty()) {
         boolean late = micros - waitsSince > Clock.micros(LEDGER_WITHIN_S);
         return late
-            ? ended(area, vehicle, Plan.Progress.ABANDONED, "nothing records what is seen", 0.0)
+            ? ended(area, vehicle, Plan.Progress.ABANDONED, "nothing records the cells seen", 0.0)
             : Plan.underWay(List.of(straightOn(area, vehicle)));
       }
       return look(area, ledger.get(), vehicle, pursuit.state());
@@ -181,7 +181,7 @@ final class SearchAreaState implements PlannerState {
         .changing(area.copy().seen(share));
   }
 
-  /** Straight on at the altitude of the area. */
+  /** Flies straight on at the altitude of the area. */
   private NavigationPoint straightOn(SearchArea area, Vehicle vehicle) {
     Point at = vehicle.on(plane);
     double ahead = 2.0 * lines.get().lookAheadM(vehicle.speedMps());
@@ -239,7 +239,7 @@ final class SearchAreaState implements PlannerState {
     return Place.of(plane.frame(), heights.point(area, survey.get(), plane, pose));
   }
 
-  /** To a pose, around what is in the way if the planner avoids anything. */
+  /** Flies to a pose, around obstacles and traffic if the planner avoids them. */
   private NavigationPoint towards(
       SearchArea area, Vehicle vehicle, StateInformation state, Pose to) {
     Place place = place(to, area);
@@ -265,8 +265,8 @@ final class SearchAreaState implements PlannerState {
   }
 
   /**
-   * Flies the lane in the other direction if it cannot be entered, or else skips it: its cells stay
-   * missing and are tried again.
+   * If the lane cannot be entered, flies it in the other direction, or else skips it: its cells
+   * remain missing and are retried.
    */
   private void leave(Vehicle vehicle) {
     if (isAlong || isReversed) {

@@ -30,21 +30,21 @@ final class StationCircle {
       1.2; // distance along the circle to check for obstructions
   private static final double NEXT_ENTRY_RAD = Math.toRadians(60.0);
   private static final int ENTRIES = 5;
-  private static final double UNREACHABLE_S = 4.0; // without a route to an entry
+  private static final double UNREACHABLE_S = 4.0; // time without a route to an entry
   private static final double ALONG_RAD = Math.toRadians(45.0); // maximum course error
-  private static final double LEAVES_RAD = Math.toRadians(12.0); // before its course to the next
+  private static final double LEAVES_RAD = Math.toRadians(12.0); // lead to the next goal's course
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
-  private final Supplier<Double> radiusM; // default for stations that specify none
+  private final Supplier<Double> radiusM; // default for stations without a radius
   private final Supplier<FlightVariables> settings;
   private LoiterCircle circle; // null before the first plan
   private Optional<Place> place = Optional.empty(); // its centre as given by the station
   private int
       entry; // number of the current detour's entry, from 1; 0: on the circle or straight to it
-  private double entryRad; // its direction from the centre
-  private long lostSince; // without a route; MAX_VALUE with one
-  private long sinceMicros; // counting; MIN_VALUE before
+  private double entryRad; // the entry's direction from the centre
+  private long lostSince; // since when there is no route; MAX_VALUE with one
+  private long sinceMicros; // since when it counts; MIN_VALUE before
   private double turnedRad;
   private double bearingRad;
 
@@ -222,7 +222,7 @@ final class StationCircle {
   }
 
   /**
-   * Whether it is on its course to the next goal, if the station requires that; true anywhere
+   * Whether it is on its course to the next goal, if the station requires this; true anywhere
    * inside the circle.
    */
   private boolean mayLeave(Station station, Vehicle vehicle, Optional<GoalInformation> after) {

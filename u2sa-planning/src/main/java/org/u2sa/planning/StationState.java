@@ -22,7 +22,7 @@ import org.u2sa.service.handover.HandOver;
 /**
  * Keeps the vehicle at a {@link Station}, circling if it has a LOITER RADIUS. Without one, the
  * vehicle moves to the position, or to the start of its straight way and along it, and stays until
- * the time is over. The time restarts when the vehicle leaves a threshold or the heading.
+ * the time has elapsed. The time restarts when the vehicle leaves a threshold or the heading.
  */
 final class StationState implements PlannerState {
   /** Configuration variables of stations and berths. */
@@ -40,16 +40,16 @@ final class StationState implements PlannerState {
               "Tolerance at the start of the straight way to a berth, and cross-track error at which the vehicle waits until it is back on the way's line.")
           double berthAccuracy,
       @Variable(unit = "m/s", min = 0.01, max = 10, ifAbsent = 0.3)
-          @Description("Speed on the straight way to a berth that specifies none.")
+          @Description("Speed on the straight way to a berth that does not specify one.")
           double berthSpeed,
       @Variable(unit = "m", min = 0.01, max = 100, ifAbsent = 1)
           @Description("Look-ahead distance on the straight way to a berth.")
           double berthLookAhead) {}
 
   private enum Phase {
-    /** To the station, or to the start of the straight way. */
+    /** Moving to the station, or to the start of the straight way. */
     TRANSIT,
-    /** Along the straight way. */
+    /** Moving along the straight way. */
     BERTHING,
     /** At the station. */
     THERE
@@ -58,9 +58,9 @@ final class StationState implements PlannerState {
   private final WaypointGuidance guidance;
   private final Supplier<Variables> settings;
   private final StationCircle circle;
-  private Optional<Place> here = Optional.empty(); // start, if the station has no position
+  private Optional<Place> here = Optional.empty(); // start, for stations without position
   private Phase phase = Phase.TRANSIT;
-  private long sinceMicros = Long.MIN_VALUE; // on station
+  private long sinceMicros = Long.MIN_VALUE; // since when it is on station
 
   StationState(WaypointGuidance guidance, Supplier<Variables> settings, StationCircle circle) {
     this.guidance = guidance;
@@ -178,7 +178,7 @@ final class StationState implements PlannerState {
     return Leg.wrapped(station.psi().getAsDouble() - vehicle.headingRad());
   }
 
-  /** Moves to a point; from afar along a line, if the point is the station itself. */
+  /** Moves to a point; from a distance along a line, if the point is the station itself. */
   private NavigationPoint towards(
       Point ned, Optional<Place> place, Station station, Vehicle vehicle) {
     boolean isNear = length(ned) <= settings.get().stationTurnWithin();

@@ -21,18 +21,18 @@ import org.u2sa.planning.guidance.Vehicle;
 /**
  * Landing of an aeroplane: to a point on the extended centreline, around obstacles if the planner
  * avoids them, circling there to the approach altitude, level along the line, then down the slope
- * and along the runway. Control flares. The approach is repeated if it is off at the start of the
- * descent, if it is obstructed before that, or if traffic comes close above MIN_BREAK_OFF_M. With
- * an obstacle on the slope it lands in another direction, or gives up if the goal requires the
+ * and along the runway. Control flares. The approach is repeated if it is off the line at the start
+ * of the descent, if it is obstructed before that, or if traffic comes close above MIN_BREAK_OFF_M.
+ * With an obstacle on the slope it lands in another direction, or gives up if the goal requires the
  * direction.
  */
 final class StraightApproach implements LandingState.Descent {
   /** Lengths of the level part to try, in radii of downwind turns. */
   private static final double[] LEAD_RADII = {3.0, 2.0, 4.5, 1.5};
 
-  private static final double ROLL_OUT_M = 500.0; // line behind the position
-  private static final double PASSED_M = 50.0; // beyond the position …
-  private static final double HIGH_M = 10.0; // … so high, control refuses to land
+  private static final double ROLL_OUT_M = 500.0; // length of the line beyond the position
+  private static final double PASSED_M = 50.0; // this far beyond the position …
+  private static final double HIGH_M = 10.0; // … and this high, control has refused to land
   private static final double ALONG_RAD = Math.toRadians(30.0); // maximum course error on the line
   private static final int ATTEMPTS = 3;
   private static final int BREAK_OFFS = 6;
@@ -40,13 +40,13 @@ final class StraightApproach implements LandingState.Descent {
   private static final int DIRECTIONS = 12;
 
   private enum Phase {
-    /** To the place on the extended centreline. */
+    /** Flying to the point on the extended centreline. */
     JOIN,
-    /** Circles there. */
+    /** Circling there. */
     CIRCLE,
-    /** Level along the line. */
+    /** Flying level along the line. */
     LEVEL,
-    /** Down the slope, and on the ground. */
+    /** Descending on the slope, and on the ground. */
     DOWN
   }
 
@@ -58,7 +58,7 @@ final class StraightApproach implements LandingState.Descent {
   private Phase phase = Phase.JOIN;
   private int attempts;
   private int breakOffs;
-  private boolean leaves; // the line on which the approach was aborted
+  private boolean leaves; // leaving the line on which the approach was aborted
   private double courseRad;
   private double radiusM;
   private int lead; // index in LEAD_RADII
@@ -94,7 +94,7 @@ final class StraightApproach implements LandingState.Descent {
                 () ->
                     wind.map(towards -> Math.atan2(-towards.y(), -towards.x()))
                         .orElse(Math.atan2(to.y(), to.x())));
-    double fastestMps = // over ground
+    double fastestMps = // ground speed
         state.fluidxDot().orElse(vehicle.speedMps()) + wind.map(Point::distance).orElse(0.0);
     radiusM = lines.get().turns().radiusM(fastestMps);
     lead = 0;
@@ -132,7 +132,7 @@ final class StraightApproach implements LandingState.Descent {
           guidance.towards(vehicle, entry, settings.get().approachAccuracy(), Optional.of(end)));
     }
     if (phase == Phase.CIRCLE) {
-      Station around = new Station().uid(goal.uid()); // until at its altitude
+      Station around = new Station().uid(goal.uid()); // until at the approach altitude
       return circle.plan(around, state, vehicle, entry, Optional.empty());
     }
     boolean isBlocked =
@@ -161,7 +161,7 @@ final class StraightApproach implements LandingState.Descent {
     return Plan.underWay(List.of(point));
   }
 
-  /** {@inheritDoc} An aeroplane that does not move does not fly. */
+  /** {@inheritDoc} An aeroplane that does not move is not flying. */
   @Override
   public boolean isFinal() {
     return true;
@@ -195,7 +195,7 @@ final class StraightApproach implements LandingState.Descent {
         "given up: an obstacle blocks the descent");
   }
 
-  /** Straight on, up or down to the altitude of the approach. */
+  /** Flies straight on, climbing or descending to the altitude of the approach. */
   private NavigationPoint up(Vehicle vehicle, Place place, double highM) {
     double ahead = 2.0 * lines.get().lookAheadM(vehicle.speedMps());
     Point ned =
@@ -206,7 +206,7 @@ final class StraightApproach implements LandingState.Descent {
     return NavigationPoint.at(vehicle.body(ned));
   }
 
-  /** To the entry, in the direction of the line. */
+  /** Flies to the entry, in the direction of the line. */
   private Plan around(Landing goal, StateInformation state, Vehicle vehicle, Place entry) {
     Plan plan =
         detour.step(
@@ -245,12 +245,12 @@ final class StraightApproach implements LandingState.Descent {
     return new Plan(points, Plan.Progress.UNDER_WAY, "the approach is obstructed: trying again");
   }
 
-  /** A place on the centreline, a distance behind the position. */
+  /** A point on the centreline, a distance before the position. */
   private Place onLine(Place place, double behindM) {
     return place.moved(behindM * Math.cos(courseRad), behindM * Math.sin(courseRad));
   }
 
-  /** Changes the phase on the way to the entry and there. */
+  /** Changes the phase on the way to the entry and at it. */
   private void proceed(Vehicle vehicle, Place entry, Point toEntry) {
     double accuracyM = settings.get().approachAccuracy();
     boolean isOnLine = isOnLine(vehicle, toEntry);

@@ -15,7 +15,7 @@ import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 import org.u2sa.service.handover.HandOver;
 
-/** {@link TakeOff}: along the runway and its extension, or straight up, to the altitude. */
+/** {@link TakeOff}: along the runway and its extension, or vertically, to the altitude. */
 final class TakeOffState implements PlannerState {
   private final Supplier<LineSettings> lines;
   private final Supplier<FlightVariables> settings;

@@ -9,9 +9,9 @@ import org.u2sa.planning.guidance.WaypointGuidance;
 import org.u2sa.service.ServiceContext;
 
 /**
- * A {@link PathPlanner} that follows lines by a vector field instead of a point on the line: from
- * far off, it returns at a configured angle. Same inputs and outputs; either can replace the other
- * in motion.
+ * A {@link PathPlanner} that follows lines by a vector field instead of a point on the line: far
+ * from the line, it returns at a configured angle. Same inputs and outputs; either can replace the
+ * other in motion.
  */
 public final class VectorFieldPlanner extends PathPlanner {
   private record Field(

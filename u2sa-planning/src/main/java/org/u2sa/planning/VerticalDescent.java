@@ -14,7 +14,7 @@ import org.u2sa.planning.guidance.LineSettings;
 import org.u2sa.planning.guidance.Place;
 import org.u2sa.planning.guidance.Vehicle;
 
-/** Landing of a multirotor: level to above the position, then down. */
+/** Landing of a multirotor: level flight to above the position, then descent. */
 final class VerticalDescent implements LandingState.Descent {
   private static final double SLOW_BELOW_M = 4.0; // height above the ground given by the goal
 
@@ -22,7 +22,7 @@ final class VerticalDescent implements LandingState.Descent {
   private final Supplier<FlightVariables> settings;
   private final LineGuidance guidance;
   private boolean above;
-  private double altitudeM; // of the way there
+  private double altitudeM; // altitude on the way there
 
   VerticalDescent(Detour detour, Supplier<LineSettings> lines, Supplier<FlightVariables> settings) {
     this.detour = detour;
@@ -63,7 +63,7 @@ final class VerticalDescent implements LandingState.Descent {
       goal.speed().ifPresent(point::speed);
       return Plan.underWay(List.of(point));
     }
-    // Near the ground the position below moves along: control sinks in proportion to its distance.
+    // Near the ground, the target moves along, because control sinks in proportion to its distance.
     double downM = Math.max(to.z() - SLOW_BELOW_M, settings.get().touchDownSink());
     return Plan.underWay(
         List.of(NavigationPoint.at(vehicle.body(Point.of(to.x(), to.y(), downM)))));

@@ -55,7 +55,7 @@ final class WaypointAccuracy {
   }
 
   /**
-   * Warning that a waypoint's threshold is too small for the accuracy, or empty.
+   * Warning if a waypoint's threshold is too small for the accuracy; otherwise empty.
    *
    * @param goal goal with the threshold in effect
    */
@@ -71,7 +71,7 @@ final class WaypointAccuracy {
             Locale.ROOT,
             "waypoint \"%s\" may be missed although it seems reached: the position is known to"
                 + " %.1f m (1 sigma), so its threshold of %.1f m is truly met with a probability of"
-                + " %.0f %%; thresholds of %.1f m and more can be relied on, and THRESHOLD SIGMAS"
+                + " %.0f %%; thresholds of %.1f m or more can be relied on, and THRESHOLD SIGMAS"
                 + " lets thresholds follow the accuracy",
             waypoint.uid(),
             sigma,

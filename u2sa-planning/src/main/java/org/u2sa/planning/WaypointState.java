@@ -33,7 +33,7 @@ import org.u2sa.service.handover.HandOver;
  * reported as such.
  */
 final class WaypointState implements PlannerState {
-  /** Share of a threshold within which usual estimation errors do not hide a miss. */
+  /** Fraction of a threshold within which typical estimation errors do not hide a miss. */
   private static final double SHARE_NEAR = 0.8;
 
   /** Maximum gap between states; beyond it, as after a lost link, the path is unknown [µs]. */
@@ -42,9 +42,9 @@ final class WaypointState implements PlannerState {
   /** Below this speed the vehicle counts as stopped [m/s]. */
   private static final double CREEPS_MPS = 0.1;
 
-  private static final double TURNS_TO_M = 2.0; // distance of the point to turn to
+  private static final double TURNS_TO_M = 2.0; // distance of the point to turn towards
 
-  /** How long a vehicle that can stop stays at a waypoint that follows itself [µs]. */
+  /** Time that a vehicle that can stop stays at a waypoint that is its own successor [µs]. */
   private static final long STAYS_MICROS = Clock.MICROS_PER_SECOND;
 
   private final WaypointGuidance guidance;
@@ -54,12 +54,11 @@ final class WaypointState implements PlannerState {
   private final Supplier<AvoidanceVariables> seeing;
   private final AltitudeProgress altitude = new AltitudeProgress();
   private int attempts;
-  private boolean
-      armed; // false: the vehicle must leave the threshold, or stay, before it can reach it again
-  private OptionalLong stayedMicros = OptionalLong.empty(); // since when, while not armed
+  private boolean armed; // false: must leave the threshold, or stay, before reaching it again
+  private OptionalLong stayedMicros = OptionalLong.empty(); // start of the stay, while not armed
   private boolean reached;
-  private boolean yields; // it follows a right-of-way order
-  private double nearestM; // in this attempt, while approaching
+  private boolean yields; // follows a right-of-way order
+  private double nearestM; // minimum distance in this attempt, while approaching
   private double nowM; // current distance from the waypoint
   private Optional<StateInformation> last = Optional.empty();
   private Optional<Place> aimedAt = Optional.empty(); // position of the waypoint at the last state
@@ -145,7 +144,7 @@ final class WaypointState implements PlannerState {
     return true;
   }
 
-  /** Position of a goal; empty for a circle that was left towards the next goal. */
+  /** Position of a goal; empty for a circle that was left on course for the next goal. */
   static Optional<Place> placeOf(Optional<GoalInformation> goal) {
     return goal.filter(Waypoint.class::isInstance)
         .filter(each -> !(each instanceof Station station && station.towardsNext()))
@@ -203,8 +202,8 @@ final class WaypointState implements PlannerState {
   }
 
   /**
-   * Speed of the waypoint, or the speed to arrive at its time, within the vehicle's limits. For
-   * aircraft it is airspeed, with the wind taken into account.
+   * Speed of the waypoint, or the speed needed to arrive at its time, within the vehicle's limits.
+   * For aircraft it is airspeed, taking the wind into account.
    */
   private OptionalDouble speed(Waypoint waypoint, double toGoM, Pursuit pursuit) {
     if (waypoint.time().isEmpty()) {
@@ -228,7 +227,7 @@ final class WaypointState implements PlannerState {
         : Vehicle.of(state).orElseThrow().speedMps() - state.fluidxDot().getAsDouble();
   }
 
-  /** Ends at a waypoint's heading; otherwise turns in place to it, or makes another approach. */
+  /** Completes a waypoint on its heading; otherwise turns to it in place, or approaches again. */
   private Plan turned(
       Waypoint waypoint, Vehicle vehicle, Place target, NavigationPoint point, double downM) {
     double psi = waypoint.psi().getAsDouble();
@@ -260,7 +259,7 @@ final class WaypointState implements PlannerState {
         List.of(point), Plan.Progress.UNDER_WAY, "passed without its heading: trying again");
   }
 
-  /** Checks whether other vessels leave the way or route to the waypoint free. */
+  /** Checks whether other vessels leave the direct way or route to the waypoint free. */
   private Optional<Order> order(Waypoint waypoint, Place target, Vehicle vehicle, Pursuit pursuit) {
     if (!rightOfWay.isOn() || !target.isHorizontal()) {
       return Optional.empty();
@@ -350,7 +349,7 @@ final class WaypointState implements PlannerState {
    */
   private boolean isNearEnough(Waypoint waypoint, StateInformation state) {
     double nearM = settings.get().lines().turns().nearM(aimedAtM(waypoint, state));
-    if (!avoidance.turnsOnTheSpot()) { // its routes end nearer
+    if (!avoidance.turnsOnTheSpot()) { // its routes end closer
       nearM = Math.min(nearM, SHARE_NEAR * waypoint.horizontalThreshold());
     }
     return nowM <= nearM || nowM > nearestM;
@@ -375,7 +374,7 @@ final class WaypointState implements PlannerState {
     }
   }
 
-  /** An aircraft leaves by itself; a vehicle that can stop has no reason to. */
+  /** An aircraft leaves anyway; a vehicle that can stop has no reason to. */
   private boolean hasStayed(Vehicle vehicle) {
     long now = vehicle.timestampMicros();
     stayedMicros = OptionalLong.of(stayedMicros.orElse(now));

@@ -172,7 +172,7 @@ class AirGoalsTest extends PlannedVehicle {
     }
     GoalInformation report = kit.latest(Channels.GOAL_REPORTS).orElseThrow();
     assertThat(report.completed()).isFalse();
-    assertThat(report.reason().orElseThrow()).contains("no nearer to the goal for");
+    assertThat(report.reason().orElseThrow()).contains("no closer to the goal for");
     assertThat(given).isBetween(250.0, 599.0); // 4 times 3 to 6 km at 46 m/s, and 20 s
   }
 

@@ -250,7 +250,7 @@ class PlannerSeesTest extends PlannedVehicle {
     assertThat(kit.published(Channels.GOAL_REPORTS)).isEmpty();
     drive(60, 0, 0, 0); // four times 10 m at 1 m/s, and STUCK AFTER
 
-    assertThat(reason()).contains("no nearer to the goal for 4");
+    assertThat(reason()).contains("no closer to the goal for 4");
   }
 
   /** A bay that opens to the north: a way into it backwards takes HYBRID many nodes. */

@@ -14,11 +14,11 @@ import org.u2sa.messages.schema.U2SAData;
 final class Arrivals {
   private static final int MAX_WAITING = 20_000;
 
-  /** Memory for messages of other processes. */
+  /** Memory for messages from other processes. */
   private static final long MAX_BYTES = Math.max(4L << 20, Runtime.getRuntime().maxMemory() / 32);
 
   private final Deque<U2SAData> waiting = new ArrayDeque<>();
-  private long bytes; // of those from other processes
+  private long bytes; // size of those from other processes
   private long lost;
 
   /** Queues a message, which must have a timestamp. */

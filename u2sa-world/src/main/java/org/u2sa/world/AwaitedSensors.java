@@ -8,11 +8,11 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * Detects sensors that should be measuring but are silent. A silent camera may just see nothing; a
- * scanner publishes scans or point clouds even over empty ground.
+ * Detects sensors that should be measuring but are silent. A silent camera may simply see nothing,
+ * but a scanner publishes scans or point clouds even over empty ground.
  */
 final class AwaitedSensors {
-  /** Placeholder for a scanner that never scanned and whose name is therefore unknown. */
+  /** Placeholder for a scanner that has never scanned, whose name is therefore unknown. */
   static final String ANY_SCANNER = "any scanner";
 
   private static final double MISSED = 2.0; // intervals after which a slow scanner is silent
@@ -55,7 +55,7 @@ final class AwaitedSensors {
     seen.merge(sensor, micros, Math::max);
   }
 
-  /** Scanners heard so far that do not publish clouds. */
+  /** Scanners known so far that do not publish clouds. */
   List<String> scanners() {
     List<String> names = new ArrayList<>(scanned.keySet());
     names.removeAll(cloudy);
@@ -69,7 +69,7 @@ final class AwaitedSensors {
   /**
    * Sensors that should be measuring and are silent.
    *
-   * @param expected names of the sensors to expect; empty: every scanner heard so far
+   * @param expected names of the sensors to expect; empty: every scanner known so far
    * @param needsScans whether at least one scan, not a cloud, is required if no expected sensors
    *     are named
    * @param nowMicros time of the map [µs]

@@ -73,7 +73,7 @@ final class ChosenModellers {
                 + name
                 + "\" is not a modeller; expected some of "
                 + String.join(", ", new TreeSet<>(all.keySet()))
-                + " with commas between");
+                + " separated by commas");
       }
       if (names.contains(name)) {
         throw new IllegalArgumentException("MODELLERS: \"" + name + "\" appears twice");

@@ -89,12 +89,12 @@ final class KnownObjects {
     return placed().stream().map(object -> object.after(sinceS)).collect(Collectors.toList());
   }
 
-  /** Motion starts when the file was loaded, whichever modeller asks later. */
+  /** Motion starts when the file was loaded, no matter when a modeller asks. */
   Sighting since(Sighting now) {
     return new Sighting(sinceMicros, now.frame(), now.vehicle());
   }
 
-  /** Fixes vehicle-relative objects, unless the map is still relative to the vehicle, too. */
+  /** Fixes vehicle-relative objects, unless the map itself is still relative to the vehicle. */
   void place(Sighting now) {
     if (!now.frame().frame().isBody()) {
       all =
@@ -112,7 +112,7 @@ final class KnownObjects {
     state.messages("KNOWN", all);
   }
 
-  /** Resumes the predecessor's objects if they are of the same file. */
+  /** Resumes the predecessor's objects if they come from the same file. */
   void takeOver(HandOver state) {
     if (state.text("WORLD").filter(settings.get().world()::equals).isPresent()) {
       sinceMicros = Clock.micros(state.number("WORLD SINCE").orElse(Clock.seconds(sinceMicros)));

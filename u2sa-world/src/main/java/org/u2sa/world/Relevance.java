@@ -12,9 +12,9 @@ import org.u2sa.messages.goal.SoughtObjects;
 
 /**
  * Selects the objects relevant to the current task (thesis 3.2.3.3, 4.3.2). A goal of any class can
- * name what it looks for in a field objectType or objectTypes. While every current goal does so,
- * passable objects of other types are omitted. Everything else is always published: a vehicle on
- * its way to a buoy must not run into the gate.
+ * name the objects it looks for in a field objectType or objectTypes. While every current goal does
+ * so, passable objects of other types are omitted. Everything else is always published: a vehicle
+ * on its way to a buoy must not run into the gate.
  */
 final class Relevance {
   private Set<String> wanted = Set.of(); // empty: all

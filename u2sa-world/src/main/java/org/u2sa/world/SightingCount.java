@@ -2,9 +2,9 @@ package org.u2sa.world;
 
 /** Numbers of measurements used and dropped, for the health report. */
 final class SightingCount {
-  long sightings; // one sensor's detections of one time
+  long sightings; // one sensor's detections at one time
   long scans;
-  long stateless; // dropped: the vehicle state of their time is unknown
+  long stateless; // dropped: no vehicle state at their time
   long untimed; // dropped: no timestamp
   long early; // dropped: timestamp in the future
   long crowded; // objects dropped: more than a step has time for
@@ -14,8 +14,8 @@ final class SightingCount {
   @Override
   public String toString() {
     return String.format(
-        "%s sightings, %s scans, %s without a state of their time, %s without a time, %s%s%s"
-            + "%s states without place or heading",
+        "%s sightings, %s scans, %s without a state at their time, %s without a time, %s%s%s"
+            + "%s states without position or heading",
         sightings,
         scans,
         stateless,

@@ -61,7 +61,7 @@ public final class WorldModeler extends PeriodicService {
   private MapFrame frame = MapFrame.BODY;
   private final KnownObjects known;
   private long heardStateMicros; // run clock, not the state's timestamp
-  private boolean isMeasuring; // has registered for what modellers that measure the state need
+  private boolean isMeasuring; // has registered for the needs of modellers that measure the state
   private boolean isSensing; // has subscribed to proprioceptive measurements
   private long gridDueMicros = Long.MIN_VALUE;
 
@@ -151,7 +151,7 @@ public final class WorldModeler extends PeriodicService {
   }
 
   private void enter(MapFrame next) {
-    log("the map continues in " + next.frame() + ", before in " + frame.frame());
+    log("the map continues in " + next.frame() + ", previously in " + frame.frame());
     frame = next;
     Sighting last = new Sighting(clock().micros(), next, poses.newest());
     modellers.working().values().forEach(modeller -> modeller.enter(next, last));
@@ -174,7 +174,7 @@ public final class WorldModeler extends PeriodicService {
     if (measured.timestamp().isEmpty()) {
       count.untimed++;
     } else if (measured.timestamp().getAsLong() - clock().micros() > FUTURE_MICROS) {
-      count.early++; // it would wait until then
+      count.early++; // it would wait until that time
     } else {
       arrivals.add(measured);
     }

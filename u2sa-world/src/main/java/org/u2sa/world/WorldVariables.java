@@ -11,7 +11,7 @@ import org.u2sa.interfaces.time.Clock;
 record WorldVariables(
     @Variable(ifAbsentText = "OBJECTS, GRID")
         @Description(
-            "Modellers at work, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), SCAN MAP (grid from matched scans, which correct the state), LANDMARKS (landmarks correct the state), BEARINGS (objects by direction), EGOCENTRIC (objects relative to the vehicle), LINES (painted lines), or an extension's.")
+            "Active modellers, separated by commas: REACTIVE (newest of each sensor), OBJECTS (object map), GRID (occupancy grid), SCAN MAP (grid from matched scans, which correct the state), LANDMARKS (landmarks correct the state), BEARINGS (objects by direction), EGOCENTRIC (objects relative to the vehicle), LINES (painted lines), or an extension's.")
         String modellers,
     @Variable(ifAbsentText = "")
         @Description(
@@ -22,7 +22,7 @@ record WorldVariables(
             "Whether moving objects of WORLD are also known beforehand; false: sensors have to detect them, like uncharted traffic.")
         boolean worldMovers,
     @Variable(unit = "Hz", min = 0.01, max = 100, ifAbsent = 2)
-        @Description("Grids published per second, at most RATE.")
+        @Description("Grids published per second, not more than RATE.")
         double gridRate,
     @Variable(ifAbsentText = "GOAL")
         @Description(
@@ -30,7 +30,7 @@ record WorldVariables(
         Relevant relevant,
     @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0.3)
         @Description(
-            "Maximum time that a measurement waits for the state of its time; then the newest state is extrapolated.")
+            "Maximum time for which a measurement waits for the state at its time; then the newest state is extrapolated.")
         double waitForState,
     @Variable(unit = "s", min = 0.001, max = 10, ifAbsent = 0.5)
         @Description(
@@ -41,7 +41,7 @@ record WorldVariables(
         double stateLostAfter,
     @Variable(ifAbsentText = "")
         @Description(
-            "Names of required sensors, separated by commas; while one is silent, the Path Planner stops the vehicle. Empty: every scanner heard so far and, with GRID among MODELLERS and no WORLD, at least one.")
+            "Names of required sensors, separated by commas; while one is silent, the Path Planner stops the vehicle. Empty: every scanner known so far and, with GRID among MODELLERS and no WORLD, at least one.")
         String expectedSensors,
     @Variable(unit = "s", min = 0.05, max = 3600, ifAbsent = 1)
         @Description("Age of its newest measurement at which an expected sensor counts as silent.")

@@ -70,7 +70,7 @@ class MappedObjectsTest {
     world.kit.advance(1.0);
 
     assertThat(world.objects()).extracting(ObjectDescription::uid).containsExactly("a");
-    assertThat(world.remarks()).contains("1 refused for their length");
+    assertThat(world.remarks()).contains("1 rejected for their length");
   }
 
   @Test

@@ -115,7 +115,7 @@ class WorldModelerTest {
     world.kit.advance(1.0);
 
     assertThat(world.objects()).isEmpty();
-    assertThat(world.remarks()).contains("1 without a state of their time");
+    assertThat(world.remarks()).contains("1 without a state at their time");
   }
 
   @Test

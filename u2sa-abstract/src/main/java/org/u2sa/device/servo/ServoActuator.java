@@ -42,7 +42,7 @@ public final class ServoActuator extends PeriodicService implements ActuatorOwne
               "Name to which commands are addressed, unique in the system; empty: the service's name.")
           String actuatorName,
       @Variable(ifAbsentText = "VEHICLE")
-          @Description("Subsystem that it moves, such as GIMBAL or ARM, as planners name it.")
+          @Description("Subsystem that it moves, such as GIMBAL or ARM, as named by planners.")
           String subsystem,
       @Variable(ifAbsentText = "false")
           @Description("Whether a positive command turns it backwards.")

@@ -27,7 +27,7 @@ public abstract class BaseCommand implements Callable<Integer> {
     return Terminal.detect(out(), System.getenv());
   }
 
-  /** Prints a line; control characters in it are replaced. */
+  /** Prints a line, replacing control characters. */
   protected final void print(String line) {
     out().println(line);
   }
@@ -38,7 +38,7 @@ public abstract class BaseCommand implements Callable<Integer> {
     out().println();
   }
 
-  /** Prints a remark on standard error. */
+  /** Prints a note on standard error. */
   protected final void tell(String remark) {
     commandLine().getErr().println("u2sa: " + remark);
   }

@@ -32,7 +32,7 @@ public final class ListeningTime {
     return forS < Double.POSITIVE_INFINITY;
   }
 
-  /** When it ends [µs], given its start; {@link Clock#NEVER} if not bounded. */
+  /** End of the time [µs], given its start; {@link Clock#NEVER} if unlimited. */
   public long end(long beganMicros) {
     return isBounded() ? beganMicros + Clock.micros(forS) : Clock.NEVER;
   }

@@ -57,7 +57,7 @@ public record Setting(String service, String variable, Object value) {
   /**
    * Rejects settings of absent services, which would silently have no effect.
    *
-   * @param system complete, as in its file
+   * @param system all services, as in the system file
    * @throws IllegalArgumentException naming the available services and the closest match
    */
   public void requireServiceOf(SystemFile system) {

@@ -44,7 +44,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       description = {
         "List the variables with value, type, allowed values and meaning.",
         "",
-        "Ends when every service found has answered, or after --timeout."
+        "Ends when every discovered service has answered, or after --timeout."
       })
   Integer list(
       @Parameters(
@@ -80,7 +80,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       description = {
         "Print the value of a variable and its unit.",
         "",
-        "With --json: type, range and description, too."
+        "With --json: also type, range and description."
       })
   Integer get(
       @Parameters(index = "0", paramLabel = "SERVICE", description = "The service.") String service,
@@ -103,7 +103,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       description = {
         "Change one or several variables atomically: all of them or none.",
         "",
-        "A number may name its unit: \"BANK LIMIT=25 deg\". The service writes the new values to its file."
+        "A number may have a unit: \"BANK LIMIT=25 deg\". The service writes the new values to its file."
       })
   Integer set(
       @Parameters(index = "0", paramLabel = "SERVICE", description = "The service.") String service,
@@ -116,7 +116,7 @@ public final class ConfigCommand extends BaseCommand.Group {
       @Option(
               names = "--revision",
               paramLabel = "N",
-              description = "Change nothing if the configuration is no longer at this revision.")
+              description = "Change nothing unless the configuration is still at this revision.")
           Long revision,
       @Mixin RemoteSystem remote,
       @Mixin AnswerFormat format)

@@ -63,7 +63,7 @@ abstract class ParameterFileCommand extends BaseCommand {
   @Command(
       name = "export",
       description = {
-        "Write the variables of all services as a parameter file of ground stations.",
+        "Write the variables of all services to a parameter file for ground stations.",
         "",
         "  ./u2sa config export rover.params    QGroundControl",
         "  ./u2sa config export rover.parm      Mission Planner, MAVProxy",
@@ -85,7 +85,7 @@ abstract class ParameterFileCommand extends BaseCommand {
   @Command(
       name = "import",
       description = {
-        "Set the variables of a parameter file of ground stations: .params or .parm.",
+        "Set the variables listed in a ground station's parameter file: .params or .parm.",
         "",
         "Nothing is changed if a name, value or range is wrong. Otherwise each service changes "
             + "all its variables or none, and writes them to its file."

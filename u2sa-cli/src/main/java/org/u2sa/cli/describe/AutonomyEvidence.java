@@ -88,7 +88,7 @@ final class AutonomyEvidence {
     String safety = and(vehicle.ofRole("SAFETY_MANAGER"));
     String health = and(vehicle.ofRole("HEALTH_MONITOR"));
     if (control.isEmpty() || vehicle.publishersOf(Channels.STATE.name()).isEmpty()) {
-      return new Evidence(Independence.TELEOPERATION, "no service controls by a state");
+      return new Evidence(Independence.TELEOPERATION, "no service controls by the state");
     }
     if (vehicle.ofRole("MISSION_MANAGER").isEmpty() || vehicle.ofRole("PATH_PLANNER").isEmpty()) {
       return new Evidence(Independence.STABILIZED, control + " controls; no mission");

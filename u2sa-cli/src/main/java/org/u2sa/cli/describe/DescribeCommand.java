@@ -32,7 +32,7 @@ public final class DescribeCommand extends BaseCommand {
       description = "The vehicle's system file.")
   private Path file;
 
-  @Option(names = "--connect", description = "Ask the vehicle that runs at --broker.")
+  @Option(names = "--connect", description = "Ask the vehicle running at --broker.")
   private boolean connect;
 
   @Option(names = "--variables", description = "Print the variables that configuration files set.")
@@ -44,7 +44,7 @@ public final class DescribeCommand extends BaseCommand {
   @Override
   public Integer call() throws InterruptedException {
     if (file == null && !connect) {
-      throw wrong("describes nothing: expected a system file, --connect, or both");
+      throw wrong("nothing to describe: expected a system file, --connect, or both");
     }
     Optional<SystemFile> system = Optional.ofNullable(file).map(SystemFile::read);
     return connect ? running(system) : planned(system.orElseThrow());

@@ -115,7 +115,7 @@ final class DescriptionText {
     }
   }
 
-  /** Channels with the services at their other ends; unconnected channels on separate lines. */
+  /** Channels with the services at their other end; unconnected channels on separate lines. */
   private void channels(
       String what,
       String direction,
@@ -144,7 +144,7 @@ final class DescriptionText {
   private void sources() {
     head("Measured, and estimated from it");
     if (vehicle.sources().isEmpty()) {
-      lines.add("no messages were heard");
+      lines.add("no messages were received");
       return;
     }
     TextTable table =
@@ -182,7 +182,7 @@ final class DescriptionText {
     }
     String strength = strength();
     if (!strength.isEmpty()) {
-      lines.add("Combined maximum per axis, each axis alone, in its weaker direction: " + strength);
+      lines.add("Combined maximum of each axis alone, in its weaker direction: " + strength);
     } else if (!vehicle.actuators().isEmpty()) {
       lines.add("None announces a numeric effect (EFFECT), so control cannot allocate.");
     }

@@ -35,7 +35,7 @@ record VehicleComposition(
     actuators = List.copyOf(actuators);
   }
 
-  /** A service. Unknown texts are empty; {@code stated} is about a sensor's data, with units. */
+  /** A service. Unknown texts are empty; {@code stated} describes a sensor's data, with units. */
   record ComposedService(
       String name,
       String role,

@@ -28,7 +28,7 @@ import picocli.CommandLine.Option;
       "  ./u2sa doctor",
       "  ./u2sa doctor --broker vehicle.local --json",
       "",
-      "Each line that is not ok states the remedy. A broker named by --broker must answer; "
+      "Each line that is not ok states a remedy. A broker named by --broker must answer; "
           + "otherwise none needs to run.",
       "",
       "Exit code 0: no problems (optional items may be missing); 1: there is a warning or a "
@@ -82,11 +82,11 @@ public final class DoctorCommand extends BaseCommand {
     try (Socket socket = new Socket()) {
       BrokerAddress address = BrokerAddress.parse(where);
       socket.connect(new InetSocketAddress(address.host(), address.port()), CONNECT_MS);
-      return Finding.ok("broker", where + " takes connections");
+      return Finding.ok("broker", where + " accepts connections");
     } catch (IllegalArgumentException e) {
       return Finding.optional(
           "broker",
-          where + " is looked for by mDNS, not checked here",
+          where + " is found by mDNS, which is not checked here",
           "name one: --broker HOST:PORT");
     } catch (IOException e) {
       String found = where + ": " + e.getMessage();
@@ -97,7 +97,7 @@ public final class DoctorCommand extends BaseCommand {
               "start the system or its broker there; see docs/distribution.md for access from "
                   + "other hosts")
           : Finding.optional(
-              "broker", found, "none is needed until a system runs: ./u2sa demo cessna --realtime");
+              "broker", found, "not needed until a system runs: ./u2sa demo cessna --realtime");
     }
   }
 

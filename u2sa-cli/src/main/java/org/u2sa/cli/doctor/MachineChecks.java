@@ -44,7 +44,7 @@ final class MachineChecks {
     String found =
         String.format(
             Locale.ROOT,
-            "%.0f MiB of heap at most, %d processors",
+            "maximum heap %.0f MiB, %d processors",
             heap / MIB,
             Runtime.getRuntime().availableProcessors());
     return heap < MIN_HEAP
@@ -67,7 +67,7 @@ final class MachineChecks {
           ? Finding.warning("disk", found, "make room: an hour of recording takes up to 120 MB")
           : Finding.ok("disk", found);
     } catch (IOException e) {
-      return Finding.failure("disk", there + ": " + e, "change to a folder that can be read");
+      return Finding.failure("disk", there + ": " + e, "change to a readable folder");
     }
   }
 
@@ -111,7 +111,7 @@ final class MachineChecks {
         ? Finding.warning(
             "clock",
             found,
-            "stop other programs, or raise this one's priority: real-time control suffers")
+            "stop other programs, or raise this one's priority, because real-time control suffers")
         : Finding.ok("clock", found);
   }
 

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * Checks for programs that some uses need: Mosquitto, FlightGear, a virtual screen, Android's
+ * Checks for programs needed for some uses: Mosquitto, FlightGear, a virtual screen, Android's
  * tools.
  */
 final class ToolChecks {
@@ -31,12 +31,12 @@ final class ToolChecks {
         tool(
             "Mosquitto",
             "mosquitto",
-            "needed only as a broker instead of the embedded one: apt install mosquitto",
+            "needed only to replace the embedded broker: apt install mosquitto",
             "-h"),
         tool(
             "mosquitto_sub",
             "mosquitto_sub",
-            "handy to listen without U2SA: apt install mosquitto-clients",
+            "useful for listening without U2SA: apt install mosquitto-clients",
             "--version"),
         tool(
             "FlightGear",
@@ -98,6 +98,6 @@ final class ToolChecks {
     return Finding.optional(
         "Android SDK",
         "neither ANDROID_HOME nor ANDROID_SDK_ROOT is set",
-        "needed only by Gradle; ./u2sa apk does without (docs/android-build.md)");
+        "needed only by Gradle; ./u2sa apk does not need it (docs/android-build.md)");
   }
 }

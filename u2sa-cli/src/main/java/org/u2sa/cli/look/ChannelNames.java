@@ -28,12 +28,12 @@ public final class ChannelNames implements Iterable<String> {
     }
   }
 
-  /** Error message if nothing was received on a channel. */
+  /** Error message for a channel on which nothing was received. */
   static String nothingHeard(Channel<?> channel, String system, double seconds) {
     boolean known = Channels.named(channel.name()).isPresent();
     return String.format(
         Locale.ROOT,
-        "nothing heard on \"%s\" of system \"%s\" within %.1f s%s",
+        "nothing received on \"%s\" of system \"%s\" within %.1f s%s",
         channel,
         system,
         seconds,

@@ -35,7 +35,7 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa echo 'PathPlanner:LOOK AHEAD'           a variable and its changes",
       "",
       "A field is psi, ranges[3], ranges[-1], point.x, goals[0].uid or objects.size. A condition is FIELD OPERATOR VALUE with one of "
-          + "= != < <= > >= ~ (contains, ignoring case); a number may have a unit. All conditions must hold; for an absent field only != holds.",
+          + "= != < <= > >= ~ (contains, ignoring case); a number may have a unit. All conditions must hold; for an absent field, only != holds.",
       "",
       "Exit code 1: nothing was received within --timeout (with --once or --count) or --for."
     })
@@ -154,7 +154,7 @@ public final class EchoCommand extends BaseCommand {
       double seconds = (link.clock().micros() - began) / 1e6;
       throw new RunFailedException(
           ChannelNames.nothingHeard(channel, link.systemId(), seconds)
-              + (conditions.isEmpty() ? "" : " that fulfils the conditions"));
+              + (conditions.isEmpty() ? "" : " that meets the conditions"));
     }
     return ExitCode.DONE;
   }

@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Print the logs of all services of a run, sorted by time.",
       "",
-      "  ./u2sa log                              of the newest run below out/",
+      "  ./u2sa log                              the newest run below out/",
       "  ./u2sa log --level warn --follow        warnings and errors, as they occur",
       "  ./u2sa log out/drive/logs --service Control,PathPlanner",
       "  ./u2sa log recording.mcap --tail 20     logs attached to a recording",
@@ -127,7 +127,7 @@ public final class LogCommand extends BaseCommand {
         throw new BadInputException(
             "--service: no service \""
                 + service
-                + "\" has written; there are "
+                + "\" has written a log; there are "
                 + String.join(", ", names)
                 + NearestNames.didYouMean(service, names));
       }

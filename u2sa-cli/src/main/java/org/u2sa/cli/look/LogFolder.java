@@ -43,7 +43,7 @@ final class LogFolder {
     return file.getFileName().toString().endsWith(ENDING) && Files.isRegularFile(file);
   }
 
-  /** Entries written since the last call, by time. */
+  /** Entries written since the last call, sorted by time. */
   List<LogLine> more() throws IOException {
     List<LogLine> lines = new ArrayList<>();
     for (Path file : logs()) {

@@ -36,7 +36,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
         "  ./u2sa hz                           all standard channels, until Ctrl-C",
         "  ./u2sa hz state actuation --for 5 --json",
         "",
-        "Exit code 1: nothing was received. DEVIATION is the standard deviation of the intervals, of at most the newest 10,000. LAST: time since the last message; RATE is 0 after 2 s without one, or after 5 mean intervals if longer."
+        "Exit code 1: nothing was received. DEVIATION is the standard deviation of the intervals, up to the newest 10,000. LAST: time since the last message; RATE is 0 after 2 s without one, or after 5 mean intervals if longer."
       })
   public static final class Rate extends MeasureCommand {
     public Rate() {
@@ -53,7 +53,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
         "  ./u2sa delay state",
         "  ./u2sa delay sensed-state state navigation actuation --for 10",
         "",
-        "A timestamp is the time of measurement, so the delay includes processing by the service. Both hosts' clocks must "
+        "A timestamp is the time of measurement, so the delay includes processing by the service. The clocks of both hosts must "
             + "agree. Messages of a run in simulated time have no such delay; the table shows this. LAST: time since the last message. Exit code 1: nothing was received."
       })
   public static final class Delay extends MeasureCommand {
@@ -71,7 +71,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
         "  ./u2sa bw                           all standard channels, until Ctrl-C",
         "  ./u2sa bw scans grid --for 5",
         "",
-        "Bytes are those of the encoded messages; topics and the overhead of MQTT are not counted. BANDWIDTH is the mean since the command began; "
+        "Bytes are those of the encoded messages, without topics and MQTT overhead. BANDWIDTH is the mean since the command began; "
             + "LAST: time since the last message. Exit code 1: nothing was received."
       })
   public static final class Bandwidth extends MeasureCommand {
@@ -94,7 +94,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
 
   @Option(
       names = "--json",
-      description = "Print JSON: one object a second, or one at the end with --for.")
+      description = "Print JSON: one object per second, or a single one at the end with --for.")
   private boolean json;
 
   private MeasureCommand(List<String> columns, LongFunction<Meter> meterFrom) {
@@ -114,7 +114,7 @@ public abstract sealed class MeasureCommand extends BaseCommand {
       synchronized (sources) {
         if (sources.isEmpty()) {
           throw new RunFailedException(
-              "nothing heard of system \""
+              "nothing received from system \""
                   + link.systemId()
                   + "\" on "
                   + (names.isEmpty() ? "any channel" : String.join(", ", names)));

@@ -47,7 +47,7 @@ final class MeasuredSources {
     this.meterFrom = meterFrom;
   }
 
-  /** Adds a message that arrived at {@code micros}; measuring began at {@code beganMicros}. */
+  /** Adds a message that arrived at {@code micros}; measurement began at {@code beganMicros}. */
   void take(Channel<?> channel, U2SAData message, long micros, long beganMicros) {
     Key key = new Key(channel.name(), channel.sourceOf(message), MessageJson.typeName(message));
     Row row = rows.computeIfAbsent(key, each -> new Row(meterFrom.apply(beganMicros)));

@@ -12,7 +12,7 @@ interface Meter {
   /** Adds a message, with its time of arrival [µs of real time]. */
   void take(long micros, U2SAData message);
 
-  /** Cells of the row, in column order, at a time [µs of real time]. */
+  /** Cells of the row, in column order, at the given time [µs of real time]. */
   List<String> cells(long nowMicros);
 
   /** Adds the same values as numbers. */
@@ -107,7 +107,7 @@ interface Meter {
         return undated + " without a timestamp";
       }
       if (Math.abs(delays.quantile(0.5)) > OTHER_CLOCK_S) {
-        return "timestamps are from another clock; simulated time?";
+        return "timestamps come from another clock; simulated time?";
       }
       return delays.quantile(0.0) < 0.0 ? "from the future: the clocks differ" : "";
     }

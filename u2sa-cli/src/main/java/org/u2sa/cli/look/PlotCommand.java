@@ -38,7 +38,7 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa plot actuation.percentage --for 20 --png actuation.png",
       "",
       "FIELD is CHANNEL.FIELD, such as state.psi, scans.ranges[3] or objects.objects.size. Each source of a channel (sensor, actuator) is a "
-          + "line; each unit has its own chart. Where the terminal cannot redraw, the plot is "
+          + "line; each unit has its own chart. If the terminal cannot redraw, the plot is "
           + "printed at the end.",
       "",
       "Exit code 1: no values were received."

@@ -43,7 +43,7 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa publish state @state.json --rate 10 --count 50",
       "  ./u2sa echo state --once --json | jq .fields | ./u2sa publish state - --system copy",
       "",
-      "A number is in its field's unit, or a text with another: \"90 deg\". systemId and "
+      "A number is in the unit of its field; a text may give another: \"90 deg\". systemId and "
           + "timestamp are filled in where absent. The broker's access rules apply "
           + "(docs/security.md): the command checks and reports whether the message was delivered.",
       "",
@@ -57,7 +57,7 @@ public final class PublishCommand extends BaseCommand {
       index = "0",
       paramLabel = "CHANNEL",
       completionCandidates = ChannelNames.class,
-      description = "Where to.")
+      description = "The channel.")
   private String channelName;
 
   @Parameters(
@@ -178,7 +178,7 @@ public final class PublishCommand extends BaseCommand {
     }
     Path file = Path.of(text.substring(1));
     if (!Files.isRegularFile(file)) {
-      throw wrong(file + ": no such file; expected one with an object of JSON");
+      throw wrong(file + ": no such file; expected one with a JSON object");
     }
     return Files.readString(file);
   }
@@ -256,14 +256,14 @@ public final class PublishCommand extends BaseCommand {
     throw new RunFailedException(
         outcome == Outcome.NOT_HEARD
             ? String.format(
-                "the broker took a %s for \"%s\", but did not deliver it within %s s: has the user no right to publish it%s?"
+                "the broker accepted a %s for \"%s\" but did not deliver it within %s s: may the user not publish it%s?"
                     + " (docs/security.md)",
                 MessageJson.typeName(message),
                 channel,
                 link.timeoutS(),
-                standard ? "" : " or to hear the channel")
+                standard ? "" : " or not receive the channel")
             : "published on \""
                 + channel
-                + "\"; whether it was delivered is unknown: the user may not hear that channel");
+                + "\"; whether it was delivered is unknown: the user may not receive that channel");
   }
 }

@@ -38,8 +38,8 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa view --connect --broker vehicle.local",
       "  ./u2sa view recording.mcap --rate 4 --loop",
       "",
-      "Then open a Foxglove WebSocket connection to ws://localhost:8765. Viewers get each message as JSON, and the views that a recording "
-          + "has (docs/recording.md). They are read-only: nothing they send reaches a service. A "
+      "Then open a Foxglove WebSocket connection to ws://localhost:8765. Viewers get each message as JSON, and the same views as in a recording "
+          + "(docs/recording.md). They are read-only: nothing they send reaches a service. A "
           + "viewer that reads too slowly loses messages, which are counted; it does not delay "
           + "others."
     })
@@ -71,7 +71,7 @@ public final class ViewCommand extends BaseCommand {
       paramLabel = "ADDRESS",
       defaultValue = "127.0.0.1",
       description =
-          "Address to listen on; 0.0.0.0 lets anyone on the network view, unencrypted. Default: "
+          "Address to listen on; 0.0.0.0 lets anyone on the network watch, unencrypted. Default: "
               + "${DEFAULT-VALUE}.")
   private String bind;
 
@@ -91,7 +91,7 @@ public final class ViewCommand extends BaseCommand {
 
   @Mixin private SpanOptions part;
 
-  @Option(names = "--loop", description = "Of a recording: restart at the end.")
+  @Option(names = "--loop", description = "For a recording: restart at the end.")
   private boolean loop;
 
   @Override

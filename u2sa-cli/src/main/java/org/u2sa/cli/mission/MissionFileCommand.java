@@ -29,7 +29,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** Converts mission files to those of other ground stations and back. */
+/** Converts mission files to and from those of other ground stations. */
 abstract class MissionFileCommand extends BaseCommand {
   private static final long LONGEST = 16L << 20; // bytes
   private static final String PLAN = ".plan";
@@ -110,7 +110,7 @@ abstract class MissionFileCommand extends BaseCommand {
         "  ./u2sa mission export mission.xml",
         "  ./u2sa mission export mission.xml --out mission.waypoints",
         "",
-        "A file whose name ends with .plan is a plan, any other a list of waypoints. docs/missions.md describes the formats."
+        "A file whose name ends with .plan is a plan; any other is a list of waypoints. docs/missions.md describes the formats."
       })
   static final class Export extends MissionFileCommand {
     @Override
@@ -160,7 +160,7 @@ abstract class MissionFileCommand extends BaseCommand {
         "  ./u2sa mission import survey.plan",
         "  ./u2sa mission import route.waypoints --out mission.xml",
         "",
-        "Altitudes relative to home need the home's altitude. For a plan with a fence or rally points, give --fence."
+        "Altitudes relative to home require the home altitude. For a plan with a fence or rally points, give --fence."
       })
   static final class Import extends MissionFileCommand {
     @Override

@@ -26,7 +26,7 @@ final class MissionTable {
         .failsafe()
         .ifPresent(
             action ->
-                lines.add(terminal.bad("Failsafe " + action + " is pursued; the mission waits.")));
+                lines.add(terminal.bad("Failsafe " + action + " is active; the mission waits.")));
     if (report.paused()) {
       lines.add("The mission is paused; resume continues it.");
     }

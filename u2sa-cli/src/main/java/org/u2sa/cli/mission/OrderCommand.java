@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
 abstract class OrderCommand extends BaseCommand {
   @Mixin private RemoteSystem remote;
 
-  /** Order without request ID and operator. */
+  /** The order, without request ID and operator. */
   abstract MissionOrder order();
 
   @Override
@@ -46,7 +46,8 @@ abstract class OrderCommand extends BaseCommand {
         throw remote.unanswered(link, ShowMissionCommand.nobody(link));
       }
       if (!result.get().accepted()) {
-        throw new RunFailedException(order.action() + " was not done: " + result.get().outcome());
+        throw new RunFailedException(
+            order.action() + " was not carried out: " + result.get().outcome());
       }
       print(link.systemId() + ": " + result.get().outcome());
       return ExitCode.DONE;
@@ -79,7 +80,7 @@ abstract class OrderCommand extends BaseCommand {
         "resume returns to the interrupted goal."
       })
   static final class GoTo extends OrderCommand {
-    @Parameters(paramLabel = "GOAL", description = "The goal; home if the mission has one.")
+    @Parameters(paramLabel = "GOAL", description = "The goal; also home, if the mission has one.")
     private String goal;
 
     @Override
@@ -90,7 +91,7 @@ abstract class OrderCommand extends BaseCommand {
 
   @Command(
       name = "skip",
-      description = {"Skip a current goal: the mission continues as if it were completed."})
+      description = {"Skip a current goal: the mission continues as if it had been completed."})
   static final class Skip extends OrderCommand {
     @Parameters(
         arity = "0..1",
@@ -110,7 +111,7 @@ abstract class OrderCommand extends BaseCommand {
       description = {
         "Insert the goals of a mission file.",
         "",
-        "The successors of that goal become theirs. Names must be new; a next may name goals of "
+        "The successors of that goal become their successors. Names must be new; a next may name goals of "
             + "the mission."
       })
   static final class Insert extends OrderCommand {
@@ -156,9 +157,9 @@ abstract class OrderCommand extends BaseCommand {
   @Command(
       name = "pause",
       description = {
-        "Pause the mission: the vehicle stops, or circles if it cannot stop. Time limits are paused too.",
+        "Pause the mission: the vehicle stops, or circles if it cannot stop. Time limits are also paused.",
         "",
-        "resume continues with the same goal; goto and insert --now end the pause as well."
+        "resume continues with the same goal; goto and insert --now also end the pause."
       })
   static final class Pause extends OrderCommand {
     @Override
@@ -185,7 +186,7 @@ abstract class OrderCommand extends BaseCommand {
   @Command(
       name = "return",
       description = {
-        "Return to the home or a rally point of the fence, whichever is nearest.",
+        "Return to home or to a rally point of the fence, whichever is nearest.",
         "",
         "resume returns to the interrupted goal."
       })

@@ -50,7 +50,7 @@ final class PlaybackKeys implements AutoCloseable {
         }
       }
     } catch (IOException e) {
-      playback.end(); // the terminal is gone, and its user with it
+      playback.end(); // the terminal is gone, and so is its user
     }
   }
 
@@ -60,7 +60,7 @@ final class PlaybackKeys implements AutoCloseable {
       case 's' -> playback.step();
       case 'q' -> playback.end();
       default -> {
-        // means nothing
+        // not a command
       }
     }
   }
@@ -72,7 +72,7 @@ final class PlaybackKeys implements AutoCloseable {
       case 'C' -> playback.seekBy(SEEK_S);
       case 'D' -> playback.seekBy(-SEEK_S);
       default -> {
-        // means nothing
+        // not a command
       }
     }
   }

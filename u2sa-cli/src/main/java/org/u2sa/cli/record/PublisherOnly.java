@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 /**
  * Receiver for a connection without subscriptions.
  *
- * @param trouble notified when the connection is lost or restored
+ * @param trouble called when the connection is lost or restored
  */
 record PublisherOnly(Consumer<String> trouble) implements Receiver {
   @Override

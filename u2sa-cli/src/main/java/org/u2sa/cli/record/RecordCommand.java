@@ -77,8 +77,8 @@ public final class RecordCommand extends BaseCommand {
   }
 
   /**
-   * Called when the time is over and when the program is interrupted; only the first call has an
-   * effect.
+   * Called when the time has elapsed and when the program is interrupted; only the first call has
+   * an effect.
    */
   private void end(Recorder recorder) {
     recorder.finish();

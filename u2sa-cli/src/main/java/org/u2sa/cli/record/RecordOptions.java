@@ -61,11 +61,11 @@ public final class RecordOptions {
   @Option(
       names = "--keep",
       paramLabel = "N",
-      description = "With --split: keep the newest N files, delete older ones. Default: all.")
+      description = "With --split: keep only the newest N files. Default: all.")
   private void keep(int files) {
     if (files < 1) {
       throw new ParameterException(
-          command.commandLine(), "--keep " + files + ": expected 1 file or more");
+          command.commandLine(), "--keep " + files + ": expected 1 or more files");
     }
     values.put("KEEP", files);
   }

@@ -20,8 +20,8 @@ final class RecordingParts {
   private RecordingParts() {}
 
   /**
-   * The consecutively numbered files of one recording: they have the same run and host metadata,
-   * and each starts after the previous one ended.
+   * Finds the consecutively numbered files of one recording: they have the same run and host
+   * metadata, and each starts after the previous one ended.
    *
    * @throws BadInputException if there is no such file
    * @throws IOException if one cannot be read

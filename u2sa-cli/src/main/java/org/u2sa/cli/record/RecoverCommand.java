@@ -20,7 +20,7 @@ import picocli.CommandLine.Parameters;
       "",
       "  ./u2sa recover out/drive/recording.mcap",
       "",
-      "Copies every readable message, attachment and metadata record, also from a truncated "
+      "Copies every readable message, attachment and metadata record, even from a truncated "
           + "chunk. A chunk with a wrong checksum is left out. The damaged file is not changed."
     })
 public final class RecoverCommand extends BaseCommand {

@@ -31,7 +31,7 @@ import picocli.CommandLine.Parameters;
       "Publish the messages of a recording again, to a running broker. With --rerun, execute services again instead.",
       "",
       "Messages are published as they were recorded, timestamps included, under the recorded system's ID unless --system names "
-          + "another. Services that run under that ID will obey recorded commands.",
+          + "another. Services running under that ID will obey the recorded commands.",
       "",
       "  ./u2sa replay recording.mcap --from 60 --to 90 --rate 2 --channel state,navigation",
       "",
@@ -55,7 +55,7 @@ public final class ReplayCommand extends BaseCommand {
       names = "--rate",
       paramLabel = "X",
       defaultValue = "1",
-      description = "How many times as fast as recorded. Default: ${DEFAULT-VALUE}.")
+      description = "Speed relative to the recording. Default: ${DEFAULT-VALUE}.")
   private double rate;
 
   @Mixin private SpanOptions part;
@@ -74,8 +74,8 @@ public final class ReplayCommand extends BaseCommand {
       names = "--web",
       paramLabel = "PORT",
       description =
-          "Show the recording in the operator's page at this port of this host; the next port is"
-              + " that of its broker. Paused at the end, until Ctrl-C.")
+          "Show the recording in the operator's page on this port of this host; its broker uses"
+              + " the next port. Paused at the end, until Ctrl-C.")
   private Integer web; // null: publish to a running broker
 
   @Mixin private RerunOptions rerun;
@@ -164,11 +164,11 @@ public final class ReplayCommand extends BaseCommand {
     return ExitCode.DONE;
   }
 
-  /** Services are re-executed from their start with all their inputs. */
+  /** Rejects a part: services are re-executed from their start with all their inputs. */
   private void refuseParts() {
     for (String option : List.of("--from", "--to", "--channel", "--rate", "--loop", "--web")) {
       if (commandLine().getParseResult().hasMatchedOption(option)) {
-        throw wrong(option + ": expected without --rerun, which executes the whole recording");
+        throw wrong(option + ": cannot be used with --rerun, which executes the whole recording");
       }
     }
   }

@@ -129,7 +129,7 @@ final class RerunOptions {
       throw new BadInputException(
           file
               + ": contains no executions of services, only their messages. Executions are recorded when the recorder runs in the services' own process (--record, or a Recorder as the first service of the system file), records messages as they are, and is not"
-              + " of an earlier version");
+              + " from an earlier version");
     }
     Map<String, ExecutionStart> chosen = new LinkedHashMap<>();
     Set<String> known = new LinkedHashSet<>();
@@ -156,7 +156,7 @@ final class RerunOptions {
       if (!found) {
         throw new BadInputException(
             String.format(
-                "%s: holds no execution of \"%s\"; expected one of %s%s. Services with a device, and those of other processes, have none",
+                "%s: contains no execution of \"%s\"; expected one of %s%s. Services with a device, and those of other processes, have none",
                 file,
                 wanted,
                 String.join(", ", all.keySet()),

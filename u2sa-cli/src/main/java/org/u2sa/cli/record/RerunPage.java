@@ -99,7 +99,7 @@ final class RerunPage {
   private void add(String channel, double startS, NumberComparison number) {
     String title = channel + ", " + number.name();
     now.figure(title + ", deviation, root mean square", number.rms(), number.unit());
-    now.figure(title + ", deviation, greatest", number.largest(), number.unit());
+    now.figure(title + ", deviation, maximum", number.largest(), number.unit());
     Trace before = new Trace("");
     Trace after = new Trace("");
     Trace difference = new Trace("now − recorded");
@@ -111,7 +111,7 @@ final class RerunPage {
         });
     recorded.chart(title, number.unit(), before);
     now.chart(title, number.unit(), after);
-    recorded.chart(title + ", difference", number.unit()); // placed here among the charts
+    recorded.chart(title + ", difference", number.unit()); // adds it after the previous chart
     now.chart(title + ", difference", number.unit(), difference);
   }
 

@@ -53,7 +53,7 @@ final class RerunReport {
     return lines;
   }
 
-  /** First difference of a channel, in words. */
+  /** First difference on a channel, in words. */
   static String text(ChannelComparison.Difference difference) {
     String field = difference.field().field();
     return String.format(

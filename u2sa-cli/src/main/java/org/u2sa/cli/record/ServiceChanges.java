@@ -75,7 +75,7 @@ final class ServiceChanges {
                         + text
                         + ": \""
                         + name
-                        + "\" is not executed again; expected one of "
+                        + "\" is not re-executed; expected one of "
                         + starts.stream().map(ExecutionStart::service).toList()));
   }
 

@@ -47,7 +47,7 @@ final class WebPlayback implements AutoCloseable, Receiver {
   private long positions;
 
   /**
-   * @param port of the page; the broker has the next one
+   * @param port of the page; the broker uses the next one
    * @param systemId the recorded system
    * @param log receives one line for each failure, and the page's address
    */

@@ -106,7 +106,7 @@ public final class RemoteSystem {
       names = "--user",
       paramLabel = "NAME",
       defaultValue = "",
-      description = "User name at a secured broker.")
+      description = "User name for a secured broker.")
   private String user;
 
   @Option(
@@ -127,7 +127,7 @@ public final class RemoteSystem {
    * Joins the system.
    *
    * @throws org.u2sa.interfaces.communication.CommunicationException if no broker answers
-   * @throws RunFailedException if no system is heard
+   * @throws RunFailedException if no system is found
    * @throws BadInputException if several are found and none was chosen
    */
   public RemoteLink connect() throws InterruptedException {
@@ -148,9 +148,9 @@ public final class RemoteSystem {
 
   /**
    * These options for each applicable broker: the named one, or those at which this account runs
-   * the chosen system (any system if none was chosen). The default broker if it runs none. Reports
-   * unreadable registry entries on standard error and continues, because a stop must not wait for
-   * them.
+   * the chosen system (any system if none was chosen). Returns options for the default broker if it
+   * runs none. Reports unreadable registry entries on standard error and continues, because a stop
+   * must not wait for them.
    */
   public List<RemoteSystem> atEachBroker() {
     if (isNamed) {
@@ -222,7 +222,7 @@ public final class RemoteSystem {
   private BrokerAddress search(Clock clock) throws InterruptedException {
     FoundBroker found = BrokerSearch.theOnly(Optional.ofNullable(systemId), clock, timeoutS);
     if (found.encrypted() && caFile.isEmpty()) {
-      throw new BadInputException("the broker " + found + " wants TLS: --ca names its authority");
+      throw new BadInputException("the broker " + found + " needs TLS: --ca names its authority");
     }
     return new BrokerAddress(found.host(), found.port());
   }
@@ -253,7 +253,7 @@ public final class RemoteSystem {
 
   /**
    * Returns a hint for a silent system: the other systems at the broker, and the closest match.
-   * Empty if the system was not chosen by name. Warns on standard error if there is no token.
+   * Empty if the system was not chosen by ID. Warns on standard error if there is no token.
    */
   public Optional<String> otherSystems(RemoteLink link) throws InterruptedException {
     explainRefusal();
@@ -278,7 +278,7 @@ public final class RemoteSystem {
 
   /**
    * Warns on standard error that this account has no token for the broker, and lists the searched
-   * locations: without it the broker silently ignores commands. For commands that had no effect.
+   * locations: without it the broker silently ignores commands. For ineffective commands.
    */
   public void explainRefusal() {
     if (broker == null || !user.isEmpty() || !caFile.isEmpty()) {
@@ -288,7 +288,7 @@ public final class RemoteSystem {
     if (!looked.isEmpty()) {
       tell(
           String.format(
-              "this account has no token of the broker at %s, which ignores commands without one unless its LOCAL COMMANDS is everybody; looked for %s",
+              "this account has no token for the broker at %s, which ignores commands without one unless its LOCAL COMMANDS is everybody; looked for %s",
               broker, looked.stream().map(Path::toString).collect(Collectors.joining(" and "))));
     }
   }

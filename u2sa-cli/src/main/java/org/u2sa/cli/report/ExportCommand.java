@@ -37,7 +37,7 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa export recording.mcap --format kml",
       "  ./u2sa export recording.mcap --format mcap",
       "",
-      "csv: a folder with a table for each topic: time of recording [s], then each field that any message of the topic has, with "
+      "csv: a folder with a table for each topic: time of recording [s], then each field that occurs in any message of the topic, with "
           + "its unit. Lists and messages within a message are JSON.",
       "kml, gpx, geojson: tracks of the states in the frame GLOBAL, one for each source, and the goals. Default channel: state.",
       "mcap: a recording whose messages are JSON, for Foxglove, Lichtblick and PlotJuggler; with its views, unless --channel names channels.",

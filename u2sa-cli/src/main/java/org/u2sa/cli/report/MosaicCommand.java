@@ -15,11 +15,11 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code u2sa mosaic}: joins the images of a survey to one picture. */
+/** {@code u2sa mosaic}: joins the images of a survey into one picture. */
 @Command(
     name = "mosaic",
     description = {
-      "Join the images of a recorded survey to one map-projected picture.",
+      "Join the images of a recorded survey into one map-projected picture.",
       "",
       "  ./u2sa mosaic recording.mcap --resolution 0.1 --out area.tif",
       "",

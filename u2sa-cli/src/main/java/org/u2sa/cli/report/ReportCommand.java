@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa demo ugv --record --out out/drive && ./u2sa report out/drive/recording.mcap",
       "  ./u2sa report flight.mcap --out flight.html",
       "",
-      "Map with track, goals and obstacles; errors against the truth with the estimator's standard deviations, where the demo's "
+      "Map with track, goals and obstacles; errors against ground truth with the estimator's standard deviations, if the demo's "
           + "track.csv is beside the recording or named by --truth; distance from the line, altitude, speed, actuators; age of "
           + "messages; condition of services; events (click one to move every cursor). Drag in a "
           + "chart to zoom."

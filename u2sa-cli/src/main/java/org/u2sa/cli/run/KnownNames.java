@@ -42,7 +42,7 @@ final class KnownNames {
     try {
       return options.configuration(entry).settings(Name.class).get().serviceName();
     } catch (ConfigurationException e) {
-      return ""; // its process will reject it with a reason
+      return ""; // its process will reject it, giving the reason
     }
   }
 

@@ -21,8 +21,8 @@ import picocli.CommandLine.Parameters;
       "  ./u2sa mavlink udp:127.0.0.1:14550,as=ardupilot  a station listens there",
       "  ./u2sa mavlink serial:/dev/ttyUSB0,baud=57600    a station is behind a telemetry radio",
       "",
-      "Stations have the rights of the user that this command joins the broker with: with an "
-          + "observer's they see and cannot command. Options after the link: as, type, id, key, logs and baud "
+      "Stations have the rights of the user as whom this command joins the broker: an "
+          + "observer's allow them to see but not to command. Options after the link: as, type, id, key, logs and baud "
           + "(docs/mavlink.md)."
     })
 public final class MavlinkCommand extends BaseCommand {
@@ -57,6 +57,6 @@ public final class MavlinkCommand extends BaseCommand {
     } finally {
       bridges.forEach(MavlinkBridge::close);
     }
-    return ExitCode.FAILED; // a bridge ends by itself only when its link fails
+    return ExitCode.FAILED; // a bridge ends on its own only when its link fails
   }
 }

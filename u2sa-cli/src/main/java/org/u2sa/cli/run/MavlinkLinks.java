@@ -55,7 +55,7 @@ public final class MavlinkLinks {
   }
 
   /**
-   * Starts the bridges of the options, or without any those of the system file.
+   * Starts the bridges given as options or, if there are none, those of the system file.
    *
    * @throws BadInputException if a link is invalid or in use, or the system has no broker of its
    *     own or one that only admits users, which a link does not have

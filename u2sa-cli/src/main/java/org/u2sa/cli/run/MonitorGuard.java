@@ -17,10 +17,10 @@ import org.u2sa.interfaces.time.Clock;
  * Supervises the health monitor, and restarts ended processes in its place while no monitor works.
  *
  * <p>It restarts a health monitor's process that failed or has been silent for too long, a limited
- * number of times, because nothing else would. If this process's own launcher is not heard either,
- * the silence is blamed on a broken link. Processes of other services are left to the monitor's
- * policy while a monitor is heard. Without a monitor, because the system has none or it ended too,
- * the guard restarts the process immediately, a limited number of times.
+ * number of times, because nothing else would. If reports of this process's own launcher do not
+ * arrive either, the silence is attributed to a broken link. Processes of other services are left
+ * to the monitor's policy while a monitor reports. Without a monitor, because the system has none
+ * or it has also ended, the guard restarts the process immediately, a limited number of times.
  *
  * <p>One thread checks for silence; ends may be reported from any thread.
  */
@@ -112,7 +112,7 @@ final class MonitorGuard implements AutoCloseable {
     return names.nameOf(entry).flatMap(names::lastWord);
   }
 
-  /** Whether the monitor was declared failed and has not been heard since. */
+  /** Whether the monitor was declared failed and has not reported since. */
   private boolean isGivenUp(String entry, ServiceNames.Word word) {
     if (word.atMicros() > starts.getOrDefault(entry, Long.MIN_VALUE)) {
       givenUp.remove(entry);
@@ -167,7 +167,7 @@ final class MonitorGuard implements AutoCloseable {
     ends.clear();
   }
 
-  /** Whether a monitor's process is alive and has been heard since its start. */
+  /** Whether a monitor's process is alive and has reported since its start. */
   private boolean speaks(String entry) {
     long started = starts.getOrDefault(entry, Long.MIN_VALUE);
     return processes.isAlive(entry)

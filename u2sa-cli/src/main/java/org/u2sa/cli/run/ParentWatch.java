@@ -39,7 +39,7 @@ final class ParentWatch {
         continue; // stray input
       }
     } catch (IOException e) {
-      end(); // broken pipe: the parent is gone, too
+      end(); // broken pipe: the parent is gone
       return;
     }
     end();

@@ -39,10 +39,10 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "run",
     description = {
-      "Run the system that a file describes, in real time.",
+      "Run the system described by a file, in real time.",
       "",
       "The file lists the services of a vehicle, for example config/cessna/system.xml. Each service has its configuration "
-          + "file and writes its log file. Ctrl-C, or a stop command, ends all of them."
+          + "file and writes its log file. Ctrl-C or a stop command ends all of them."
     })
 public final class RunCommand extends BaseCommand {
   private static final Clock CLOCK = new SystemClock();
@@ -164,7 +164,7 @@ public final class RunCommand extends BaseCommand {
       options.throughBroker();
     }
     if ((host == null ? 0 : 1) + (only.isEmpty() ? 0 : 1) + (separate ? 1 : 0) > 1) {
-      throw wrong("--separate, --only and --host: expected one of them at most");
+      throw wrong("--separate, --only and --host: expected only one of them");
     }
     if (host != null) {
       boolean carriesManager = system.communicationHost().equals(host);
@@ -241,7 +241,7 @@ public final class RunCommand extends BaseCommand {
         .ifPresent(
             each -> {
               throw new BadInputException(
-                  "system " + each + " runs on this machine already; end it first");
+                  "system " + each + " is already running on this machine; end it first");
             });
   }
 
@@ -265,7 +265,7 @@ public final class RunCommand extends BaseCommand {
     Set<String> names = new HashSet<>();
     for (String name : only) {
       if (!names.add(name)) {
-        throw wrong("--only: \"" + name + "\" is named twice");
+        throw wrong("--only: \"" + name + "\" is given twice");
       }
     }
   }
@@ -298,7 +298,7 @@ public final class RunCommand extends BaseCommand {
     }
   }
 
-  @SuppressWarnings("try") // resources that are there to be closed, not called
+  @SuppressWarnings("try") // resources that are only closed, never called
   private Integer run(SystemFile file, LaunchOptions options) throws InterruptedException {
     Optional<ParentWatch> parent = parentWatch();
     try (Console.Detached output = PlainLines.detach(out(), CLOCK);
@@ -310,7 +310,7 @@ public final class RunCommand extends BaseCommand {
       parent.ifPresent(watch -> watch.endingBy(system::close));
       print(
           String.format(
-              "System %s runs: %s. Ctrl-C ends it.",
+              "System %s is running: %s. Ctrl-C ends it.",
               file.systemId(), file.services().isEmpty() ? MANAGER : names(system.services())));
       if (file.services().isEmpty()) {
         new CountDownLatch(1).await(); // the Communication Manager alone, until interrupted
@@ -328,7 +328,7 @@ public final class RunCommand extends BaseCommand {
     }
   }
 
-  @SuppressWarnings("try") // resources that are there to be closed, not called
+  @SuppressWarnings("try") // resources that are only closed, never called
   private Integer runSeparately(SystemFile file, LaunchOptions options)
       throws InterruptedException {
     List<String> entries = file.services().stream().map(SystemFile.Entry::simpleName).toList();
@@ -345,11 +345,11 @@ public final class RunCommand extends BaseCommand {
       processes.start();
       print(
           String.format(
-              "System %s runs in processes: %s. Ctrl-C ends it.",
+              "System %s is running in processes: %s. Ctrl-C ends it.",
               file.systemId(), processes.names()));
       boolean endedWell = processes.awaitEnd().isEmpty();
       if (processes.isRefused()) {
-        print("The system ends: a service rejects its configuration (see above).");
+        print("The system is ending: a service rejects its configuration (see above).");
         return ExitCode.BAD_INPUT;
       }
       return endedWell ? ExitCode.DONE : ExitCode.FAILED;
@@ -406,7 +406,7 @@ public final class RunCommand extends BaseCommand {
       try {
         Runtime.getRuntime().removeShutdownHook(hook);
       } catch (IllegalStateException e) {
-        // Already shutting down: the hook is running now.
+        // Already shutting down: the hook is running.
         return;
       }
     }

@@ -28,7 +28,7 @@ import org.u2sa.messages.schema.U2SAData;
  * has one name and a name one entry, and the first answer from the run's own processes counts.
  */
 final class ServiceNames implements Receiver, AutoCloseable {
-  private static final int ASKS_AT_MOST = 20; // per unknown name
+  private static final int ASKS_AT_MOST = 20; // requests per unknown name
 
   private static final int MAX_NAMES = 1_000; // unknown names
 
@@ -82,7 +82,7 @@ final class ServiceNames implements Receiver, AutoCloseable {
   private void hear(HealthReport report) {
     String name = report.serviceName();
     if (asked.size() >= MAX_NAMES && !asked.containsKey(name) && !entryNames.containsKey(name)) {
-      return; // a client is inventing names
+      return; // a client is making up names
     }
     if (report.threadAlive().isEmpty()) { // sent by the service itself
       boolean isLast = report.status() == ServiceStatus.STOPPED;
@@ -112,7 +112,7 @@ final class ServiceNames implements Receiver, AutoCloseable {
     }
   }
 
-  /** Binds the two to each other, unless one of them is bound already. */
+  /** Binds the two to each other, unless one of them is already bound. */
   private synchronized void bind(String serviceName, String entryName) {
     if (!serviceNames.containsKey(entryName)
         && entryNames.putIfAbsent(serviceName, entryName) == null) {

@@ -31,7 +31,7 @@ final class ServiceProcesses implements AutoCloseable {
   private final Map<String, Integer> failed = new LinkedHashMap<>(); // exit codes; guarded by this
   private volatile ObjIntConsumer<String> onFailure = (entry, exitCode) -> {};
   private boolean refused; // a first start failed on bad input; guarded by this
-  private int handling; // ends and restarts in progress, so that more may start; guarded by this
+  private int handling; // number of ends and restarts being handled; guarded by this
   private volatile boolean closing;
 
   /** Runs these services, by simple class name; the console receives their events. */
@@ -119,7 +119,7 @@ final class ServiceProcesses implements AutoCloseable {
   boolean startProcess(String entry, boolean speaks) throws IOException, InterruptedException {
     Process old;
     synchronized (this) {
-      old = processes.remove(entry); // so that its end is not reported
+      old = processes.remove(entry); // not to be reported as ended
       handling++;
     }
     try {
@@ -169,7 +169,7 @@ final class ServiceProcesses implements AutoCloseable {
   /** Asks all processes to end and kills those that do not. */
   @Override
   public void close() {
-    closing = true; // before the lock, so that a start in progress ends
+    closing = true; // before locking, so that a start in progress ends
     List<Process> all = started();
     all.forEach(Process::destroy);
     try {

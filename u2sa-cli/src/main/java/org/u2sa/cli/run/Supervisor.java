@@ -28,7 +28,7 @@ import org.u2sa.service.ServiceContext;
  * without an order, because nobody else would order it, and any process while no monitor works.
  */
 final class Supervisor implements ServiceHost, AutoCloseable {
-  private static final long SPOKE_WITHIN_MICROS = 1_000_000; // reports come four times a second
+  private static final long SPOKE_WITHIN_MICROS = 1_000_000; // reports arrive four times a second
 
   private final SystemFile file;
   private final RunningSystem system;
@@ -87,7 +87,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
                   .status(ServiceStatus.FAILED)
                   .lastError(ProcessFailure.ended(exitCode))
                   .threadAlive(false);
-              // Without an instance, a monitor knows that this start has failed.
+              // From the missing instance, a monitor infers that this start has failed.
               last.map(ServiceNames.Word::instance)
                   .filter(instance -> !instance.equals(replaced.get(entry)))
                   .ifPresent(word::instance);
@@ -122,7 +122,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
   public Optional<String> start(String serviceName) {
     String entry = names.entryOf(serviceName).orElseThrow();
     return processes.isAlive(entry)
-        ? Optional.of("service " + serviceName + " runs already")
+        ? Optional.of("service " + serviceName + " is already running")
         : startProcess(entry);
   }
 
@@ -133,7 +133,7 @@ final class Supervisor implements ServiceHost, AutoCloseable {
 
   @Override
   public Optional<String> swap(String serviceName, String className) {
-    return Optional.of("a service is swapped in its own process");
+    return Optional.of("a service must be swapped in its own process");
   }
 
   private Optional<String> startProcess(String entry) {

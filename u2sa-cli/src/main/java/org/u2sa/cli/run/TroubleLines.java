@@ -24,7 +24,7 @@ public final class TroubleLines implements Receiver, AutoCloseable {
   private static final int MAX_TEXT = 300;
   private static final int MAX_SERVICES = 1_000;
 
-  /** From every client's last will: the process's supervisor reports what happened. */
+  /** Sent as every client's last will: the process's supervisor reports what happened. */
   private static final String LOST = "connection lost";
 
   private record Printed(String text, long micros) {}

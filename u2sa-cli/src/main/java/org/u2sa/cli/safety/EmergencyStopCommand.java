@@ -26,9 +26,9 @@ import picocli.CommandLine.Option;
 @Command(
     name = "estop",
     description = {
-      "Stop everything that moves, at once, until it is cleared.",
+      "Stop everything that moves, immediately, until the stop is cleared.",
       "",
-      "Every actuator goes neutral and refuses all commands, including any that starts later, until estop --clear. An aircraft "
+      "Every actuator, including those started later, goes neutral and refuses all commands until estop --clear. An aircraft "
           + "glides, its surfaces neutral and its engine idling.",
       "",
       "Without --system the stop is sent to every system at the broker that the user may "
@@ -43,8 +43,8 @@ import picocli.CommandLine.Option;
     })
 public final class EmergencyStopCommand extends BaseCommand {
   /**
-   * Covers the Safety Manager's stop repetition interval of one second; without one the broker
-   * retains the stop.
+   * Covers the Safety Manager's stop repetition interval of one second; without a Safety Manager,
+   * the broker retains the stop.
    */
   private static final double LISTEN_S = 1.2;
 
@@ -182,7 +182,7 @@ public final class EmergencyStopCommand extends BaseCommand {
               system, what, by.isEmpty() ? "" : " by all; " + confirmed));
       shortened(missing).forEach(reason -> text.append(String.format("  %s%n", reason)));
     }
-    out().print(text); // in one write: reports of several brokers must not mix
+    out().print(text); // in one write: reports from several brokers must not mix
     out().flush();
     if (!vehicle.hearsAnybody()) {
       at.otherSystems(link).ifPresent(out()::println);

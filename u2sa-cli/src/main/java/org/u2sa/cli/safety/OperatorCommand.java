@@ -24,7 +24,7 @@ import picocli.CommandLine.Mixin;
       "Act as a vehicle's operator until Ctrl-C.",
       "",
       "Sends an operator heartbeat every second and shows each change of arming state, failsafe and services. Once a vehicle "
-          + "has heard a heartbeat, it treats silence as a lost operator."
+          + "has received a heartbeat, it treats silence as loss of the operator."
     })
 public final class OperatorCommand extends BaseCommand {
   private static final double INTERVAL_S = 1.0;
@@ -66,8 +66,7 @@ public final class OperatorCommand extends BaseCommand {
 
   private int nobody(RemoteLink link) throws InterruptedException {
     print(
-        link.systemId()
-            + ": no Safety Manager answers: the vehicle does not watch for an operator");
+        link.systemId() + ": no Safety Manager answers: the vehicle does not monitor its operator");
     remote.otherSystems(link).ifPresent(out()::println);
     return ExitCode.FAILED;
   }
@@ -94,7 +93,7 @@ public final class OperatorCommand extends BaseCommand {
   }
 
   /**
-   * Shows a line unless it only differs in numbers from the last one shown. Called on the
+   * Shows a line unless it differs from the last one shown only in numbers. Called on the
    * transport's thread.
    */
   private void show(String subject, String line, String gist) {

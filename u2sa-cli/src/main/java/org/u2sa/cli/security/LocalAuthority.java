@@ -63,7 +63,7 @@ final class LocalAuthority {
     if (!Files.isRegularFile(directory.authorityKey())) {
       throw new BadInputException(
           directory.authorityKey()
-              + ": no such file; create certificates on the host that keeps the authority's key");
+              + ": no such file; create certificates on the host that has the authority's key");
     }
     return new LocalAuthority(directory);
   }
@@ -129,7 +129,7 @@ final class LocalAuthority {
         throws IOException, InterruptedException {
       List<String> command = new ArrayList<>();
       command.add(Path.of(System.getProperty("java.home"), "bin", "keytool").toString());
-      command.addAll(List.of("-J-XX:TieredStopAtLevel=1", "-J-XX:+UseSerialGC")); // starts sooner
+      command.addAll(List.of("-J-XX:TieredStopAtLevel=1", "-J-XX:+UseSerialGC")); // faster startup
       command.addAll(List.of(words.split(" ")));
       command.addAll(more);
       command.addAll(
@@ -176,7 +176,7 @@ final class LocalAuthority {
           names.add(own);
         }
       } catch (UnknownHostException e) {
-        return; // a host without a name is only reachable by the given names
+        return; // a host without a name is reachable only by the given names
       }
     }
 

@@ -23,7 +23,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "security",
     description = {
-      "Make certificates and users for a vehicle that is reached over a network.",
+      "Create certificates and users for a vehicle that is reached over a network.",
       "",
       "The commands write to one folder; set SECURITY DIRECTORY in CommunicationManager.xml to "
           + "it. See docs/security.md for the steps."
@@ -33,7 +33,7 @@ public final class SecurityCommand extends BaseCommand.Group {
 
   @Command(
       name = "init",
-      description = "Make a local authority, the broker's certificate and an empty list of users.")
+      description = "Create a local authority, a certificate of the broker and an empty user list.")
   Integer init(
       @Parameters(
               paramLabel = "DIR",
@@ -50,7 +50,7 @@ public final class SecurityCommand extends BaseCommand.Group {
     SecurityDirectory directory = new SecurityDirectory(folder);
     if (Files.exists(directory.authority()) || Files.exists(directory.users())) {
       throw new BadInputException(
-          folder + ": already contains an authority or users; they are not overwritten");
+          folder + ": already contains an authority or users, which are not overwritten");
     }
     SecurityFolder.makePrivate(folder);
     LocalAuthority authority = LocalAuthority.create(directory);
@@ -113,7 +113,7 @@ public final class SecurityCommand extends BaseCommand.Group {
               names = "--bind",
               paramLabel = "ADDRESS",
               defaultValue = "0.0.0.0",
-              description = "Address on which it listens. Default: ${DEFAULT-VALUE}.")
+              description = "Address to listen on. Default: ${DEFAULT-VALUE}.")
           String bind,
       @Mixin SecurityFolder folder)
       throws IOException {

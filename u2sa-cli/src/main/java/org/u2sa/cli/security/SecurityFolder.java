@@ -14,14 +14,14 @@ final class SecurityFolder {
       names = "--dir",
       paramLabel = "DIR",
       defaultValue = "security",
-      description = "The folder that u2sa security init made. Default: ${DEFAULT-VALUE}.")
+      description = "The folder created by u2sa security init. Default: ${DEFAULT-VALUE}.")
   private Path path;
 
   SecurityDirectory existing() {
     SecurityDirectory directory = new SecurityDirectory(path);
     if (!Files.isRegularFile(directory.users())) {
       throw new BadInputException(
-          "--dir " + path + ": there is no users.txt; ./u2sa security init " + path + " makes it");
+          "--dir " + path + ": there is no users.txt; ./u2sa security init " + path + " makes one");
     }
     directory.requireClosed();
     return directory;

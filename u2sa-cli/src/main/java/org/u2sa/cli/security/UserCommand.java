@@ -35,7 +35,7 @@ final class UserCommand extends BaseCommand.Group {
       description = {
         "Add a user, or give one a new password, role and systems.",
         "",
-        "Without --password-file or --new-password-file the password is asked for."
+        "Without --password-file or --new-password-file, prompts for the password."
       })
   Integer add(
       @Parameters(paramLabel = "NAME", description = "Name of the user.") String name,
@@ -167,7 +167,7 @@ final class UserCommand extends BaseCommand.Group {
     static char[] make(Path newFile) {
       if (Files.exists(newFile)) {
         throw new BadInputException(
-            "--new-password-file " + newFile + ": already exists; it is not overwritten");
+            "--new-password-file " + newFile + ": already exists and is not overwritten");
       }
       byte[] random = new byte[RANDOM_BYTES];
       new SecureRandom().nextBytes(random);

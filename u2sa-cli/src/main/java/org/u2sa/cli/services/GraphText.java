@@ -28,7 +28,7 @@ final class GraphText {
     looseEnds(lines, "Subscribed to without publishers" + known + ":", graph.unfed());
     if (!graph.unanswered().isEmpty()) {
       lines.add("");
-      lines.add("Heard, but without an answer: " + String.join(", ", graph.unanswered()));
+      lines.add("Discovered, but without an answer: " + String.join(", ", graph.unanswered()));
     }
     return lines;
   }

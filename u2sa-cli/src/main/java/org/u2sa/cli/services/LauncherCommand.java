@@ -24,7 +24,7 @@ public abstract class LauncherCommand extends BaseCommand {
 
   private LauncherCommand() {}
 
-  /** {@code u2sa restart NAME}: ends a service, whatever its state, and starts it again. */
+  /** {@code u2sa restart NAME}: ends a service, regardless of its state, and starts it again. */
   @Command(
       name = "restart",
       description = {
@@ -43,7 +43,7 @@ public abstract class LauncherCommand extends BaseCommand {
     }
   }
 
-  /** {@code u2sa swap NAME CLASS}: replaces a running service by another implementation. */
+  /** {@code u2sa swap NAME CLASS}: replaces a running service with another implementation. */
   @Command(
       name = "swap",
       description = {
@@ -92,7 +92,7 @@ public abstract class LauncherCommand extends BaseCommand {
         throw remote.unanswered(link, nobody(what, order.serviceName(), link));
       }
       if (!result.get().accepted()) {
-        throw new RunFailedException(what + " was not done: " + result.get().reason());
+        throw new RunFailedException(what + " was not carried out: " + result.get().reason());
       }
       print(done);
       return ExitCode.DONE;

@@ -38,7 +38,7 @@ import picocli.CommandLine.Option;
     description = {
       "List the services of a running system, or find them by their data.",
       "",
-      "Exit code 1: no service answered, or none has the data asked for."
+      "Exit code 1: no service answered, or none has the requested data."
     })
 public final class ServicesCommand extends BaseCommand {
   private static final double WATCH_EVERY_S = 1.0;

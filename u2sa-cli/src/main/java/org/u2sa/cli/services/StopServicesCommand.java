@@ -26,7 +26,7 @@ import picocli.CommandLine.Parameters;
       "Stop all services of a running system, or one by name.",
       "",
       "Each leaves its actuators neutral and closes its resources. Exit code 1: a service did "
-          + "not confirm in time that it ended. To stop all motion regardless of the services, see "
+          + "not confirm in time that it had ended. To stop all motion regardless of the services, see "
           + "u2sa estop."
     })
 public final class StopServicesCommand extends BaseCommand {

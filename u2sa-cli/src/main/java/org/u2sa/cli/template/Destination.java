@@ -154,7 +154,7 @@ final class Destination {
     boolean leaves = !target.startsWith(folder) || target.equals(folder);
     if (leaves || !existing.toRealPath().startsWith(folder.toRealPath())) {
       throw new BadInputException(
-          "\"" + place + "\" leads out of " + folder + "; expected a place in it");
+          "\"" + place + "\" leads out of " + folder + "; expected a path inside it");
     }
     return target;
   }

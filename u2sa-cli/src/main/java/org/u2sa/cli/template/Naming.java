@@ -33,7 +33,7 @@ record Naming(List<String> words) {
     if (name.length() > LONGEST || !NAME.matcher(name).matches()) {
       throw new BadInputException(
           String.format(
-              "name \"%s\": expected letters and digits, words joined by hyphens, at most %s characters, such as depth-gauge",
+              "name \"%s\": expected letters and digits, words joined by hyphens, up to %s characters, such as depth-gauge",
               name, LONGEST));
     }
     Naming naming =
@@ -43,7 +43,7 @@ record Naming(List<String> words) {
                 .toList());
     if (SourceVersion.isKeyword(naming.variable())) {
       throw new BadInputException(
-          "name \"" + name + "\" is a keyword of Java; expected another, such as my-" + name);
+          "name \"" + name + "\" is a Java keyword; expected another, such as my-" + name);
     }
     if (isOfJava(naming.className())) {
       throw new BadInputException(
@@ -69,7 +69,7 @@ record Naming(List<String> words) {
       throw new BadInputException(
           "package \""
               + name
-              + "\": expected names joined by dots, none a keyword of Java or java itself, such as org.example.boat");
+              + "\": expected names joined by dots, none of them a Java keyword or java itself, such as org.example.boat");
     }
     return name;
   }

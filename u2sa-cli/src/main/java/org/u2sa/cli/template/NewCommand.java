@@ -21,9 +21,9 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "new",
     description = {
-      "Make a project with a service of your own, or add a service to a project.",
+      "Create a project with a service of your own, or add a service to a project.",
       "",
-      "The result compiles, has a test and a configuration, and is yours to change. Run in the folder of such a project, or with --into, it adds to that project. Nothing is overwritten."
+      "The result compiles, has a test and a configuration, and is yours to change. In the folder of such a project, or with --into, it adds to that project. Nothing is overwritten."
     })
 public final class NewCommand extends BaseCommand {
   private static final String VEHICLE = "vehicle";
@@ -179,7 +179,7 @@ public final class NewCommand extends BaseCommand {
       throw new BadInputException(
           "the project is built by "
               + build.template()
-              + " already; expected neither --maven nor --gradle");
+              + " ; expected neither --maven nor --gradle");
     }
     return build;
   }
@@ -215,7 +215,7 @@ public final class NewCommand extends BaseCommand {
     }
     String home = System.getProperty(HOME, "u2sa");
     out().println();
-    print("Once, for the build to find U2SA:");
+    print("Once, so that the build finds U2SA:");
     print("  (cd " + home + " && " + build.install + ")");
     print("Build and test it:");
     print("  " + (where.equals(".") ? "" : "cd " + where + " && ") + build.build);

@@ -23,8 +23,8 @@ final class Rendering {
 
   /**
    * @param templates in order, ending with the kind's own
-   * @throws BadInputException if a template file is malformed, or uses a class with the new class's
-   *     name
+   * @throws BadInputException if a template file is malformed, or uses a class that has the new
+   *     class's name
    */
   Rendering(Templates source, List<String> templates, Placeholders placeholders) {
     String own = templates.get(templates.size() - 1);

@@ -158,7 +158,7 @@ final class Templates implements AutoCloseable {
         if (bytes > MAX_BYTES || files.size() > MAX_FILES) {
           throw new BadInputException(
               String.format(
-                  "%s: expected at most %s files with %s bytes together",
+                  "%s: expected at most %s files and %s bytes in total",
                   origin, MAX_FILES, MAX_BYTES));
         }
       }
@@ -170,7 +170,7 @@ final class Templates implements AutoCloseable {
 
   private static byte[] read(Path path, String origin) {
     if (!Files.isRegularFile(path, LinkOption.NOFOLLOW_LINKS)) {
-      throw new BadInputException(origin + ": expected a file, no link or device");
+      throw new BadInputException(origin + ": expected a file, not a link or device");
     }
     try (InputStream in = Files.newInputStream(path)) {
       return in.readNBytes(MAX_BYTES + 1);

@@ -8,8 +8,8 @@ import java.nio.charset.Charset;
 /**
  * Standard output and standard error of this process. A paused terminal (Ctrl-S) or an idle pager
  * blocks output, which must not block a vehicle: while a vehicle runs, output of all threads goes
- * through a bounded queue; excess output is dropped and counted. Else a program waits until its
- * output is taken, as usual.
+ * through a bounded queue; excess output is dropped and counted. Otherwise a program waits until
+ * its output is accepted, as usual.
  */
 public final class Console {
   private static final long GIVES_UP_AFTER_MS = 5_000;
@@ -34,14 +34,14 @@ public final class Console {
     return console;
   }
 
-  /** Prevents that a thread waits for the output. */
+  /** Prevents threads from waiting for the output. */
   public interface Detached extends AutoCloseable {
     /** Waits until all output is written, or until none has been accepted for 5 s. */
     @Override
     void close();
   }
 
-  /** While the result is open, no thread waits for the output. May be nested. */
+  /** Keeps threads from waiting for the output while the result is open. May be nested. */
   Detached detach() {
     out.detach();
     err.detach();

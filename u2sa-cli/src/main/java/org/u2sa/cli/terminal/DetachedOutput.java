@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.interfaces.time.SystemClock;
 
 /**
- * Non-blocking output while detached: a daemon thread writes the queued text. Else writes pass
+ * Non-blocking output while detached: a daemon thread writes the queued text. Otherwise writes pass
  * through.
  */
 final class DetachedOutput extends OutputStream {
@@ -21,12 +21,12 @@ final class DetachedOutput extends OutputStream {
   private final long givesUpAfterMs; // without progress
   private final Deque<byte[]> waiting = new ArrayDeque<>(); // also the lock of the fields below
   private int waitingBytes;
-  private int detached; // how many times
-  private boolean queues; // until all that waits is written
+  private int detached; // nesting depth
+  private boolean queues; // until everything waiting is written
   private boolean writing;
-  private boolean failed; // such as a closed pipe
+  private boolean failed; // e.g. because of a closed pipe
   private long dropped; // writes, usually lines
-  private long written; // writes from the queue, to see progress
+  private long written; // writes from the queue, to detect progress
   private Thread writer;
 
   /** {@link #drain} gives up after this long without progress [ms]. */
@@ -35,7 +35,7 @@ final class DetachedOutput extends OutputStream {
     this.givesUpAfterMs = givesUpAfterMs;
   }
 
-  /** From now on output does not block. */
+  /** Makes output non-blocking from now on. */
   void detach() {
     synchronized (waiting) {
       detached++;
@@ -131,7 +131,7 @@ final class DetachedOutput extends OutputStream {
   }
 
   private byte[] gap() {
-    String text = "u2sa: lines not printed, because no output was taken: " + dropped + "\n";
+    String text = "u2sa: lines not printed because the output was blocked: " + dropped + "\n";
     dropped = 0;
     return text.getBytes(Charset.defaultCharset());
   }
@@ -143,7 +143,7 @@ final class DetachedOutput extends OutputStream {
         target.write(next);
         target.flush();
         done(false);
-      } catch (IOException e) { // no output left to report it to
+      } catch (IOException e) { // nowhere left to report it
         done(true);
       }
     }
@@ -155,7 +155,7 @@ final class DetachedOutput extends OutputStream {
         try {
           waiting.wait();
         } catch (InterruptedException e) {
-          continue; // ends with the process only
+          continue; // ends only with the process
         }
       }
       writing = true;

@@ -36,8 +36,8 @@ public final class PlainLines extends PrintWriter {
   }
 
   /**
-   * Prevents that threads of a vehicle wait for the output; open it before the vehicle starts, and
-   * close it after its end. Has no effect in simulated time, which waits, nor without a console.
+   * Prevents a vehicle's threads from waiting for the output; open it before the vehicle starts,
+   * and close it after its end. Has no effect in simulated time or without a console.
    *
    * @param out output of a command
    */

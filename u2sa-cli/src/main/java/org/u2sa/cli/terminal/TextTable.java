@@ -23,7 +23,7 @@ public final class TextTable {
   public void add(String... cells) {
     if (cells.length != heads.size()) {
       throw new IllegalArgumentException(
-          cells.length + " cells, expected " + heads.size() + ", one a column");
+          cells.length + " cells, expected " + heads.size() + ", one per column");
     }
     rows.add(List.of(cells));
   }

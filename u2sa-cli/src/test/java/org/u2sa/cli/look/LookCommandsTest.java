@@ -72,7 +72,7 @@ class LookCommandsTest extends CommandFixture {
   void echo_conditionThatNeverHolds_failsAfterTheTimeout() {
     int code = run("echo", "state", "--once", "--where", "x > 8", "--timeout", "3");
     assertThat(code).isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("nothing heard on \"state\"", "fulfils the conditions");
+    assertThat(err.toString()).contains("nothing received on \"state\"", "meets the conditions");
   }
 
   @Test
@@ -133,7 +133,7 @@ class LookCommandsTest extends CommandFixture {
   @Test
   void hz_channelWithoutMessages_fails() {
     assertThat(run("hz", "grid", "--for", "0.5")).isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("nothing heard", "grid");
+    assertThat(err.toString()).contains("nothing received", "grid");
   }
 
   @Test

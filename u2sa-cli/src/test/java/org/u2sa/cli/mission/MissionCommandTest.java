@@ -130,7 +130,7 @@ class MissionCommandTest extends CommandFixture {
     assertThat(run("resume")).isEqualTo(ExitCode.DONE);
     assertThat(out.toString()).contains("rover: resumed at [buoy]");
     assertThat(run("resume")).isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("RESUME was not done: nothing to resume");
+    assertThat(err.toString()).contains("RESUME was not carried out: nothing to resume");
   }
 
   @Test
@@ -164,7 +164,8 @@ class MissionCommandTest extends CommandFixture {
     String wrong = goals("wrong.xml", "<waypoint><x>800</x></waypoint>");
     assertThat(run("insert", wrong)).isEqualTo(ExitCode.FAILED);
     assertThat(err.toString())
-        .contains("INSERT was not done: " + wrong + ", line 2, <x>: 800.0 is outside -180.0");
+        .contains(
+            "INSERT was not carried out: " + wrong + ", line 2, <x>: 800.0 is outside -180.0");
     assertThat(run("goto", "doc")).isEqualTo(ExitCode.FAILED);
     assertThat(err.toString()).contains("no goal \"doc\"", "did you mean \"dock\"?");
     assertThat(run("insert", directory.resolve("none.xml").toString()))

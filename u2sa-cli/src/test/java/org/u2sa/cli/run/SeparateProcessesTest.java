@@ -79,7 +79,7 @@ class SeparateProcessesTest {
       String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 
       assertThat(run.waitFor()).as(said).isEqualTo(ExitCode.BAD_INPUT);
-      assertThat(said).contains("NO SUCH VARIABLE").contains("The system ends");
+      assertThat(said).contains("NO SUCH VARIABLE").contains("The system is ending");
     } finally {
       ProcessTree.kill(run);
     }
@@ -91,7 +91,7 @@ class SeparateProcessesTest {
     List<ProcessHandle> services = new ArrayList<>();
     Process supervisor = run(system).start();
     try {
-      awaitLine(supervisor, "System boat runs: Lidar");
+      awaitLine(supervisor, "System boat is running: Lidar");
       supervisor.descendants().forEach(services::add);
       assertThat(services).hasSize(1);
 
@@ -105,7 +105,7 @@ class SeparateProcessesTest {
 
     Process next = run(system).start();
     try {
-      awaitLine(next, "System boat runs: Lidar");
+      awaitLine(next, "System boat is running: Lidar");
     } finally {
       ProcessTree.end(next); // ends its services first
     }
@@ -128,7 +128,7 @@ class SeparateProcessesTest {
   void separate_onlyServiceKilled_systemGoesOnWithTheNext() throws Exception {
     Process supervisor = run(system(Lidar.class)).start();
     try {
-      awaitLine(supervisor, "System boat runs: Lidar");
+      awaitLine(supervisor, "System boat is running: Lidar");
       supervisor.descendants().findFirst().orElseThrow().destroyForcibly();
 
       List<String> restarted = new ArrayList<>();
@@ -138,7 +138,7 @@ class SeparateProcessesTest {
             if (line.equals("Service Lidar was restarted.")) {
               restarted.add(line);
             }
-            return !restarted.isEmpty() && line.startsWith("System boat runs: Lidar");
+            return !restarted.isEmpty() && line.startsWith("System boat is running: Lidar");
           });
     } finally {
       ProcessTree.end(supervisor); // ends its services first
@@ -151,7 +151,7 @@ class SeparateProcessesTest {
     Process supervisor = run(system).start();
     StringWriter said = new StringWriter();
     try {
-      awaitLine(supervisor, "System boat runs: Winch");
+      awaitLine(supervisor, "System boat is running: Winch");
 
       PrintWriter out = new PrintWriter(said);
       int exitCode = Main.run(out, out, "restart", "Winch", "--broker", broker, "--timeout", "60");
@@ -175,7 +175,7 @@ class SeparateProcessesTest {
         run(system(SafetyManager.class), "--set", "SafetyManager:FENCE=" + fence).start();
     StringWriter said = new StringWriter();
     try {
-      awaitLine(supervisor, "System boat runs: SafetyManager");
+      awaitLine(supervisor, "System boat is running: SafetyManager");
       ProcessHandle before = supervisor.descendants().findFirst().orElseThrow();
       PrintWriter out = new PrintWriter(said);
       int works = Main.run(out, out, "services", "--broker", broker, "--timeout", "60");

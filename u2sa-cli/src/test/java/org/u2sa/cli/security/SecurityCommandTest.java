@@ -155,7 +155,7 @@ class SecurityCommandTest extends CommandFixture {
 
     assertThat(security("user add x --role service --password-file " + password))
         .isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(err.toString()).contains("others than its owner may use it; chmod 600 it");
+    assertThat(err.toString()).contains("users other than its owner may use it; chmod 600 it");
   }
 
   /** Root adds a user on the vehicle, whose own account must go on reading the file. */

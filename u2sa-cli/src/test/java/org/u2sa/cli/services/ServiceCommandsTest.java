@@ -154,7 +154,7 @@ class ServiceCommandsTest extends CommandFixture {
   void swap_classThatIsNone_tellsTheLaunchersReason() {
     assertThat(run("swap", "Lidar", "org.example.Nothing", "--timeout", "20"))
         .isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("SWAP Lidar was not done: ", "org.example.Nothing");
+    assertThat(err.toString()).contains("SWAP Lidar was not carried out: ", "org.example.Nothing");
   }
 
   @Test

@@ -90,7 +90,7 @@ class ServiceGraphTest {
     assertThat(graph().roles()).containsEntry("Late", "no answer");
     assertThat(GraphText.lines(graph()))
         .contains("Published without subscribers that has answered:")
-        .contains("Heard, but without an answer: Late")
+        .contains("Discovered, but without an answer: Late")
         .doesNotContain("Published without subscribers:");
   }
 

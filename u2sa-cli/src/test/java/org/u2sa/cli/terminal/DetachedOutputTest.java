@@ -84,7 +84,7 @@ class DetachedOutputTest {
     assertThat(shown)
         .hasToString(
             line.repeat(1 + queued)
-                + "u2sa: lines not printed, because no output was taken: "
+                + "u2sa: lines not printed because the output was blocked: "
                 + queued
                 + "\n");
   }

@@ -14,7 +14,7 @@ import org.u2sa.messages.contract.ServiceStatus;
 /**
  * Tracks which actuators are present, by their announcements. An actuator is lost if its
  * announcement was not renewed for three renewal periods, was withdrawn or offers no effect, or if
- * its service failed or disconnected. It returns with its next announcement. Not thread-safe.
+ * its service failed or disconnected. Its next announcement ends that. Not thread-safe.
  */
 public final class ActuatorRoster {
   private static final double RENEWAL_S = 5.0; // for actuators that announce none
@@ -32,7 +32,7 @@ public final class ActuatorRoster {
 
   private final Map<String, Known> actuators = new TreeMap<>();
 
-  /** Processes an announcement received at a time. */
+  /** Processes an announcement received at the given time. */
   public void see(ActuatorAnnouncement announcement, long nowMicros) {
     if (actuators.size() >= MAX_KNOWN && !actuators.containsKey(announcement.actuatorName())) {
       actuators.values().removeIf(each -> !isPresent(each, nowMicros));
@@ -58,7 +58,7 @@ public final class ActuatorRoster {
     }
   }
 
-  /** Effectors available for allocation at a time, sorted by name. */
+  /** Effectors available for allocation at the given time, sorted by name. */
   public List<Effector> present(long nowMicros) {
     List<Effector> present = new ArrayList<>();
     for (Known known : actuators.values()) {
@@ -69,7 +69,7 @@ public final class ActuatorRoster {
     return present;
   }
 
-  /** All actuators that ever announced an effect, as healthy effectors, sorted by name. */
+  /** All actuators that have ever announced an effect, as healthy effectors, sorted by name. */
   public List<Effector> sound() {
     List<Effector> sound = new ArrayList<>();
     for (Known known : actuators.values()) {

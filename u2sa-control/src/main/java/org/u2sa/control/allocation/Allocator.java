@@ -11,9 +11,9 @@ import java.util.function.ToDoubleFunction;
  *
  * <p>min γ Σⱼ (wⱼ (B f − τ)ⱼ / sⱼ)² + Σᵢ cᵢ fᵢ²
  *
- * <p>with wanted wrench τ, shares f, effects B, weights w of degrees of freedom scaled by the
- * maximum s of the healthy effectors, and costs c of effectors (Johansen &amp; Fossen: Control
- * allocation – a survey, Automatica 49 (2013), section 2.2). Within the limits this is the weighted
+ * <p>with wanted wrench τ, shares f, effects B, degree-of-freedom weights w scaled by the maximum s
+ * of the healthy effectors, and effector costs c (Johansen &amp; Fossen: Control allocation – a
+ * survey, Automatica 49 (2013), section 2.2). Within the limits this is the weighted
  * pseudo-inverse. Allocates no memory per step. Not thread-safe.
  *
  * <p>An axis that has lost its effectors keeps the s of the healthy vehicle, so that its remaining
@@ -21,7 +21,7 @@ import java.util.function.ToDoubleFunction;
  * reach only through slight misalignment.
  */
 public final class Allocator {
-  /** Weight of error over effort, γ: unwanted errors stay below a millionth. */
+  /** Weight of error over effort, γ: relative errors stay below a millionth. */
   private static final double ERROR_OVER_EFFORT = 1e6;
 
   /** Share of an effector's force, or moment, below which its effect on an axis is incidental. */
@@ -69,7 +69,7 @@ public final class Allocator {
    * Replaces the effectors; remaining ones keep their last commands.
    *
    * @param soundEffectors all effectors of the vehicle when none is lost or weak
-   * @param cost cost of an effector's effort, above 0; costlier effectors do less
+   * @param cost cost of an effector's effort, above 0; costlier effectors are used less
    */
   public void use(
       List<Effector> newEffectors, List<Effector> soundEffectors, ToDoubleFunction<Effector> cost) {
@@ -99,7 +99,7 @@ public final class Allocator {
     }
   }
 
-  /** Records the command of an effector by another law [%]. */
+  /** Records another law's command to an effector [%]. */
   public void commanded(String name, double percent) {
     for (int i = 0; i < percents.length; i++) {
       if (effectors.get(i).name().equals(name)) {

@@ -13,7 +13,7 @@ import java.util.Set;
  * @param most maximum by axis [N or N m]
  */
 public record Authority(Map<DegreeOfFreedom, Double> most) {
-  private static final double OTHERS = 1e3; // weight of axes held at 0
+  private static final double OTHERS = 1e3; // weight of the axes held at 0
   private static final double BEYOND = 2.0; // demand as a multiple of the effectors' maximum
   private static final double NOTHING =
       0.05; // fraction of the healthy authority below which it counts as lost

@@ -14,12 +14,12 @@ public final class Effector {
   private static final double FULL_PERCENT = 100.0;
 
   /**
-   * A rate limit that needs several steps to reach the smallest commanded effect would never get
-   * there.
+   * Prevents a rate limit that needs several steps to reach the smallest commanded effect from
+   * never reaching it.
    */
   private static final double MIN_SHARE = 1.001 * EffectCurve.MIN_SHARE;
 
-  private static final double SLOWEST = 0.1; // of the reference speed; no model holds below
+  private static final double SLOWEST = 0.1; // of the reference speed; the model is invalid below
 
   private final String name;
   private final double[] effect; // X, Y, Z [N], K, M, N [N m] at full effect
@@ -43,8 +43,8 @@ public final class Effector {
 
   /**
    * Creates an effector from an announcement; empty without a numeric effect. The remaining share
-   * is {@link ActuatorAnnouncement#available}. A reverse effect that is not opposite counts by its
-   * component along that line.
+   * is {@link ActuatorAnnouncement#available}. Of a reverse effect that is not exactly opposite,
+   * only the component along that line counts.
    */
   public static Optional<Effector> of(ActuatorAnnouncement announced) {
     return of(announced, announced.available().orElse(FULL_PERCENT) / FULL_PERCENT);
@@ -152,7 +152,7 @@ public final class Effector {
   }
 
   /**
-   * Force at a percentage, along the effect's own line [N]; as announced for the healthy actuator.
+   * Force at a percentage, along the effect's own line [N], as announced for the healthy actuator.
    */
   double forceN(double percent) {
     double share = curve.share(percent);

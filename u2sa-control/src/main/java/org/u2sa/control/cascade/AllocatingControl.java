@@ -41,9 +41,9 @@ import org.u2sa.service.handover.HandOver;
  * weighted allocation ({@link Allocator}). A multirotor moves sideways by leaning (LEANS). When an
  * actuator appears, disappears or weakens, the next state is allocated accordingly, and health
  * reports the remaining authority. Without fresh navigation the vehicle stops and keeps its
- * heading. Without any state it approaches the point using motion estimated from the sightings of
- * it ({@link SeenMotion}) or measured by its sensors ({@link SensedMotion}), and the actuators are
- * released when no point arrives (thesis 4.3.2).
+ * heading. Without any state it approaches the point using motion estimated from sightings of the
+ * point ({@link SeenMotion}) or measured by the vehicle's sensors ({@link SensedMotion}), and
+ * releases the actuators when no point arrives (thesis 4.3.2).
  */
 public final class AllocatingControl extends ControlSystem {
   /** Unit of actuator commands. */
@@ -78,7 +78,7 @@ public final class AllocatingControl extends ControlSystem {
           double retryTime,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether, without states, motion comes from an IMU and a velocity log on sensed-state. Once both have measured, the actuators are neutral while either is silent.")
+              "Whether motion comes from an IMU and a velocity log on sensed-state while there are no states. Once both have reported, the actuators are neutral while either is silent.")
           boolean sensesMotion) {
     Choices {
       axes(essential);
@@ -104,7 +104,7 @@ public final class AllocatingControl extends ControlSystem {
     }
   }
 
-  private static final double UNKNOWN_SHARE = 0.75; // of the maximum speed, 1 sigma
+  private static final double UNKNOWN_SHARE = 0.75; // fraction of the maximum speed, 1 sigma
 
   private final Settings<Choices> choices = settings(Choices.class);
   private final CascadeVariables tuning = new CascadeVariables(this);
@@ -125,7 +125,7 @@ public final class AllocatingControl extends ControlSystem {
   private boolean armed = true; // without an arming service, actuators obey immediately
   private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
-  private boolean wentBySight; // at the previous step
+  private boolean wentBySight; // in the previous step
   private boolean isMeasured; // has been controlled by IMU and velocity log
   private boolean coasts; // its horizontal velocity is unknown
   private boolean hadWay; // had a navigation point at the previous step
@@ -176,7 +176,7 @@ public final class AllocatingControl extends ControlSystem {
                     ? "the state lacks roll, pitch, heading or velocity: actuators are neutral"
                     : "the state lacks heading or velocity: actuators are neutral");
       } else {
-        log("heading and velocity are known");
+        log("heading and velocity are known again");
       }
     }
     if (isBlind || !armed || lacksEssentials) {
@@ -225,7 +225,7 @@ public final class AllocatingControl extends ControlSystem {
           .map(measured::orElse);
     }
     if (tuning.leans() && (state.phi().isEmpty() || state.theta().isEmpty())) {
-      return Optional.empty(); // it would lean as if it were level, and overturn
+      return Optional.empty(); // it would lean as if level, and overturn
     }
     Optional<BodyMotion> motion = BodyMotion.of(state, headingBefore, stepS());
     headingBefore = state.psi();
@@ -319,7 +319,7 @@ public final class AllocatingControl extends ControlSystem {
                   found.actuator()
                       + (found.left() > 0.0
                           ? " responds weakly: counted as weak for a time"
-                          : " does not respond: left out for a time"));
+                          : " does not respond: excluded for a time"));
               weak.add(found, clock().micros() + Clock.micros(choices.get().retryTime()));
               revision = -1;
             });
@@ -370,7 +370,7 @@ public final class AllocatingControl extends ControlSystem {
     String words =
         (gone.isEmpty() ? "" : "lost: " + String.join(", ", gone) + "; ")
             + weak.words()
-            + (authority.isEmpty() && !gone.isEmpty() ? "all authority is left" : authority)
+            + (authority.isEmpty() && !gone.isEmpty() ? "full authority is left" : authority)
             + (lacksEssentials ? "; actuators are neutral" : "");
     if (words.equals(said)) {
       return;

@@ -44,7 +44,7 @@ final class AxisTuner {
     this.order = order;
   }
 
-  /** Aborts tuning because the vehicle is not armed or its state is incomplete. */
+  /** Aborts tuning because the vehicle is disarmed or its state is incomplete. */
   void abort() {
     relay = null;
   }
@@ -110,7 +110,7 @@ final class AxisTuner {
     return relay == null ? Optional.empty() : Optional.of(axis);
   }
 
-  /** Mass of the tuned axis is what gains per acceleration are scaled with. */
+  /** Mass of the tuned axis, by which the gains per acceleration are scaled. */
   DegreeOfFreedom axis() {
     String wanted = order.get().tune();
     return wanted.isEmpty() ? axis : DegreeOfFreedom.valueOf(wanted);

@@ -18,7 +18,7 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
   /**
    * Creates the motion from a state in GLOBAL or LOCAL_NED.
    *
-   * @param before heading of the previous state [rad], to derive the yaw rate if the state lacks it
+   * @param before heading of the previous state [rad], for deriving a missing yaw rate
    * @param stepS time since the previous state [s]; 0 if unknown
    * @return empty without heading or horizontal velocity, or in a vehicle frame
    */
@@ -99,7 +99,7 @@ record BodyMotion(Attitude attitude, Point velocity, Point rates) {
 
   /**
    * Displacement between the positions of two states: north, east, down [m]; empty if one is
-   * absent, or if they are in different frames. A height absent from one of them counts as
+   * absent, or if they are in different frames. If one of them lacks a height, the height counts as
    * unchanged.
    */
   static Optional<Point> displacement(StateInformation then, StateInformation now) {

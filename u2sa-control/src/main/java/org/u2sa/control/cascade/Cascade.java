@@ -18,9 +18,9 @@ import org.u2sa.service.motion.DriftFilter;
  */
 final class Cascade {
   private static final DegreeOfFreedom[] AXES = DegreeOfFreedom.values();
-  private static final double VANE_PER_S = 0.1; // yaw rate per angle off the weather
-  private static final double FLIES_FROM = 0.5; // fraction of the weight that is lifted
-  private static final double MIN_AHEAD_MPS = 0.5; // which a vehicle at rest reaches soon
+  private static final double VANE_PER_S = 0.1; // yaw rate per angle between bow and weather
+  private static final double FLIES_FROM = 0.5; // minimum fraction of the weight lifted in flight
+  private static final double MIN_AHEAD_MPS = 0.5; // which a vehicle at rest soon reaches
   private static final int SURGE = DegreeOfFreedom.SURGE.ordinal();
   private static final int SWAY = DegreeOfFreedom.SWAY.ordinal();
   private static final int HEAVE = DegreeOfFreedom.HEAVE.ordinal();
@@ -33,7 +33,7 @@ final class Cascade {
   private final double[] attained = new double[DegreeOfFreedom.COUNT];
   private final double[] wrench = new double[DegreeOfFreedom.COUNT];
   private OptionalDouble headingRad = OptionalDouble.empty(); // heading to hold
-  private boolean turnsFirst; // turns first, without moving sideways
+  private boolean turnsFirst; // turn first, without moving sideways
   private final Lean lean = new Lean(); // level unless the vehicle leans
   private final GroundWatch ground = new GroundWatch();
   private final DriftFilter drift = new DriftFilter();
@@ -86,8 +86,8 @@ final class Cascade {
   }
 
   /**
-   * Turns the bow into wind and current while the vehicle keeps its position without a given
-   * heading: towards the side of its lateral force, until none is needed.
+   * Turns the bow into wind and current while the vehicle holds its position without a heading to
+   * hold: towards the side to which its lateral force acts, until none is needed.
    */
   private void weatherVane(MotionTarget target, double stepS) {
     boolean stays = target.way().isPresent() && distanceM(target) < settings.way().facingDistance();
@@ -132,7 +132,7 @@ final class Cascade {
     turn(motion);
   }
 
-  /** Wanted rates that turn the vehicle to its heading and to the angles at which it leans. */
+  /** Computes the wanted rates, which turn the vehicle to its heading and lean angles. */
   private void turn(BodyMotion motion) {
     double heading = headingRad.orElse(attitude.psi()) - attitude.psi();
     Point euler =
@@ -214,9 +214,9 @@ final class Cascade {
   }
 
   /**
-   * Switches between control by sight in the vehicle's own axes and by states. The heading to hold
-   * is dropped, because it refers to axes that have turned; by sight, a vehicle that faces its
-   * direction of travel must not move sideways, because that would look like turning.
+   * Switches between control by sight in the vehicle's own axes and by states. Drops the heading to
+   * hold, because it refers to axes that have turned. When controlled by sight, a vehicle that
+   * faces its direction of travel must not move sideways, because that would look like turning.
    *
    * @param isMeasured whether the motion is measured, not derived from sightings
    */
@@ -254,7 +254,7 @@ final class Cascade {
     }
   }
 
-  /** The vehicle leans already, and flies if it lifts most of its weight. */
+  /** Continues from the current lean; the vehicle flies if it lifts most of its weight. */
   private void takeOverLean(double presentN) {
     double forward = -Gravity.STANDARD_MPS2 * StrictMath.tan(attitude.theta());
     double right =

@@ -12,7 +12,7 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Settings;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** Variables of a cascade: six axes, and the turn to the direction of travel. */
+/** Variables of a cascade: six axes, and turning to the direction of travel. */
 final class CascadeVariables {
   /** Variables of the control of motion along one axis of the vehicle. */
   private record Linear(
@@ -89,14 +89,14 @@ final class CascadeVariables {
           boolean countersDrift,
       @Variable(unit = "m", min = 0, max = 1000, ifAbsent = 1)
           @Description(
-              "Minimum distance of a point to turn to; for a nearer one the heading is kept.")
+              "Minimum distance of a point to turn towards; for a nearer one the heading is kept.")
           double facingDistance,
       @Variable(ifAbsentText = "false")
           @Description(
-              "Whether a vehicle that stays at a place, within FACING DISTANCE and without a heading to hold, turns its bow into wind and current.")
+              "Whether a vehicle that holds a position within FACING DISTANCE, without a heading to hold, turns its bow into wind and current.")
           boolean weatherVanes,
       @Variable(unit = "m/s", min = 0.01, max = 100, ifAbsent = 0.5)
-          @Description("Speed to a navigation point that specifies none.")
+          @Description("Speed towards a navigation point that does not specify one.")
           double cruiseSpeed,
       @Variable(ifAbsentText = "false")
           @Description(

@@ -35,7 +35,7 @@ final class Costs {
     try {
       return Double.parseDouble(text);
     } catch (NumberFormatException e) {
-      return Double.NaN; // rejected by the caller, with the whole entry
+      return Double.NaN; // rejected by the caller, which reports the whole entry
     }
   }
 }

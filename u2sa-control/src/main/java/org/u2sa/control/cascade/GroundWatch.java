@@ -1,18 +1,18 @@
 package org.u2sa.control.cascade;
 
 /**
- * Whether an aircraft is on the ground, where it must not lift its weight. It counts as airborne
- * once its target is above it or it moves vertically, and as landed when the ground carries weight:
- * it is commanded to sink, its lift is reduced, and it does not gain the speed that the missing
- * lift would give it. Noise of the measured velocity does not hide that, nor does wind that pushes
- * it along the ground. Not thread-safe.
+ * Determines whether an aircraft is on the ground, where it must not lift its weight. It counts as
+ * airborne once its target is above it or it moves vertically, and as landed when the ground
+ * carries weight: it is commanded to sink, its lift is reduced, and it does not gain the speed that
+ * the missing lift would give it. Neither noise in the measured velocity nor wind that pushes it
+ * along the ground hides this. Not thread-safe.
  */
 final class GroundWatch {
   private static final double ABOVE_M = 0.3; // minimum height of a target that implies taking off
   private static final double MOVES_MPS = 1.0; // vertically
-  private static final double SINKS_MPS = 0.1; // wanted at least
-  private static final double SINKS_SHARE = 0.5; // of the wanted speed, in flight
-  private static final double STANDS_MPS = 1.5; // of missing speed
+  private static final double SINKS_MPS = 0.1; // minimum wanted sink rate
+  private static final double SINKS_SHARE = 0.5; // fraction of the wanted sink rate, in flight
+  private static final double STANDS_MPS = 1.5; // missing speed that implies standing
   private static final double USUAL_S = 1.0;
   private static final double FORGETS_S = 0.5; // gusts and lag of the rotors
   private static final double SURE_S = 1.0;
@@ -21,7 +21,7 @@ final class GroundWatch {
   private double usualMps2; // of the commanded acceleration in steady flight: error of the mass
   private double missingMps;
   private double beforeMps;
-  private double hinderedS; // it has not sunk as wanted for so long
+  private double hinderedS; // time for which it has not sunk as wanted
 
   /**
    * Processes a step.
@@ -56,14 +56,14 @@ final class GroundWatch {
     return stands;
   }
 
-  /** It is in flight, also when its control was replaced. */
+  /** Called in flight, and when a law takes over in flight. */
   void flies() {
     stands = false;
     missingMps = 0.0;
     hinderedS = 0.0;
   }
 
-  /** The vehicle was disarmed. */
+  /** Called when the vehicle was disarmed. */
   void rest() {
     stands = true;
     usualMps2 = 0.0;

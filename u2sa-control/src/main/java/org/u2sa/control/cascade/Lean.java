@@ -30,12 +30,12 @@ final class Lean {
     right = share * rightMps2;
   }
 
-  /** Pitch to lean at, nose up positive [rad]. */
+  /** Pitch to lean by, nose up positive [rad]. */
   double pitchRad() {
     return -StrictMath.atan(forward / G);
   }
 
-  /** Roll to lean at, right side down positive [rad]. */
+  /** Roll to lean by, right side down positive [rad]. */
   double rollRad() {
     return StrictMath.atan(right * StrictMath.cos(pitchRad()) / G);
   }

@@ -5,12 +5,12 @@ import java.util.OptionalDouble;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Where a vehicle is to go, and how.
+ * Target of a vehicle's motion.
  *
- * @param way vector to the place: north, east, down [m]; empty to stop and hold the heading
+ * @param way vector to the target: north, east, down [m]; empty to stop and hold the heading
  * @param speedMps speed on the way [m/s]; empty for the configured one
  * @param headingRad heading to hold, clockwise from north [rad]; empty if control chooses it
- * @param isBackwards whether a vehicle that faces its way turns its stern to it
+ * @param isBackwards whether a vehicle that faces its direction of travel goes stern first
  */
 record MotionTarget(
     Optional<Point> way,

@@ -12,17 +12,17 @@ import org.u2sa.control.allocation.DegreeOfFreedom;
  *
  * <p>Detects one fault at a time; a disturbance is mistaken for a fault only if it matches one
  * actuator in all controlled axes. Two actuators with the same effect cannot be distinguished, so
- * neither is reported. Johansen &amp; Fossen 2013, section 4, on faults; the residual is that of a
- * disturbance observer. Not thread-safe.
+ * neither is reported. For faults see Johansen &amp; Fossen 2013, section 4; the residual is that
+ * of a disturbance observer. Not thread-safe.
  */
 final class ResponseWatch {
   private static final double FILTER_S = 0.5; // filter of forces and of the derivative of velocity
   private static final double LONG_S = 15.0; // time constant of the long-term mean
   private static final double MEMORY_S = 1.5;
-  private static final double SETTLES_S = 12.0; // settling time after a change of actuators
+  private static final double SETTLES_S = 12.0; // settling time after actuators change
   private static final double SURE_S = 1.0;
-  private static final double MIN_LOSS = 0.25; // smaller losses may be errors of the masses
-  private static final double ALL_LOST = 0.6; // tracking of usual loads hides the rest
+  private static final double MIN_LOSS = 0.25; // smaller losses may be due to wrong masses
+  private static final double ALL_LOST = 0.6; // the long-term mean hides the rest
   private static final double MAX_LOSS = 1.5;
   private static final double MIN_FIT = 0.85;
   private static final double CLEARLY = 0.1; // margin over the next best match
@@ -46,7 +46,7 @@ final class ResponseWatch {
    */
   record Finding(String actuator, double left) {}
 
-  /** Restarts after actuators changed or the vehicle rested. */
+  /** Restarts after the actuators changed or the vehicle was at rest. */
   void restart() {
     sinceS = 0.0;
   }

@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Point;
  * sightings of the stationary target correct it: approach speed, sink rate and turn rate follow
  * from how the target approaches, rises and moves to the other side (a complementary filter:
  * Higgins, IEEE Transactions on Aerospace and Electronic Systems 11, 1975). Assumes a level
- * vehicle, and takes motion across the line of sight for turning, because the two cannot be
+ * vehicle, and treats motion across the line of sight as turning, because the two cannot be
  * distinguished. Not thread-safe.
  */
 final class SeenMotion {
@@ -37,7 +37,7 @@ final class SeenMotion {
    * @param acceleration acceleration by the actuators since the previous call, along the same axes
    *     [m/s²]
    * @param turnAcceleration angular acceleration about the down axis [rad/s²]
-   * @param stepS time since the previous call [s]; 0 if unknown, then the motion counts as
+   * @param stepS time since the previous call [s]; 0 if unknown: the motion then counts as
    *     unchanged
    */
   BodyMotion step(Point place, Point acceleration, double turnAcceleration, double stepS) {

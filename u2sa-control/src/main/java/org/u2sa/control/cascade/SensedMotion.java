@@ -21,13 +21,13 @@ final class SensedMotion {
   private double turnS = Double.NEGATIVE_INFINITY;
   private double velocityS = Double.NEGATIVE_INFINITY;
 
-  /** Adds a sensor's measurement that arrived just now [µs]. */
+  /** Adds a sensor's measurement that has just arrived. */
   void sensed(StateInformation measured, long nowMicros) {
     ReferenceFrame frame = measured.referenceFrame();
     if (!frame.equals(ReferenceFrame.BODY) && measured.psiDot().isPresent()) {
       boolean isLeftward =
           frame.equals(ReferenceFrame.LOCAL_ENU) || frame.equals(ReferenceFrame.BODY_FLU);
-      double sign = isLeftward ? -1.0 : 1.0; // there, nose down is also positive
+      double sign = isLeftward ? -1.0 : 1.0; // in that frame, nose down is also positive
       turnRadPerS = sign * measured.psiDot().getAsDouble();
       tilt = new Attitude(measured.phi().orElse(0.0), sign * measured.theta().orElse(0.0), 0.0);
       turnS = Clock.seconds(nowMicros);

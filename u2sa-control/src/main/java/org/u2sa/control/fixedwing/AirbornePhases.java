@@ -33,7 +33,7 @@ final class AirbornePhases {
     speedDemandMps = guidance.cruiseSpeed();
   }
 
-  /** Sets the altitude to hold without navigation to the current one, or to a safe one above it. */
+  /** Sets the altitude to hold without navigation: the current one, or a safe one above it. */
   void holdHere(FlightState state) {
     holdAltitudeM = Math.max(state.altitudeM(), safeAltitudeM(state));
   }
@@ -99,7 +99,7 @@ final class AirbornePhases {
   /**
    * Climbs to the safe height and follows navigation laterally there. Near the ground, bank is
    * limited regardless of navigation, and the speed is above approach speed, because landings are
-   * refused in strong wind with gusts. Down there height comes before speed.
+   * refused in strong wind with gusts. Near the ground, height takes priority over speed.
    */
   Surfaces goAround(FlightState state, GuidanceTarget target, double dtS) {
     altitudeDemandM = Math.max(target.altitudeM(), safeAltitudeM(state));

@@ -35,7 +35,7 @@ public enum AircraftActuator {
     return actuatorName;
   }
 
-  /** Command of this actuator in the given surfaces, −1…1. */
+  /** Command of this actuator among the given surfaces, −1…1. */
   double of(Surfaces surfaces) {
     return share.applyAsDouble(surfaces);
   }
@@ -48,12 +48,12 @@ public enum AircraftActuator {
     return this == THROTTLE || this == MIXTURE || this == FLAPS;
   }
 
-  /** Whether elevons do its work on a flying wing. */
+  /** Whether elevons replace it on a flying wing. */
   boolean isElevons() {
     return this == AILERON || this == ELEVATOR;
   }
 
-  /** Surfaces left alone, engine idling on a rich mixture, brakes off [%]. */
+  /** Neutral command [%]: surfaces centred, engine idling on a rich mixture, brakes off. */
   static Map<String, Double> neutral() {
     Map<String, Double> neutral = new LinkedHashMap<>();
     for (AircraftActuator actuator : values()) {

@@ -24,7 +24,7 @@ public final class Autopilot {
   private final LandingRefusal refusal;
 
   private FlightPhase phase = FlightPhase.RUN_UP;
-  private boolean takenOver; // taken over from another law, so the throttle must not jump
+  private boolean takenOver; // taken over from another law: the throttle must not jump
   private double lastTimeS = Double.NaN;
   private double navigatedS; // when navigation was last present
 

@@ -22,7 +22,7 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Flies a Cessna 172, or another aeroplane by its gains and speeds, autonomously from the runway
+ * Flies a Cessna 172, or another aeroplane given its gains and speeds, autonomously from the runway
  * along its mission. In: state, navigation, arming-state. Out: actuation (aileron, elevator,
  * rudder, throttle, mixture, flaps, brakes, once per state), control-status. Without fresh
  * navigation it holds wings level and altitude, then circles; on the ground it holds the brakes. If
@@ -69,7 +69,7 @@ public final class CessnaControl extends ControlSystem {
   /** Restarts the control laws when a pilot has returned control, wherever the aircraft is. */
   private void onManual(ManualState state) {
     if (state.requestId().isPresent()) {
-      return; // an answer of this service
+      return; // this service's own answer
     }
     if (byHand.active() && !state.active()) {
       autopilot = new Autopilot(tuning.get());
@@ -207,7 +207,7 @@ public final class CessnaControl extends ControlSystem {
     return switch (phase) {
       case RUN_UP -> "waiting on the brakes";
       case STOPPED -> "stopped on the brakes";
-      case HOLD -> "wings level, later a circle, altitude held";
+      case HOLD -> "wings level, later circling, altitude held";
       case FLARE -> "touching down";
       case ROLL, ROTATE, CLIMB_OUT, CRUISE, GO_AROUND -> "climbing to the safe height";
     };

@@ -96,7 +96,7 @@ final class EnergyLaw {
     /** Altitude only, at full throttle while the airspeed margin lasts: close to the ground. */
     HEIGHT(0.0);
 
-    private final double speedShare; // out of 2, which altitude and airspeed share
+    private final double speedShare; // out of 2, shared by altitude and airspeed
 
     Priority(double speedShare) {
       this.speedShare = speedShare;
@@ -209,7 +209,7 @@ final class EnergyLaw {
   }
 
   private double pitch(Demand demand, double demanded, double measured, double dtS) {
-    // A change of the flight path moves the balance by twice as much, whatever the shares.
+    // A change of flight path changes the balance by twice as much, whatever the shares.
     double error = 0.5 * (demanded - measured);
     double direct = 0.5 * demanded + parameters.energyBalanceGain() * error;
     double next = pitchIntegral + parameters.energyBalanceIntegralGain() * error * dtS;

@@ -43,13 +43,13 @@ final class FlightStateReader {
   private static final Set<StateField> LOSABLE =
       EnumSet.of(StateField.X, StateField.Y, StateField.X_DOT, StateField.Y_DOT);
   private static final double HIGH_M = 1_000.0; // height of an aircraft with unknown height
-  private static final double SLOWEST_MPS = 1.0; // below this, airflow has no direction
+  private static final double SLOWEST_MPS = 1.0; // below this, the airflow's direction is unknown
 
-  private static final double ELECTRIC_RPM = 10_000.0; // reported for motors that need no starting
+  private static final double ELECTRIC_RPM = 10_000.0; // reported by motors without a starter
 
   private final Supplier<GroundReference.Variables> settings;
   private final GroundReference ground = new GroundReference();
-  private Geodetic origin; // of north and east
+  private Geodetic origin; // origin of north and east
   private final Map<StateField, Double> last = new EnumMap<>(StateField.class); // may be lost
 
   FlightStateReader() {
@@ -93,7 +93,7 @@ final class FlightStateReader {
   List<String> missing(StateInformation state) {
     List<String> missing = new ArrayList<>();
     if (!state.referenceFrame().equals(ReferenceFrame.GLOBAL)) {
-      missing.add("a place in " + ReferenceFrame.GLOBAL);
+      missing.add("a position in " + ReferenceFrame.GLOBAL);
     }
     for (StateField field : NEEDED) {
       if (state.number(field).isEmpty() && !last.containsKey(field)) {

@@ -6,7 +6,7 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Height above ground of an aeroplane whose state lacks it: the height above the starting position.
- * The ground is assumed level from there to the landing.
+ * The ground is assumed to be level from there to the landing site.
  */
 final class GroundReference {
   /** Source of an aeroplane's height. */
@@ -25,10 +25,10 @@ final class GroundReference {
           Source ground,
       @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
           @Description(
-              "Height of the start above the resting position after landing, e.g. on a catapult or in a hand.")
+              "Height of the start above the resting position after landing, e.g. on a catapult or in someone's hand.")
           double startHeight) {}
 
-  private static final double STANDS_MPS = 2.0; // at a lower ground speed it is not flying
+  private static final double STANDS_MPS = 2.0; // not flying below this ground speed
   private static final double TIME_CONSTANT_S = 5.0;
   private static final double LIFTED_M = 0.5;
 

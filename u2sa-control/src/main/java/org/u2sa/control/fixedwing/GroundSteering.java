@@ -7,8 +7,8 @@ import org.u2sa.interfaces.configuration.Variable;
 /**
  * Holds the runway centreline by rudder and nose wheel: aims at a point ahead on the line, turns at
  * a rate proportional to the heading error, and computes the rudder from the geometry of a steered
- * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is divided
- * by speed likewise; the integral compensates propeller effects and crosswind.
+ * wheel, ψ̇ = V/L · δ, whose effect grows with speed. The proportional gain on the rate is likewise
+ * divided by speed; the integral compensates propeller effects and crosswind.
  */
 final class GroundSteering {
   /** Gains on the runway. */
@@ -44,15 +44,15 @@ final class GroundSteering {
           @Description("Aileron per crosswind at standstill; decreases with speed.")
           double aileronIntoWind) {}
 
-  private static final double SLOWEST_MPS = 4.0; // below, geometry would demand too much
+  private static final double SLOWEST_MPS = 4.0; // at lower speeds, geometry would demand too much
   private static final double GENTLE_MPS2 = 55.0; // lateral, per radian of heading error
-  private static final double GENTLE_SHARE = 0.3; // fraction of the heading's bandwidth
-  private static final double VANE_SHARE = 0.4; // the tyres hold the rest
+  private static final double GENTLE_SHARE = 0.3; // fraction of the heading bandwidth
+  private static final double VANE_SHARE = 0.4; // the tyres resist the rest
   private static final double VANE_RAD =
       0.4; // beyond this angle the aircraft is slow, and the nose wheel grips
   private static final double CLOSING_MPS = 2.0; // maximum closing speed toward the line
   private static final double REFERENCE_MPS = 10.0;
-  private static final double AILERON_WORKS_MPS = 40.0; // needed aileron falls to zero here
+  private static final double AILERON_WORKS_MPS = 40.0; // no aileron is needed from here on
 
   private final Variables parameters;
   private double northM;
@@ -100,7 +100,7 @@ final class GroundSteering {
     }
   }
 
-  /** Whether a centre line is set. */
+  /** Whether a centreline is set. */
   boolean lined() {
     return lined;
   }

@@ -15,7 +15,7 @@ record GuidanceVariables(
             "Reference calibrated airspeed of the surface gains, which are scaled with speed.")
         double referenceSpeed,
     @Variable(unit = "m/s", min = 6, max = 60, ifAbsent = 40)
-        @Description("Calibrated airspeed unless navigation demands another.")
+        @Description("Calibrated airspeed unless navigation demands a different one.")
         double cruiseSpeed,
     @Variable(unit = "m/s", min = 7, max = 82, ifAbsent = 60)
         @Description("Maximum demanded calibrated airspeed.")

@@ -9,8 +9,7 @@ import org.u2sa.control.Transfer;
 final class InnerLoops {
   private static final double MIN_SCALE = 0.6;
   private static final double MAX_SCALE = 1.6;
-  private static final double RUDDER_RATE =
-      2.0; // full travel a second is half a second stop to stop
+  private static final double RUDDER_RATE = 2.0; // 1/s: from stop to stop in half a second
 
   private final AutopilotVariables tuning;
   private final RollLaw roll;

@@ -25,7 +25,7 @@ final class LandingRefusal {
   private final double safeHeightM;
   private final double committedHeightM;
   private boolean refused;
-  private double crosswindMps; // at the refusal, positive to the right of the course
+  private double crosswindMps; // at the refusal, positive if blowing to the right
 
   /**
    * @param safeHeightM height above ground to climb to instead [m]

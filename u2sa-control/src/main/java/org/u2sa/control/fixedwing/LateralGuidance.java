@@ -14,7 +14,7 @@ final class LateralGuidance {
   private final double shortestM;
 
   /**
-   * @param shortestM minimum L1 [m]: nearer points count as this far, so that the gain is bounded
+   * @param shortestM minimum L1 [m]: nearer points count as this far, to bound the gain
    */
   LateralGuidance(double shortestM) {
     this.shortestM = shortestM;
@@ -33,7 +33,7 @@ final class LateralGuidance {
             ? state.headingRad()
             : StrictMath.atan2(state.eastMps(), state.northMps());
     double eta = Limit.angle(StrictMath.atan2(eastM, northM) - track);
-    // The paper bounds η to a right angle: behind that, the sine would fall again.
+    // The paper limits η to a right angle, beyond which the sine would fall again.
     double bounded = Limit.symmetric(eta, Math.PI / 2.0);
     return 2.0 * speed * speed / distance * StrictMath.sin(bounded);
   }

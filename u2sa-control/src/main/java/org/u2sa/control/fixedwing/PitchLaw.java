@@ -27,7 +27,7 @@ final class PitchLaw extends RateLoop {
       @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.7)
           @Description("Elevator per integrated pitch-rate error.")
           double pitchRateIntegralGain,
-      @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Maximum elevator of the integral.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.6) @Description("Maximum elevator by the integral.")
           double elevatorTrimLimit) {}
 
   private static final double STEEPEST_RAD = Math.toRadians(60.0); // maximum bank to compensate

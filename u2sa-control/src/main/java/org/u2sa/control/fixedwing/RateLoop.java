@@ -17,7 +17,7 @@ class RateLoop {
    */
   record Gains(double forward, double proportional, double integral, double integralLimit) {}
 
-  private final String name; // of the integral, in a hand-over
+  private final String name; // key of the integral in a hand-over
   private final Gains gains;
   private double integral;
 
@@ -28,7 +28,7 @@ class RateLoop {
 
   /**
    * @param scale Vref/V
-   * @return surface, −1…1, positive turns with the rate
+   * @return surface, −1…1, positive in the direction of the rate
    */
   final double step(double demanded, double measured, double scale, double dtS) {
     double error = demanded - measured;

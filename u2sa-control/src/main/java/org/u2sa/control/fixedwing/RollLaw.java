@@ -21,7 +21,7 @@ final class RollLaw extends RateLoop {
       @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.1)
           @Description("Aileron per integrated roll-rate error.")
           double rollRateIntegralGain,
-      @Variable(min = 0, max = 1, ifAbsent = 0.4) @Description("Maximum aileron of the integral.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.4) @Description("Maximum aileron from the integral.")
           double aileronTrimLimit) {}
 
   private final Variables parameters;

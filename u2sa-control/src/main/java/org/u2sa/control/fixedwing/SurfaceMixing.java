@@ -6,9 +6,9 @@ import java.util.Locale;
 
 /**
  * Reconfigures the commands for the remaining surfaces. A weakened aileron or rudder deflects
- * farther for the same effect; missing aileron authority is replaced by rudder through sideslip and
- * dihedral, more slowly (as NASA's Propulsion Controlled Aircraft and pilots' handbooks have it for
- * lost ailerons).
+ * farther for the same effect; the rudder replaces missing aileron authority through sideslip and
+ * dihedral, more slowly (as NASA's Propulsion Controlled Aircraft programme and pilots' handbooks
+ * recommend for lost ailerons).
  *
  * @param aileron remaining effectiveness of both ailerons, 0…1: 0.5 when one of two is lost
  * @param elevator remaining share, 0…1
@@ -48,7 +48,7 @@ record SurfaceMixing(double aileron, double elevator, double rudder) {
   /** Human-readable remaining authority; empty if all is healthy. */
   String words() {
     List<String> words = new ArrayList<>();
-    tell(words, "ailerons", aileron, "rolling by the rudder, slowly");
+    tell(words, "ailerons", aileron, "rolling slowly, by rudder");
     tell(words, "elevator", elevator, "cannot control pitch");
     tell(words, "rudder", rudder, "sideslip is not controlled");
     return String.join("; ", words);

@@ -16,7 +16,7 @@ final class TakeOffSequence {
           @Description("Time that engine and navigation must be ready before the throttle opens.")
           double readyTime,
       @Variable(min = 0.1, max = 1, ifAbsent = 0.5)
-          @Description("Throttle that releases the brakes.")
+          @Description("Throttle at which the brakes are released.")
           double releaseThrottle,
       @Variable(unit = "kt", min = 10, max = 80, ifAbsent = 55)
           @Description("Calibrated rotation speed.")
@@ -25,12 +25,12 @@ final class TakeOffSequence {
           @Description("Height above ground at which the climb-out ends.")
           double safeHeight) {}
 
-  private static final double FLYING_HEIGHT_M = 15.0; // wheels this high mean flying
+  private static final double FLYING_HEIGHT_M = 15.0; // wheels at this height mean flying
   private static final double LIFTED_FOR_S = 0.3; // shorter lift-offs are hops
   private static final double LANDED_FOR_S = 1.0;
 
   private final Variables parameters;
-  private final double rotationMps; // without wind
+  private final double rotationMps; // in calm air
   private FlightPhase phase;
   private double readySinceS = Double.NaN;
   private double liftedSinceS = Double.NaN;

@@ -59,19 +59,19 @@ public final class ThesisControl extends ControlSystem {
     /** With BANK GAIN and PITCH GAIN at 0, this is the law of the thesis. */
     record Variables(
         @Variable(min = 0, max = 5, ifAbsent = 1)
-            @Description("Fraction of full aileron at a direction of 180 degrees; thesis: 1.")
+            @Description("Fraction of full aileron for a bearing of 180 degrees; thesis: 1.")
             double directionGain,
         @Variable(unit = "deg", min = 1, max = 180, ifAbsent = 30)
-            @Description("Direction beyond which the aileron moves no further; thesis: 180.")
+            @Description("Bearing beyond which the aileron moves no further; thesis: 180.")
             double directionLimit,
         @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 0.4)
-            @Description("Aileron against bank; thesis: 0.")
+            @Description("Aileron per bank, to damp it; thesis: 0.")
             double bankGain,
         @Variable(min = 0, max = 1, ifAbsent = 0.3)
             @Description("Fraction of full elevator at an altitude difference of 1000 ft or more.")
             double altitudeGain,
         @Variable(unit = "1/rad", min = 0, max = 5, ifAbsent = 1.5)
-            @Description("Elevator against pitch; thesis: 0.")
+            @Description("Elevator per pitch, to damp it; thesis: 0.")
             double pitchGain,
         @Variable(unit = "deg", min = -5, max = 15, ifAbsent = 6)
             @Description("Pitch in level flight.")

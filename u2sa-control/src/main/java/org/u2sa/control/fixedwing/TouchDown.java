@@ -7,9 +7,9 @@ import org.u2sa.interfaces.configuration.Variable;
 /**
  * The last metres of a landing, and the roll-out. In the air it holds the runway's centreline by
  * bank, reduces sink rate and power, and near the ground aligns the nose with the runway, windward
- * wing low. On its wheels it holds the wings level by aileron, into the wind as speed falls, lowers
- * the nose, then pulls the elevator back, and brakes harder as speed falls (Cessna 172P handbook,
- * section 4: crosswind and short-field landing; FAA Airplane Flying Handbook, chapter 9).
+ * wing low. On its wheels it holds the wings level by aileron, turned into the wind as speed falls,
+ * lowers the nose, then pulls the elevator back, and brakes harder as speed falls (Cessna 172P
+ * handbook, section 4: crosswind and short-field landing; FAA Airplane Flying Handbook, chapter 9).
  */
 final class TouchDown {
   /** Variables of the last metres, and the crosswind limit. */
@@ -41,7 +41,7 @@ final class TouchDown {
   private static final double FULL_BRAKES_MPS = 8.0;
   private static final double NOSE_UP_RAD = Math.toRadians(4.5);
   private static final double ROLLING_MPS = 2.0;
-  private static final double ELEVATOR_BACK = -0.6; // full could strike the tail
+  private static final double ELEVATOR_BACK = -0.6; // full travel could strike the tail
   private static final double ELEVATOR_BACK_FAST = -0.1; // takes load off the nose wheel
   private static final double NO_LIFT_MPS = 22.0; // below this airspeed it does not lift off
   private static final double THROTTLE_PER_SINK = 0.25; // [s/m]
@@ -53,7 +53,7 @@ final class TouchDown {
   private final InnerLoops loops;
   private final FlareLaw flare;
   private final LateralGuidance lateral;
-  private boolean nosewheel; // is down and steers
+  private boolean nosewheel; // whether it is down and steers
 
   TouchDown(
       Variables parameters, FlareLaw.Variables flare, GroundSteering steering, InnerLoops loops) {

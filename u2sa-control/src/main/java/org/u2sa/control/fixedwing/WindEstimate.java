@@ -13,7 +13,7 @@ final class WindEstimate {
 
   private double northMps;
   private double eastMps;
-  private double knownS; // averaging time so far
+  private double knownS; // time averaged so far
 
   /** Adds a state to the average. */
   void step(FlightState state, double dtS) {

@@ -22,7 +22,7 @@ final class YawLaw {
       @Variable(unit = "1/rad/s", min = 0, max = 5, ifAbsent = 0.4)
           @Description("Rudder per integrated sideslip.")
           double sideslipIntegralGain,
-      @Variable(min = 0, max = 1, ifAbsent = 0.5) @Description("Maximum rudder of the integral.")
+      @Variable(min = 0, max = 1, ifAbsent = 0.5) @Description("Maximum rudder from the integral.")
           double rudderTrimLimit,
       @Variable(min = 0, max = 1, ifAbsent = 0.45) @Description("Rudder per aileron: adverse yaw.")
           double aileronToRudder) {}

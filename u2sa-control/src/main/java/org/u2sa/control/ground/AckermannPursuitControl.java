@@ -87,7 +87,7 @@ public final class AckermannPursuitControl extends GroundControl {
     return List.of(steering.get().throttleActuator(), steering.get().steeringActuator());
   }
 
-  /** Only Stanley's law needs the position: it follows a path, not a point. */
+  /** Only Stanley's law needs a position, because it follows a path, not a point. */
   @Override
   protected boolean obeysWithoutState() {
     return steering.get().steeringLaw() != SteeringLaw.STANLEY;

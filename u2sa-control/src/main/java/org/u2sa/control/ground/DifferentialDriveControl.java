@@ -40,7 +40,7 @@ public final class DifferentialDriveControl extends GroundControl {
               "Integral gain on the command of HEADING GAIN, for mismatched motors; 0: no feedback.")
           double mismatchGain) {}
 
-  private static final double ALIGNED_RAD = 0.6; // at larger bearings it turns and does not learn
+  private static final double ALIGNED_RAD = 0.6; // learns only below this bearing, when not turning
   private static final double FULL_PERCENT = 100.0;
 
   private final Settings<Gains> gains = settings(Gains.class);

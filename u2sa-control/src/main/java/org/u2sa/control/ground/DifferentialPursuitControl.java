@@ -24,20 +24,20 @@ public final class DifferentialPursuitControl extends GroundControl {
           @Description("Distance between the wheels of both sides.")
           double track,
       @Variable(unit = "s", min = 0, max = 10, ifAbsent = 0)
-          @Description("Like PICK UP TIME, for the yaw rate in a turn on the spot.")
+          @Description("Like PICK UP TIME, for the yaw rate in a turn in place.")
           double turnPickUpTime,
       @Variable(unit = "deg", min = 5, max = 180, ifAbsent = 35)
-          @Description("Bearing of the navigation point above which the vehicle turns on the spot.")
+          @Description("Bearing of the navigation point above which the vehicle turns in place.")
           double spotTurnAbove,
       @Variable(unit = "deg", min = 1, max = 180, ifAbsent = 8)
-          @Description("Bearing at which a turn on the spot ends.")
+          @Description("Bearing at which a turn in place ends.")
           double spotTurnBelow,
       @Variable(unit = "1/s", min = 0.1, max = 20, ifAbsent = 2)
-          @Description("Yaw rate per bearing in a turn on the spot.")
+          @Description("Yaw rate per bearing in a turn in place.")
           double spotTurnGain,
       @Variable(unit = "1/s", min = 0, max = 10, ifAbsent = 2)
           @Description(
-              "Share of a yaw-rate error that feedback corrects per second while turning on the spot; 0: no feedback.")
+              "Share of a yaw-rate error that feedback corrects per second while turning in place; 0: no feedback.")
           double spotTurnFeedback,
       @Variable(min = 0, max = 10, ifAbsent = 2)
           @Description("Additional commanded yaw rate per yaw-rate error; 0: none.")

@@ -60,7 +60,7 @@ abstract class GroundControl extends ControlSystem {
 
   @Override
   protected final Map<String, Double> neutral() {
-    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order varies by process
+    Map<String, Double> all = new LinkedHashMap<>(); // Map.of's order differs between processes
     motors().forEach(motor -> all.put(motor, 0.0));
     return all;
   }
@@ -72,13 +72,13 @@ abstract class GroundControl extends ControlSystem {
    * @param yawRateRadPerS yaw rate [rad/s], left positive; empty if unknown
    */
   record Measured(OptionalDouble forwardMps, OptionalDouble yawRateRadPerS) {
-    /** Nothing measured: without a state, or while motors do not obey, feedback must not learn. */
+    /** Nothing measured: feedback must not learn without a state, or while motors do not obey. */
     static final Measured NOTHING = new Measured(OptionalDouble.empty(), OptionalDouble.empty());
   }
 
   /**
    * Target; empty to stop. A motor announced as lost also stops the vehicle, which would otherwise
-   * lurch on its return, or rest as if stalled.
+   * lurch when the motor returns, or rest as if stalled.
    */
   private Optional<GroundTarget> target(StateInformation now, Optional<NavigationPoint> point) {
     Optional<StateInformation> then = point.flatMap(this::stateOf);

@@ -14,9 +14,9 @@ import org.u2sa.messages.frame.Point;
  * @param forwardM distance ahead of the vehicle [m]; negative behind
  * @param leftM distance to the left [m]; negative to the right
  * @param speedMps speed toward the target [m/s]; empty if control chooses it
- * @param backwards whether to go there with the rear first
+ * @param backwards whether to go there in reverse
  * @param turnRad turn wanted there [rad], left positive; empty if any heading will do
- * @param byHand motion wanted instead of a place; empty unless the vehicle is driven by hand
+ * @param byHand wanted motion instead of a target; empty unless the vehicle is driven by hand
  */
 record GroundTarget(
     double forwardM,
@@ -64,7 +64,7 @@ record GroundTarget(
     if (!isAlike || now.psi().isEmpty() || !hasPlace(then) || !hasPlace(now)) {
       return Optional.empty();
     }
-    Point left = ned.minus(displacement(then, now)); // of the way
+    Point left = ned.minus(displacement(then, now)); // of the remaining way
     Point level = new Attitude(0.0, 0.0, now.psi().getAsDouble()).levelOf(left);
     return Optional.of(
         new GroundTarget(

@@ -29,7 +29,7 @@ final class HandDriving {
   private boolean active;
   private String operator = "";
   private long takeovers;
-  private ManualDrive newest; // null: none since the start
+  private ManualDrive newest; // null: none since startup
   private long heardMicros;
   private boolean armed;
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;

@@ -6,12 +6,10 @@ package org.u2sa.control.ground;
  * change. Not thread-safe.
  */
 final class InertiaFeedForward {
-  /**
-   * Filter time of the rate of change, because the wanted motion jumps slightly with each state.
-   */
+  /** Filter time of the rate of change; the wanted motion jumps slightly with each state. */
   private static final double SMOOTHED_S = 0.1;
 
-  private double smooth = Double.NaN; // NaN before the first step: it may take over while moving
+  private double smooth = Double.NaN; // NaN before the first step, which may be on the move
 
   /**
    * Computes the addition to a wanted speed or yaw rate.

@@ -19,7 +19,7 @@ final class MotionWatch {
   private double goneM;
   private double restS;
   private double quietS; // time until the next warning when not resting
-  private boolean rolls; // when motors rest; reset once it has moved as demanded
+  private boolean rolls; // when motors rest; reset once the vehicle has moved as demanded
 
   /**
    * Updates with the demand on the motors and the resulting motion since the previous call.

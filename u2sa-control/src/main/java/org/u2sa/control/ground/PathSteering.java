@@ -39,7 +39,7 @@ final class PathSteering {
     Point front = Point.of(place.x() + wheelbaseM * cos, place.y() + wheelbaseM * sin, 0.0);
     Optional<TargetTrail.Beside> beside = trail.beside(front);
     if (beside.isPresent() && leadsAway(beside.get(), heading, to)) {
-      trail.clear(); // it failed to follow a corner: start a leg from here
+      trail.clear(); // a corner was missed: start a leg here
       trail.see(point, place);
       beside = trail.beside(front);
     }

@@ -56,8 +56,8 @@ final class PursuitControl {
   }
 
   /**
-   * Models the lag of motors, tyres and sensors as first order, so that feedback does not take it
-   * for an error.
+   * Models the lag of motors, tyres and sensors as first order, so that feedback does not treat it
+   * as an error.
    */
   private void follow(Drive demanded, double responseS, double stepS) {
     double share = stepS / (responseS + stepS);
@@ -74,9 +74,9 @@ final class PursuitControl {
   }
 
   /**
-   * Reports this step's demand as a fraction of the motors' capability: more than 1 if saturated.
+   * Records this step's demand as a fraction of the motors' capability: more than 1 if saturated.
    *
-   * @return warning for the user if they do not move the vehicle
+   * @return warning for the user if the motors do not move the vehicle
    */
   Optional<String> commanded(
       Demand demand, double effort, GroundControl.Measured measured, double stepS) {

@@ -14,8 +14,8 @@ record SlopeHelp(
             "Percentage that holds the vehicle on a slope, per sine of the slope: weight divided by the motors' stall force; 0: left to SPEED GAIN.")
         double slopeHelp) {
   private static final double FULL_PERCENT = 100.0;
-  private static final double LEVEL_RAD = 0.026; // dead band for uneven ground and sensor error
-  private static final double SLOPE_RAD = 0.052; // full effect from here on
+  private static final double LEVEL_RAD = 0.026; // dead band for uneven ground and sensor errors
+  private static final double SLOPE_RAD = 0.052; // full effect from this slope on
 
   /** Share of full power to add to both sides, forward positive. */
   double share(StateInformation state) {

@@ -9,7 +9,7 @@ import org.u2sa.control.Transfer;
  * and resets with each drive, each turn and each change of direction.
  */
 final class SpeedTrim {
-  private static final String NAME = "SPEED TRIM"; // in a hand-over
+  private static final String NAME = "SPEED TRIM"; // key in a hand-over
 
   private double trim;
   private double direction; // 1 forward, -1 in reverse, 0 in a turn in place

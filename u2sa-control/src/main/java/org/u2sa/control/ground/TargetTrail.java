@@ -8,8 +8,8 @@ import org.u2sa.messages.frame.Point;
 
 /**
  * Path traced by successive navigation points: from the vehicle's position at the first, through
- * the points it left behind, to the newest. A point that moves ahead of the vehicle traces the
- * path; a fixed one gives a leg. Not thread-safe.
+ * the points it left behind, to the newest point. A point that moves ahead of the vehicle traces
+ * the path; a fixed one gives a leg. Not thread-safe.
  */
 final class TargetTrail {
   private static final double SPACING_M = 0.25;

@@ -60,8 +60,8 @@ final class WheelBalance {
    * Computes the wheel commands.
    *
    * @param wanted shares by calibration alone
-   * @param ahead common command fraction of both motors, negative in reverse; 0 for a turn in place
-   *     or standstill
+   * @param ahead common command fraction of both motors, negative in reverse; 0 at standstill or in
+   *     a turn in place
    * @param errorRadPerS wanted minus actual yaw rate, left positive; empty if unknown, or if the
    *     motors do not obey
    */

@@ -13,8 +13,8 @@ record WheelShares(double left, double right) {
   }
 
   /**
-   * Clamps the shares to the attainable. While driving, forward or backward speed is reduced before
-   * yaw rate, because being late is better than leaving the line. A turn in place slows down.
+   * Limits the shares to attainable ones. While driving, speed is reduced before yaw rate, because
+   * being late is better than leaving the line. A turn in place slows down.
    */
   WheelShares possible() {
     double ahead = 0.5 * (left + right);

@@ -12,7 +12,7 @@ import org.u2sa.service.ServiceContext;
  * actuators. Out: actuation of its pan axis, to the left positive, and its tilt axis, up positive.
  */
 public final class GimbalControl extends SubsystemControl {
-  private static final double OVERHEAD_M = 1.0e-3; // nearer to the pan axis it has no direction
+  private static final double OVERHEAD_M = 1.0e-3; // closer to the pan axis a point has no bearing
 
   private record Variables(
       @Variable(ifAbsentText = "PAN") @Description("Actuator of the pan axis.") String panActuator,

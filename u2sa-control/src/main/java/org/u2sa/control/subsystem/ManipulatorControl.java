@@ -12,8 +12,8 @@ import org.u2sa.service.ServiceContext;
  * its subsystem (thesis 2.2). In: navigation, state, actuators. Out: actuation of the three joints.
  *
  * <p>At 0 the arm is stretched out straight ahead. Angles are positive to the left for the base, up
- * for the shoulder, and up relative to the upper arm for the elbow. A target out of reach is
- * approached as far as the arm goes, in its direction.
+ * for the shoulder, and up relative to the upper arm for the elbow. Towards a target out of reach,
+ * the arm stretches as far as it can.
  */
 public final class ManipulatorControl extends SubsystemControl {
   private record Variables(

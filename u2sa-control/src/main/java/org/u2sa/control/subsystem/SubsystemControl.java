@@ -25,12 +25,12 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.ServiceContext;
 
 /**
- * Moves the joints of a subsystem to the navigation points of its name (thesis 3.2.3.5, 3.2.3.8).
- * In: navigation, state, actuators. Out: actuation of its joints by angle.
+ * Moves the joints of a subsystem to the navigation points addressed to it (thesis 3.2.3.5,
+ * 3.2.3.8). In: navigation, state, actuators. Out: actuation of its joints by angle.
  *
  * <p>The joints' scales and limits are those that their actuators announce; an angle beyond them is
- * cut off. Turns of the vehicle since the navigation point was computed are compensated, its way
- * since then is not. Without states, points count as seen from the vehicle now.
+ * clamped. Turns of the vehicle since the navigation point was computed are compensated; its
+ * displacement since then is not. Without states, points are relative to the current pose.
  */
 public abstract class SubsystemControl extends ControlSystem {
   private static final double FULL_PERCENT = 100.0;
@@ -61,7 +61,7 @@ public abstract class SubsystemControl extends ControlSystem {
         getVariable(
             VariableDeclaration.text("SUBSYSTEM")
                 .ifAbsent(subsystem)
-                .describedAs("Subsystem whose navigation points it follows."));
+                .describedAs("Subsystem whose navigation points this service follows."));
     mounted = settings(MountingPose.class).get();
     subscribe(Channels.ACTUATORS, this::onActuator);
   }
@@ -74,7 +74,7 @@ public abstract class SubsystemControl extends ControlSystem {
   /**
    * The joints' angles for a target.
    *
-   * @param target in the axes of the subsystem's base: forward, left, down of it [m]
+   * @param target in the axes of the subsystem's base: forward, left, down [m]
    * @return angles by actuator name [rad], without those that stay unchanged
    */
   protected abstract Map<String, Double> angles(Point target);
@@ -118,7 +118,7 @@ public abstract class SubsystemControl extends ControlSystem {
     return mounted.seen(new Attitude(roll, pitch, state.psi().orElse(0.0)).bodyOf(ned));
   }
 
-  /** Commands a joint's angle [rad], cut off at its limits; nothing until it is announced. */
+  /** Commands a joint's angle [rad] within its limits, once the joint is announced. */
   private void turn(String joint, double angleRad) {
     Optional<ActuatorAnnouncement> actuator = actuator(joint);
     if (actuator.isEmpty()) {

@@ -24,7 +24,7 @@ import org.u2sa.messages.schema.MessageCodec;
 final class BrokerState implements AutoCloseable {
   static final String TOO_SLOW = "client disconnected: it is too slow";
 
-  private static final double TOTAL_BURST_S = 0.01; // maximum delay of other clients by a flood
+  private static final double TOTAL_BURST_S = 0.01; // maximum delay a flood may cause
 
   final BrokerLimits limits;
   final MessageCodec codec;
@@ -38,10 +38,10 @@ final class BrokerState implements AutoCloseable {
   private final AtomicLong dropped = new AtomicLong();
   final ClientTable clients;
   final RetainedTable retained;
-  final Allowance.PerUser questions; // queries to all services
+  final Allowance.PerUser questions; // queries sent to all services
   final MemoryBudget<Client> unfinished = // packets; touched by the network's thread only
       MemoryBudget.ofClients(
-          8, 64 << 20, "connection closed, too many bytes wait for the rest of a packet");
+          8, 64 << 20, "connection closed, too many bytes waiting for the rest of a packet");
   final MemoryBudget<Client> unsent = // or unacknowledged; touched by the network's thread only
       MemoryBudget.ofClients(4, 256 << 20, TOO_SLOW);
   final Allowance beyondShares; // of all clients; confined to the network thread
@@ -81,7 +81,7 @@ final class BrokerState implements AutoCloseable {
     return Base64.getEncoder().encode(random);
   }
 
-  /** Pass that replaces the password of admitted connections. */
+  /** Secret that replaces the password of admitted connections. */
   String pass() {
     return new String(pass, StandardCharsets.US_ASCII);
   }

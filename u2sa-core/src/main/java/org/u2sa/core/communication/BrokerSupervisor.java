@@ -29,7 +29,7 @@ final class BrokerSupervisor implements AutoCloseable {
     AtomicBoolean told = new AtomicBoolean();
     return starter.apply(
         () -> {
-          if (told.compareAndSet(false, true)) { // several of its threads may fail
+          if (told.compareAndSet(false, true)) { // several broker threads may fail
             repairSoon();
           }
         });

@@ -53,7 +53,7 @@ interface Client {
   /**
    * Sends a message. Called on the connection's thread.
    *
-   * @param eachMatters whether the client is to acknowledge it
+   * @param eachMatters whether the client must acknowledge it
    * @return whether the client's backlog calls for slowing down the publisher
    */
   boolean deliver(Publication publication, boolean eachMatters);

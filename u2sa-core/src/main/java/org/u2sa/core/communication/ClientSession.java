@@ -49,7 +49,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
   private PacketRules rules;
   private ClientSubscriptions subscriptions;
   private boolean isBudgeted; // the client's memory is counted
-  private ConnectRequest.Will will; // null if none or already published
+  private ConnectRequest.Will will; // null if no will, or already published
   private boolean hasNews; // packets passed to Moquette since the last read-complete
   private String clientId = "";
   private volatile String name = LocalAccount.ANONYMOUS;
@@ -283,7 +283,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     } else if (!broker.users().get().havePasswords()) {
       loginLocally(ctx, said, broker.users().get());
     } else if (said.user().isEmpty()) {
-      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it names no user");
+      refuse(ctx, MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED, "it gives no user name");
     } else {
       name = said.user();
       stage = Stage.CHECKED;
@@ -305,7 +305,7 @@ final class ClientSession extends ChannelInboundHandlerAdapter implements Client
     }
     user = known.get();
     name = user.name();
-    if (isOperator()) { // of the account, not anonymous
+    if (isOperator()) { // the account's user, not anonymous
       broker.pending.proven(this);
     }
     admit(ctx, said);

@@ -16,8 +16,8 @@ final class ClientTable {
   private final AtomicLong connectionsSoFar = new AtomicLong();
 
   /**
-   * @param hasUsers whether clients are of users: each has a limited number of connections, and
-   *     some are kept free for operators
+   * @param hasUsers whether clients belong to users, each with a limited number of connections, of
+   *     which some are reserved for operators
    */
   ClientTable(BrokerLimits limits, boolean hasUsers) {
     this.limits = limits;

@@ -184,7 +184,7 @@ public final class CommunicationManager implements AutoCloseable {
     try {
       FoundBroker found = BrokerSearch.theOnly(Optional.of(systemId), new SystemClock(), timeoutS);
       if (found.encrypted() && !access.isEncrypted()) {
-        throw new BadInputException("the broker " + found + " wants TLS: set CA FILE");
+        throw new BadInputException("the broker " + found + " requires TLS: set CA FILE");
       }
       return found;
     } catch (InterruptedException e) {
@@ -279,7 +279,7 @@ public final class CommunicationManager implements AutoCloseable {
     }
   }
 
-  /** Receives nothing; connects only to probe the broker. */
+  /** Receives no messages; connects only to probe the broker. */
   private static final class Probe implements Receiver {
     @Override
     public void receive(Channel<?> channel, U2SAData message) {

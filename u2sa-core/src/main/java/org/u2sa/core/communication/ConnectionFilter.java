@@ -45,7 +45,7 @@ final class ConnectionFilter implements AutoCloseable {
   /** Connections accepted per second from unknown networks, see {@link AcceptRate}. */
   static final double ACCEPTED_PER_S = 2_000.0;
 
-  static final double ENCRYPTED_PER_S = 200.0; // each costs milliseconds
+  static final double ENCRYPTED_PER_S = 200.0; // each handshake costs milliseconds
 
   /** Further connections refused per second; the rest wait in the listen backlog. */
   private static final double REFUSED_PER_S = 20_000.0;
@@ -106,7 +106,7 @@ final class ConnectionFilter implements AutoCloseable {
     private static final long serialVersionUID = 1L;
 
     StartingException() {
-      super("the broker is only starting; the client will come again", null, false, false);
+      super("the broker is still starting; the client will retry", null, false, false);
     }
   }
 
@@ -120,9 +120,9 @@ final class ConnectionFilter implements AutoCloseable {
     @Override
     public void channelRead(ChannelHandlerContext ctx, Object message) {
       Channel child = (Channel) message;
-      if (isTooMuch(child.remoteAddress())) { // before anything is built for it
+      if (isTooMuch(child.remoteAddress())) { // before any handler is created for it
         broker.refusals.add(
-            "connection refused, too many a second", String.valueOf(child.remoteAddress()));
+            "connection refused, too many per second", String.valueOf(child.remoteAddress()));
         child.unsafe().closeForcibly();
         refused.take(1.0, broker.nowMicros());
         if (!refused.isOpen(broker.nowMicros())) {
@@ -146,7 +146,7 @@ final class ConnectionFilter implements AutoCloseable {
           .setOption(
               ChannelOption.WRITE_BUFFER_WATER_MARK,
               new WriteBufferWaterMark(NEVER_UNWRITABLE / 2, NEVER_UNWRITABLE));
-      // One thread reads all clients in turn: none may occupy it for long.
+      // One thread reads all clients in turn: no client may occupy it for long.
       child
           .config()
           .setOption(

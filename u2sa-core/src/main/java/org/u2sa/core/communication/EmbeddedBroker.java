@@ -26,7 +26,7 @@ import org.u2sa.messages.schema.MessageCodec;
  * local ones go out.
  */
 final class EmbeddedBroker implements AutoCloseable {
-  private static final String BACKLOG = "1024"; // connections not accepted yet
+  private static final String BACKLOG = "1024"; // listen backlog
 
   private final LocalBus bus;
   private final Consumer<String> log;
@@ -104,9 +104,9 @@ final class EmbeddedBroker implements AutoCloseable {
     properties.setProperty(IConfig.PORT_PROPERTY_NAME, String.valueOf(address.getPort()));
     properties.setProperty(BrokerConstants.NETTY_SO_BACKLOG_PROPERTY_NAME, BACKLOG);
     properties.setProperty(
-        IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // the connection filter names all
+        IConfig.ALLOW_ANONYMOUS_PROPERTY_NAME, "false"); // clients get names from the filter
     properties.setProperty(IConfig.PERSISTENCE_ENABLED_PROPERTY_NAME, "false");
-    properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // it would report to its makers
+    properties.setProperty(IConfig.ENABLE_TELEMETRY_NAME, "false"); // would report to its makers
     properties.setProperty(
         IConfig.NETTY_MAX_BYTES_PROPERTY_NAME, String.valueOf(BrokerLimits.LONGEST_PACKET));
     properties.setProperty(

@@ -55,14 +55,14 @@ final class FilterInstaller {
   }
 
   /**
-   * Ends the network threads. Moquette would do it too, but would wait idly for two seconds,
-   * although everything was sent before.
+   * Ends the network threads. Moquette would also do this, but only after two idle seconds,
+   * although everything has been sent.
    */
   static void takeDown(Server server) {
     try {
       Object acceptor = field(server, "acceptor");
       if (acceptor == null) {
-        return; // failed before it had threads
+        return; // failed before its threads were created
       }
       for (String group : List.of("bossGroup", "workerGroup")) {
         ((EventLoopGroup) field(acceptor, group)).shutdownGracefully(0, END_WITHIN_S, SECONDS);

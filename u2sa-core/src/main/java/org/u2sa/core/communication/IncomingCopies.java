@@ -47,7 +47,7 @@ final class IncomingCopies implements MessageRouter.Reader {
   public boolean wants(String topicName) {
     Source source = sources.get(topicName);
     if (source == null) {
-      return true; // decided when it is read
+      return true; // decided when the message is read
     }
     boolean wanted = source.isOurs && (source.isKept || bus.isHeard(source.topic.channel()));
     if (!wanted && heard.remove(topicName)) {

@@ -38,7 +38,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
   /** Fraction of its rates a client has while a subscriber of its messages is behind. */
   private static final double SLOWER = 0.1;
 
-  private static final double SLOWER_BURST_MESSAGES = 20.0; // arrive between two checks
+  private static final double SLOWER_BURST_MESSAGES = 20.0; // may arrive between two checks
 
   /**
    * Guaranteed fraction of its rate, whatever others send: enough for a vehicle's service or an
@@ -54,7 +54,7 @@ final class Inflow extends ChannelInboundHandlerAdapter {
    */
   static final int SHORT_PAYLOAD = 1_024;
 
-  private static final int LONG_BYTES = 2 * SHORT_PAYLOAD; // no short message takes as many
+  private static final int LONG_BYTES = 2 * SHORT_PAYLOAD; // more than any short message takes
 
   private final BrokerState broker;
   private final Gate gate;

@@ -18,7 +18,7 @@ public record ManagerVariables(
         String bindAddress,
     @Variable(ifAbsentText = "localhost")
         @Description(
-            "Host of the external broker; auto: the one that announces itself by mDNS for this system.")
+            "Host of the external broker; auto: the one announced by mDNS for this system.")
         String communicationManagerIp,
     @Variable(min = 1, max = 65_535, ifAbsent = 1883)
         @Description("TCP port of the embedded or external broker.")
@@ -49,7 +49,7 @@ public record ManagerVariables(
             oneOf = {READABLE, COMPACT},
             ifAbsentText = READABLE)
         @Description(
-            "How this process writes messages. readable: fields by name, for any CBOR tool; compact: fields by number and lists as typed arrays, about half of the bytes of small messages, for readers of format 3 and later.")
+            "How this process writes messages. readable: fields by name, for any CBOR tool; compact: fields by number and lists as typed arrays, about half the size for small messages, for readers of format 3 and later.")
         String wireForm) {
   /** Name of the variable {@link #broker}. */
   public static final String BROKER = "BROKER";

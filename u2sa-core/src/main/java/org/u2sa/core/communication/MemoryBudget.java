@@ -9,8 +9,8 @@ import org.u2sa.core.communication.limit.BrokerLimits;
 
 /**
  * Limits one kind of memory that the broker holds for its connections, such as incomplete packets.
- * Beyond the total limit, closes the largest connection of the user with the most, so that nobody
- * can exhaust memory. Not thread-safe.
+ * Beyond the total limit, closes the largest connection of the user who uses the most memory, so
+ * that nobody can exhaust it. Not thread-safe.
  *
  * @param <C> a connection
  */

@@ -22,7 +22,7 @@ import org.u2sa.interfaces.mqtt.ClientIds;
  */
 final class Outflow extends ChannelOutboundHandlerAdapter {
   private static final String SYSTEMS = "u2sa/";
-  private static final String TOO_MANY_BYTES = "too many bytes await its acknowledgement";
+  private static final String TOO_MANY_BYTES = "too many bytes are unacknowledged";
   private static final int LAST_PACKET = 65_535;
 
   /**
@@ -108,7 +108,7 @@ final class Outflow extends ChannelOutboundHandlerAdapter {
       return TOO_MANY_BYTES;
     }
     if (eachMatters && unacknowledged.size() >= MAX_UNACKNOWLEDGED) {
-      return "too many messages await its acknowledgement";
+      return "too many messages are unacknowledged";
     }
     sentMicros = broker.nowMicros();
     if (eachMatters) {

@@ -98,13 +98,13 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send() {
     try {
-      // Drains the queue after close, as it may hold the actuators' neutral commands.
+      // Drains the queue after close, because it may hold the actuators' neutral commands.
       for (Copy copy = next(); copy != null; copy = next()) {
         send(copy);
       }
       onTheWay.tryAcquire(ON_THE_WAY_AT_MOST, LOST_AFTER_MS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
-      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers dropped");
+      log.accept("interrupted: " + waiting.size() + " copies for remote subscribers were dropped");
     }
   }
 
@@ -119,14 +119,14 @@ final class OutgoingCopies implements LocalBus.Bridge, AutoCloseable {
 
   private void send(Copy copy) throws InterruptedException {
     if (!onTheWay.tryAcquire(LOST_AFTER_MS, TimeUnit.MILLISECONDS)) {
-      // A network thread that has ended never completes it; do not wait.
+      // Do not wait for a network thread that has ended: it never completes the send.
       onTheWay = new Semaphore(ON_THE_WAY_AT_MOST);
       onTheWay.acquire();
     }
     Semaphore place = onTheWay;
     try {
       publish(copy, place::release);
-    } catch (RuntimeException | OutOfMemoryError e) { // only this message cannot be sent
+    } catch (RuntimeException | OutOfMemoryError e) { // skip only this message
       place.release();
       drop("publishing on \"" + copy.topic + "\" failed: " + e.getMessage());
     }

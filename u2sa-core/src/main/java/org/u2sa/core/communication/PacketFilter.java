@@ -68,7 +68,7 @@ record PacketFilter(
       return;
     }
     if (broker.isEnding()) { // unacknowledged, so the client knows that it is lost
-      broker.refusals.add("message not taken, the broker ends", who);
+      broker.refusals.add("message not accepted, the broker is shutting down", who);
       return;
     }
     Optional<String> refused = rules.refusalOf(publish);
@@ -87,7 +87,7 @@ record PacketFilter(
       broker.router.route(
           publish.variableHeader().topicName(), publish.content(), eachMatters, session);
     }
-    if (eachMatters) { // also if refused: MQTT 3.1.1 has no other answer
+    if (eachMatters) { // even for refused messages: MQTT 3.1.1 has no other answer
       session.acknowledge(publish.variableHeader().packetId());
     }
   }

@@ -78,7 +78,7 @@ final class PacketRules {
     if (refusal.isEmpty() && retained) {
       refusal =
           publish.fixedHeader().qosLevel() == MqttQoS.AT_MOST_ONCE
-              ? Optional.of("retained messages require QoS 1") // it could get lost unnoticed
+              ? Optional.of("retained messages require QoS 1") // its loss could go unnoticed
               : refusalAsRetained(verdict, payload);
       if (refusal.isEmpty()) {
         refusal = retain(verdict, payload);
@@ -157,7 +157,7 @@ final class PacketRules {
   }
 
   /**
-   * Whether an accepted will is, at the end of its connection, in a name that its sender may use.
+   * Whether its sender may still use the source name of an accepted will when the connection ends.
    */
   boolean mayName(ConnectRequest.Will will) {
     return mayName(judge.judge(will.topic()), Unpooled.wrappedBuffer(will.payload()));

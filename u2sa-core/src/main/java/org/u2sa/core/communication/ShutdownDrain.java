@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 
 /**
  * On broker shutdown, waits until clients have received pending messages, such as neutral commands.
- * QoS 1 messages are acknowledged; for others it waits some time, because clients discard
+ * QoS 1 messages are acknowledged; for others this waits for a while, because clients discard
  * unprocessed messages when the connection closes.
  */
 record ShutdownDrain(Collection<Client> clients, Clock clock) {

@@ -64,7 +64,7 @@ final class TlsRecords extends ByteToMessageDecoder {
     if (type < MIN_TYPE || type > MAX_TYPE || length > MAX_LENGTH) {
       out.add(in.readRetainedSlice(in.readableBytes())); // the decryption reports the error
     } else if (established && type == HANDSHAKE) {
-      end("connection closed, it begins a second TLS handshake");
+      end("connection closed, it started a second TLS handshake");
       in.skipBytes(in.readableBytes());
     } else if (in.readableBytes() >= HEADER + length) {
       out.add(in.readRetainedSlice(HEADER + length));

@@ -10,17 +10,17 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.HealthReport;
 
 /**
- * Offsets of other services' clocks from this one, from the timestamps of their health reports:
- * timestamp minus arrival time, of the least delayed among several reports.
+ * Estimates the offsets of other services' clocks from this one: timestamp minus arrival time of
+ * the least delayed among several health reports.
  */
 final class ClockOffsets {
   private static final int REPORTS = 8; // 2 s at the usual interval
-  private static final int MAX_SOURCES = 1_000; // more than an inbox hears at a time
+  private static final int MAX_SOURCES = 1_000; // more than fit in an inbox
 
   private static final class Source {
     private final ArrayDeque<Long> offsetsMicros = new ArrayDeque<>();
     private String instance = "";
-    private OptionalDouble saidS = OptionalDouble.empty(); // as reported; empty if it agrees
+    private OptionalDouble saidS = OptionalDouble.empty(); // as last logged; empty: none
   }
 
   private final Map<String, Source> sources = new RecentlyUsed<>(MAX_SOURCES); // by service

@@ -29,12 +29,12 @@ import org.u2sa.service.ServiceRole;
  *
  * <p>It distinguishes hung, dead, lost, stalled, failed, silent and stopped services. Each service
  * has its own policy. The monitor itself is watched by its process's {@code HealthWatch} or its
- * supervisor. While disconnected from all others it judges no service. It reports services whose
- * clocks differ from its own by name.
+ * supervisor. While it is disconnected from all others, it does not judge any service. It reports
+ * by name the services whose clocks differ from its own.
  */
 public final class HealthMonitor extends PeriodicService {
   private static final double LOOKS_PER_S = 4.0;
-  private static final double SLOWEST_HZ = 1.0; // else failsafes would come too late
+  private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
 
   /** Steps the monitor itself may miss before it stops treating silence as evidence. */
   private static final double LOST_AFTER_PERIODS = 4.0;
@@ -48,7 +48,7 @@ public final class HealthMonitor extends PeriodicService {
   private final ReceptionCheck reception;
   private final ClockOffsets clocks = new ClockOffsets();
   private final SafetyManagerLoss safetyManager;
-  private boolean demands; // a failsafe in place of the Safety Manager
+  private boolean demands; // a failsafe on behalf of the Safety Manager
   private double lookedS = Double.NaN;
   private long orders;
 
@@ -195,7 +195,7 @@ public final class HealthMonitor extends PeriodicService {
           isLost
               ? "the Safety Manager of an armed vehicle is silent: failsafe "
                   + limits.get().onSafetyManagerLoss()
-              : "the Safety Manager is heard again");
+              : "the Safety Manager reports again");
     }
     safetyManager.due(limits.get(), nowS).ifPresent(this::publish);
   }
@@ -205,9 +205,9 @@ public final class HealthMonitor extends PeriodicService {
     if (change == ReceptionCheck.Change.LOST) {
       log(
           LogLevelEnum.WARN,
-          "does not hear even its own reports: judging no service until it does");
+          "does not receive even its own reports: not judging any service until it does");
     } else if (change == ReceptionCheck.Change.RESTORED) {
-      log(LogLevelEnum.WARN, "hears reports again");
+      log(LogLevelEnum.WARN, "receives reports again");
       services.values().forEach(service -> service.excuse(ReceptionCheck.excusedUntilS(nowS)));
       safetyManager.excuse(ReceptionCheck.excusedUntilS(nowS));
     }

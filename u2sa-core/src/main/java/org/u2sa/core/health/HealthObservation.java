@@ -27,8 +27,8 @@ final class HealthObservation {
   record Finding(Condition condition, String reason, boolean mayPass) {}
 
   private final Set<String> former = new LinkedHashSet<>();
-  private String instance = ""; // empty until known
-  private HealthReport last; // of the current instance; null until heard
+  private String instance = ""; // empty until a report arrives
+  private HealthReport last; // of the current instance; null until it reports
   private double heardS; // last report by the current instance or by its launcher
   private double spokeS; // last report by the instance itself
   private double sinceS; // start of waiting, or first report of the current instance
@@ -40,7 +40,7 @@ final class HealthObservation {
     sinceS = nowS;
   }
 
-  /** Handles a report. Returns whether a new instance was heard. */
+  /** Handles a report. Returns whether it came from a new instance. */
   boolean hear(HealthReport report, double nowS) {
     String of = report.instance().orElse(instance);
     boolean ofAFormer = former.contains(of);
@@ -68,7 +68,7 @@ final class HealthObservation {
     last = report;
     heardS = nowS;
     spokeS = forItself || isNew ? nowS : spokeS;
-    lost &= !forItself; // a connection that was restored
+    lost &= !forItself; // the connection was restored
     dead |= report.threadAlive().equals(Optional.of(false));
     dead &= !(forItself && report.status() == ServiceStatus.RUNNING); // it reports, so it is alive
     return isNew;
@@ -115,7 +115,6 @@ final class HealthObservation {
     }
   }
 
-  /** Restores the state of a previous monitor. */
   void remember(String formerInstance) {
     if (last == null) {
       instance = formerInstance;

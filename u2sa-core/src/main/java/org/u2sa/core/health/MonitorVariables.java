@@ -21,7 +21,7 @@ final class MonitorVariables {
   record Limits(
       @Variable(ifAbsentText = "")
           @Description(
-              "Names of the watched services, separated by commas; one that never appears is reported. Empty: every service ever heard.")
+              "Names of the watched services, separated by commas; one that never appears is reported. Empty: every service that has ever reported.")
           String watched,
       @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 2)
           @Description("Time that a callback may run before its service counts as hung.")
@@ -29,14 +29,14 @@ final class MonitorVariables {
       @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 4)
           @Description("Silence after which a service counts as lost.")
           double lostAfter,
-      // An attempt that hangs for 4 s, and a back-off of 2 s.
+      // One connection attempt that hangs for 4 s, plus a back-off of 2 s.
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 6)
           @Description(
               "Time to reconnect before a restart, for a service whose connection broke but whose process is not known to have ended.")
           double reconnectWithin,
       @Variable(unit = "s", min = 0.1, max = 3600, ifAbsent = 15)
           @Description(
-              "Time within which a service must be heard after the monitor starts or orders its start.")
+              "Time within which a service must report after the monitor starts or orders its start.")
           double startWithin,
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0.25)
           @Description(
@@ -53,7 +53,7 @@ final class MonitorVariables {
               ifAbsentText = "FAILSAFE")
           @Description("Action when restarts have not helped.")
           String afterRestarts,
-      @Variable(ifAbsentText = "RESTART") @Description("Action for a service that no longer works.")
+      @Variable(ifAbsentText = "RESTART") @Description("Action if a service no longer works.")
           Policy policy,
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
           @Description("Time without data after which a service counts as stalled; 0: never.")
@@ -62,9 +62,9 @@ final class MonitorVariables {
               oneOf = {"CONTINUE", "HOLD", "RETURN", "LAND"},
               ifAbsentText = "HOLD")
           @Description(
-              "Failsafe that the monitor itself demands when the Safety Manager of an armed vehicle is lost.")
+              "Failsafe that the monitor itself demands if the Safety Manager of an armed vehicle is lost.")
           String onSafetyManagerLoss,
-      // Above LOST AFTER; below ARMING EXPIRY, or it would act on neutral actuators.
+      // Above LOST AFTER; below ARMING EXPIRY, or actuators would be neutral already.
       @Variable(unit = "s", min = 1.5, max = 3600, ifAbsent = 5)
           @Description(
               "Time without an arming state after which the Safety Manager of an armed vehicle counts as lost.")
@@ -83,7 +83,7 @@ final class MonitorVariables {
   private final Map<String, Policy> policies = new HashMap<>();
   private final Map<String, Double> dataTimeoutsS = new HashMap<>();
 
-  /** Reads also the variables of the services that the configuration names. */
+  /** Also reads the variables of the services named in the configuration. */
   MonitorVariables(Limits limits, Configurator configuration) {
     this.limits = limits;
     nameRefusal(limits.watched())
@@ -108,7 +108,7 @@ final class MonitorVariables {
     return names;
   }
 
-  /** Reason why a list of watched services is invalid: no message could carry such a name. */
+  /** Reason why a list of watched services is invalid: a name that no message can carry. */
   static Optional<String> nameRefusal(String list) {
     return names(list).stream()
         .filter(name -> name.length() > NAME_CHARS)

@@ -44,7 +44,7 @@ final class SafetyManagerLoss {
     demanded = state.action();
   }
 
-  /** Excuses silence until the given time, because the monitor could not hear. */
+  /** Excuses silence until the given time, because the monitor could not receive reports. */
   void excuse(double untilS) {
     heardS = Math.max(heardS, untilS);
   }

@@ -37,12 +37,12 @@ final class WatchedService {
   private boolean toldToStop;
   private boolean givenUp;
   private String givenUpWords = "";
-  private boolean hopeless; // its process rejected its input
+  private boolean hopeless; // its process rejects its input
   private int shortages; // starts in a row that failed for a lack of resources
   private double shortSinceS = Double.NaN; // time of the first of them; NaN if none
   private double orderedS = Double.NaN; // time of the pending restart order; NaN if none
-  private String orderedInstance = ""; // instance it is to replace
-  private String notStarted = ""; // why the last restart failed; empty if it did not
+  private String orderedInstance = ""; // instance that the pending restart is to replace
+  private String notStarted = ""; // why the last restart failed; empty if it succeeded
   private String said = ""; // last published condition
 
   WatchedService(String name, double nowS) {
@@ -55,7 +55,7 @@ final class WatchedService {
     boolean ofReplaced = report.instance().equals(Optional.of(orderedInstance));
     boolean forItself = report.threadAlive().isEmpty();
     if (isPending() && ofReplaced && !(forItself && report.status() == ServiceStatus.RUNNING)) {
-      return; // it ends because it is being replaced
+      return; // it is ending because it is being replaced
     }
     if (HealthObservation.isOfAFailedStart(report)) {
       endStart(report.lastError().filter(ProcessFailure::isOfInput), nowS);
@@ -69,11 +69,11 @@ final class WatchedService {
   /**
    * Ends the waiting for a new instance.
    *
-   * @param hopelessness why another start would fail, too; empty if it may succeed
+   * @param hopelessness why another start would also fail; empty if it may succeed
    */
   private void endStart(Optional<String> hopelessness, double nowS) {
     if (isPending()) {
-      observation.expectAnother(orderedInstance, nowS); // if its order is not answered yet
+      observation.expectAnother(orderedInstance, nowS); // if its order has not been answered yet
       orderedS = Double.NaN;
     }
     hopeless = hopelessness.isPresent();
@@ -129,7 +129,7 @@ final class WatchedService {
     action = "restart failed: " + reason;
     notStarted(reason);
     if (ProcessFailure.isOfResources(reason)) {
-      restarts.takeBack(); // nothing was started
+      restarts.takeBack(); // no instance was started
       shortages++;
       shortSinceS = Double.isNaN(shortSinceS) ? nowS : shortSinceS;
     }
@@ -154,7 +154,7 @@ final class WatchedService {
     if (found.condition() == Condition.ALIVE) {
       notStarted = "";
     } else if (found.condition() == Condition.STOPPED && !toldToStop && !notStarted.isEmpty()) {
-      found = // it ended to be replaced
+      found = // it ended in order to be replaced
           new HealthObservation.Finding(
               Condition.FAILED, "its restart failed: " + notStarted, false);
     }

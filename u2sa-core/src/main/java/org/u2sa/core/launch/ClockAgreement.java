@@ -6,9 +6,9 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.contract.DiscoveryResponse;
 
 /**
- * The offset of this process's clock from that of the services already running, from one request
- * and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was stamped between
- * the request and its arrival. The fastest answer counts. Thread-safe.
+ * Measures the offset between this process's clock and that of the services already running, using
+ * one request and the timestamps of its answers (as in NTP, RFC 5905, section 8): an answer was
+ * stamped between the request and its own arrival. The fastest answer counts. Thread-safe.
  */
 final class ClockAgreement {
   /** Smaller offsets are not corrected [µs]. */
@@ -41,7 +41,7 @@ final class ClockAgreement {
   }
 
   /**
-   * Lead of the others' clock [µs]; 0 if it agrees within the accuracy, or none answered.
+   * Lead of the others' clock [µs]; 0 if it agrees within the accuracy or no service answered.
    *
    * @param log receives a message if the clocks disagree
    */

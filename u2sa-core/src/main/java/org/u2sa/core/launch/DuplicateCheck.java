@@ -54,8 +54,8 @@ final class DuplicateCheck implements Transport, Receiver {
   }
 
   /**
-   * Only determines the time, for restarted services whose names may still be registered; the first
-   * answer suffices.
+   * Determines the clock offset without checking names, because a restarted service's name may
+   * still be registered; the first answer suffices.
    */
   static DuplicateCheck forTime(Transport transport, Clock clock, Consumer<String> log) {
     DuplicateCheck call = new DuplicateCheck(transport, clock, log);
@@ -85,8 +85,8 @@ final class DuplicateCheck implements Transport, Receiver {
   }
 
   /**
-   * Lead of the system's time over the clock, from the answers [µs]; 0 if they agree or none
-   * arrived. Logs any other offset.
+   * Lead of the system's time over the clock, from the answers [µs]; 0 if the clocks agree or no
+   * answer arrived. Logs any other offset.
    */
   long systemAheadMicros() {
     return agreement.aheadMicros(log);
@@ -99,7 +99,7 @@ final class DuplicateCheck implements Transport, Receiver {
       throw new CommunicationException(
           String.format(
               "service name \"%s\" is taken in system \"%s\" by a service on host \"%s\":"
-                  + " names must differ",
+                  + " service names must be unique",
               serviceName, systemId(), host));
     }
     return transport.connect(serviceName, receiver);

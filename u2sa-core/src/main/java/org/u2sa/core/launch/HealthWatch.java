@@ -17,7 +17,7 @@ import org.u2sa.service.U2SAService;
  * whether the thread is alive and how long its callback has been running. One thread per process,
  * on the run's clock; it only checks and publishes.
  *
- * <p>It also restarts a health monitor that is dead or hung, which nothing else would.
+ * <p>It also restarts a dead or hung health monitor, which nothing else would do.
  */
 final class HealthWatch implements AutoCloseable {
   private static final long EVERY_MICROS = 250_000;
@@ -89,7 +89,7 @@ final class HealthWatch implements AutoCloseable {
     try {
       look(service);
     } catch (RuntimeException | OutOfMemoryError e) {
-      if (Long.bitCount(++failures) == 1) { // 1, 2, 4, 8…: checks run four times a second
+      if (Long.bitCount(++failures) == 1) { // 1st, 2nd, 4th, 8th…: checks run four times a second
         launcher.trouble(
             String.format(
                 "watching %s failed: %s (%s so far)", service.getServiceName(), e, failures));

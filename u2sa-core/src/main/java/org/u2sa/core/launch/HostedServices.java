@@ -145,8 +145,8 @@ final class HostedServices implements ServiceHost {
   private Optional<String> startInPlaceOf(Hosted old) {
     try {
       // An invalid file rejects the order before the running service is ended. The successor reads
-      // it again: here all variables are declared, and its device could not tell those that the
-      // file states from those that it may set itself.
+      // the file again: here all variables are declared, so its device could not tell variables set
+      // in the file from those it may set itself.
       XmlConfiguration checked = configurationInPlaceOf(old);
       old.configuration().declared().forEach(checked::getVariable);
       checked.refuseUndeclared();
@@ -205,7 +205,7 @@ final class HostedServices implements ServiceHost {
       ending.join(END_WITHIN_MS);
     } catch (InterruptedException e) {
       interrupted = true;
-      service.kill(); // an interrupt asks it to end, not to be abandoned
+      service.kill(); // an interrupt asks the service to end; do not abandon it
     }
     if (interrupted) {
       Thread.currentThread().interrupt();
@@ -220,7 +220,7 @@ final class HostedServices implements ServiceHost {
       closing = true;
       all = services();
     }
-    // Last started, first ended: control sends its neutral commands while the services that carry
+    // Last started first: control sends its neutral commands while the services that carry
     // them out still run.
     for (int i = all.size() - 1; i >= 0; i--) {
       end(all.get(i));

@@ -159,16 +159,16 @@ public final class LaunchOptions {
     return Optional.ofNullable(makers.get(className));
   }
 
-  /** Sets whether the services of this process already ran in this run, in another process. */
+  /** Sets whether the services of this process already ran in another process of this run. */
   public LaunchOptions restart(boolean value) {
     restart = value;
     return this;
   }
 
   /**
-   * Sets whether the process that started this one runs the Communication Manager: then this
-   * process has its time, its services have their names whoever else uses them, and nobody needs to
-   * be asked.
+   * Sets whether the process that started this one runs the Communication Manager. If so, this
+   * process uses that process's time, and its services get their names without checking for
+   * duplicates.
    */
   public LaunchOptions besideManager(boolean value) {
     besideManager = value;
@@ -178,7 +178,7 @@ public final class LaunchOptions {
   /**
    * Lets the embedded broker use any free port if the configured one is unavailable.
    *
-   * @param told called with the port once the broker listens
+   * @param told called with the port once the broker is listening
    */
   public LaunchOptions anyPortIfTaken(IntConsumer told) {
     otherPort = Optional.of(told);
@@ -186,8 +186,8 @@ public final class LaunchOptions {
   }
 
   /**
-   * Makes the services of this process communicate through its broker, whatever the system file
-   * says.
+   * Makes the services of this process communicate through its broker, regardless of the system
+   * file.
    */
   public LaunchOptions throughBroker() {
     throughBroker = true;

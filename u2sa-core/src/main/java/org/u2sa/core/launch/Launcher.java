@@ -15,8 +15,8 @@ import org.u2sa.service.ServiceRole;
  * service-orders. Out: service-orders, the results; health, on behalf of services that are silent.
  *
  * <p>It is not listed in the system file: {@link RunningSystem} creates one for each process that
- * hosts services, named {@code Launcher}, or {@code Launcher-<service>} in a process with one
- * service of several. Orders are carried out by its {@link ServiceHost}; for services of the same
+ * hosts services, named {@code Launcher}, or {@code Launcher-<service>} in a process that runs one
+ * of several services. Orders are carried out by its {@link ServiceHost}; for services of the same
  * process that is {@link HostedServices}.
  *
  * <p>A result is published when the order has been carried out. Orders for services of other hosts
@@ -48,8 +48,8 @@ public final class Launcher extends EventDrivenService {
   }
 
   /**
-   * Why the order failed; empty if it did not. Errors are among the reasons, such as no memory for
-   * the new service: without its launcher no service of the process could be restarted.
+   * Why the order failed; empty if it did not. Also catches errors, such as a lack of memory for
+   * the new service, because without the launcher no service of the process could be restarted.
    */
   private Optional<String> outcomeOf(ServiceOrder order) {
     try {
@@ -70,14 +70,14 @@ public final class Launcher extends EventDrivenService {
               .className()
               .map(className -> host.swap(service, className))
               .orElse(Optional.of("className: missing; expected the full name of a service class"));
-      default -> Optional.of("action " + order.action() + " is not known here");
+      default -> Optional.of("action " + order.action() + " is unknown here");
     };
   }
 
   private void answer(ServiceOrder order, Optional<String> refusal) {
     String what = order.action() + " " + order.serviceName();
     refusal.ifPresentOrElse(
-        reason -> log(LogLevelEnum.ERROR, what + " not done: " + reason),
+        reason -> log(LogLevelEnum.ERROR, what + " not carried out: " + reason),
         () -> log(what + " done"));
     publish(
         Channels.SERVICE_ORDERS,

@@ -144,7 +144,7 @@ public final class RunningSystem implements AutoCloseable {
       return transport; // no other process can run yet
     }
     if (options.besideManager) {
-      return transport; // discovery answers could come from anyone
+      return transport; // anyone could answer a discovery request
     }
     Clock clock = options.clock;
     boolean real = clock instanceof SystemClock;
@@ -224,8 +224,8 @@ public final class RunningSystem implements AutoCloseable {
   }
 
   /**
-   * Reason why a service in another process could not be restarted; empty if this process finds
-   * none without opening its devices.
+   * Reason why a service in another process could not be restarted; empty if a check without
+   * opening its devices finds none.
    */
   public Optional<String> refusalToRestart(SystemFile.Entry entry) {
     try {

@@ -73,10 +73,11 @@ final class ServiceMaker {
   }
 
   /**
-   * Constructs a service once, and discards it, before the running one is ended for it: whatever
-   * its constructor refuses, such as a file that a variable names, must leave the running one
-   * alone. The trial instance is neither connected nor started, and ends where it would open a
-   * device. Does nothing for a class with its own factory, which may hold devices of the host.
+   * Constructs a trial instance of a service and discards it, before the running instance is ended:
+   * if the constructor fails, e.g. because of a file named by a variable, the running one must go
+   * on. The trial instance is neither connected nor started, and construction stops where it would
+   * open a device. Does nothing for a class with its own factory, which may hold devices of the
+   * host.
    *
    * @param configuration read for this trial
    * @throws RuntimeException what its constructor threw
@@ -104,7 +105,7 @@ final class ServiceMaker {
       ServiceFactory.create(className, context).shutDown();
       context.configuration().refuseUndeclared();
     } catch (ServiceContext.TrialEnded e) {
-      return; // the configuration before its device was accepted
+      return; // the configuration was accepted up to its device
     } finally {
       context.abandon();
     }

@@ -31,8 +31,8 @@ import org.u2sa.interfaces.xml.XmlReader;
  * </system>
  * }</pre>
  *
- * <p>The communication and each service may name their {@code host} for systems on several machines
- * ({@link #onHost}); a system on one machine needs none.
+ * <p>In systems on several machines, the Communication Manager and each service name their {@code
+ * host} ({@link #onHost}).
  *
  * @param file path of the file
  * @param systemId the vehicle's ID
@@ -182,7 +182,7 @@ public record SystemFile(
             .error(
                 "is one more service \""
                     + entry.simpleName()
-                    + "\"; services that are to run apart need classes of different names");
+                    + "\"; services that run in separate processes need different class names");
       }
     }
     return with(entry -> simpleNames.contains(entry.simpleName()));
@@ -215,7 +215,7 @@ public record SystemFile(
       if (entry.host().isEmpty()) {
         throw entry
             .element()
-            .error("names no host; expected host=\"…\" at every service of a system on several");
+            .error("names no host; expected host=\"…\" at each service of a multi-host system");
       }
       known.add(entry.host());
     }

@@ -13,8 +13,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Checks that actuators obey, by the counts of obeyed and refused commands in their services'
- * health reports. A service that has only refused for some time is reported. Refusals while
+ * Checks that actuators obey, using the counts of obeyed and refused commands in their services'
+ * health reports. Reports a service that has refused every command for some time. Refusals while
  * disarmed are ignored.
  */
 final class ActuationWatch implements Watch {
@@ -29,8 +29,8 @@ final class ActuationWatch implements Watch {
     private String instance = "";
     private long obeyed;
     private long refused;
-    private long refusedBefore; // count when it began to refuse all
-    private long sinceMicros = Clock.NEVER; // when it began to refuse all; NEVER if it obeys
+    private long refusedBefore; // count when it began to refuse all commands
+    private long sinceMicros = Clock.NEVER; // when it began to do so; NEVER if it obeys
     private long refusedMicros; // time of the last refusal
     private long heardMicros;
   }

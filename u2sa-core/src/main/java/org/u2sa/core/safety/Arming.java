@@ -8,7 +8,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Arming state: the vehicle may move once all checks have passed and an operator, or ARM AT START,
+ * Arming state: the vehicle may move once all checks have passed and an operator or ARM AT START
  * has armed it.
  */
 final class Arming {
@@ -17,8 +17,8 @@ final class Arming {
   private final SafetyManager manager;
   private final ArmingChecks checks;
   private boolean armed;
-  private boolean waits; // for the checks to pass, to arm automatically
-  private int waitsForReasons; // number last logged
+  private boolean waits; // whether to arm automatically once the checks pass
+  private int waitsForReasons; // number of reasons last logged
   private boolean saidArmed;
   private int saidReasons = -1;
 
@@ -55,7 +55,7 @@ final class Arming {
     state.flag(WAITS, waits);
   }
 
-  /** Continues waiting like the Safety Manager that it replaces at a swap. */
+  /** Continues to wait if the Safety Manager replaced in a swap was waiting. */
   void takeOver(HandOver state) {
     waits = state.flag(WAITS);
   }
@@ -75,7 +75,7 @@ final class Arming {
     manager.log("still armed, as the previous Safety Manager was");
   }
 
-  /** Arms once as soon as the checks pass, if ARM AT START. */
+  /** If ARM AT START is set, arms once, when the checks first pass. */
   void armAtStart(long nowMicros) {
     if (!waits) {
       return;
@@ -83,7 +83,7 @@ final class Arming {
     List<String> reasons = checks.reasons(nowMicros);
     if (reasons.isEmpty()) {
       arm(nowMicros);
-    } else if (reasons.size() != waitsForReasons) { // the reasons' numbers change continually
+    } else if (reasons.size() != waitsForReasons) { // the numbers in the reasons change continually
       manager.log("waiting to arm: " + String.join("; ", reasons));
       waitsForReasons = reasons.size();
     }

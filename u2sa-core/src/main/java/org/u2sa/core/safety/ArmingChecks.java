@@ -15,10 +15,10 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.service.actuator.EmergencyLatch;
 
-/** Reasons against arming. */
+/** Collects the reasons not to arm. */
 final class ArmingChecks {
   /**
-   * Actuators announce themselves every 5 s; after three missed announcements one counts as gone.
+   * Actuators announce themselves every 5 s; one counts as gone after missing three announcements.
    */
   private static final double GONE_AFTER_S = 15.0;
 
@@ -27,7 +27,7 @@ final class ArmingChecks {
   private final List<Watch> watches;
   private final Conditions conditions;
   private final EmergencyLatch emergency;
-  private final Map<String, Long> actuators = new TreeMap<>(); // when last heard [µs]
+  private final Map<String, Long> actuators = new TreeMap<>(); // when last heard from [µs]
   private boolean mission;
   private OptionalLong landGoals = OptionalLong.empty(); // empty if unknown
   private List<String> fileFaults = List.of();
@@ -59,7 +59,7 @@ final class ArmingChecks {
     }
   }
 
-  /** Current reasons against arming; empty if none. */
+  /** Current reasons not to arm; empty if none. */
   List<String> reasons(long nowMicros) {
     List<String> reasons = new ArrayList<>();
     emergency

@@ -12,7 +12,8 @@ import org.u2sa.service.handover.HandOver;
 
 /**
  * Checks that every known battery still reports, if a threshold is set: a battery with a silent
- * sensor may be empty. One that BATTERIES names is expected while armed even if it was never heard.
+ * sensor may be empty. One named in BATTERIES is expected while armed, even if it has never
+ * reported.
  */
 final class BatterySilenceWatch implements Watch {
   private static final int MAX_BATTERIES = 256; // caps memory against spoofed batteries
@@ -22,7 +23,7 @@ final class BatterySilenceWatch implements Watch {
 
   private final Supplier<SafetyVariables> settings;
   private final Map<String, Long> heardMicros = new TreeMap<>(); // by sensor name; local clock
-  private final Map<String, Long> awaitedMicros = new TreeMap<>(); // named, not heard; since when
+  private final Map<String, Long> awaitedMicros = new TreeMap<>(); // of unheard named ones
 
   BatterySilenceWatch(Supplier<SafetyVariables> settings) {
     this.settings = settings;
@@ -88,7 +89,7 @@ final class BatterySilenceWatch implements Watch {
         .findFirst();
   }
 
-  /** Drops batteries that have been silent for long, unless listed in BATTERIES. */
+  /** Drops batteries that have long been silent, unless listed in BATTERIES. */
   @Override
   public Optional<String> objection(long nowMicros) {
     SafetyVariables now = settings.get();
@@ -100,6 +101,6 @@ final class BatterySilenceWatch implements Watch {
             each ->
                 !chosen.contains(each.getKey())
                     && Clock.seconds(nowMicros - each.getValue()) > forgottenAfterS);
-    return silence(heardMicros, nowMicros); // the thresholds object to one that is not heard
+    return silence(heardMicros, nowMicros); // thresholds object to a missing one
   }
 }

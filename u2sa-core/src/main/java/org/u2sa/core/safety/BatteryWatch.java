@@ -27,7 +27,7 @@ final class BatteryWatch implements Watch {
   private final ToDoubleFunction<SafetyVariables> leastVolts;
   private final ToDoubleFunction<SafetyVariables> leastPercent;
   private final Map<String, Low> low = new TreeMap<>();
-  private final Set<String> chosenHeard = new TreeSet<>(); // of the batteries in the settings
+  private final Set<String> chosenHeard = new TreeSet<>(); // batteries named in the settings
   private boolean heard; // any that counts
 
   private BatteryWatch(

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Formats quantities for the causes of failsafes and the reasons of refusals. */
+/** Formats quantities for the causes of failsafes and the reasons for refusals. */
 final class CauseText {
   private CauseText() {}
 

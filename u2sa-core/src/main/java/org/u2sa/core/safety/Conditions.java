@@ -41,7 +41,7 @@ final class Conditions {
     state.messages(FAILED, ServiceCondition.class).forEach(this::see);
   }
 
-  /** The part of it that must be saved as soon as it changes. */
+  /** The part of the state that must be saved whenever it changes. */
   String saved() {
     return failed().stream().map(Conditions::words).collect(Collectors.joining());
   }
@@ -53,7 +53,7 @@ final class Conditions {
   }
 
   /**
-   * Fault of the first failed one of these services; empty if none is known to have failed.
+   * Fault of the first of these services that has failed; empty if none is known to have failed.
    *
    * @param services comma-separated names
    */

@@ -13,10 +13,10 @@ import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Selects the failsafe action: the most severe one in the matrix of the active hazards. A cause
- * stays active until it has been absent for CLEAR AFTER. RETURN and more severe actions latch until
- * {@link #acknowledge}, unless RESUME is set. The fence action always latches, because the mission
- * would breach the fence again.
+ * Selects the failsafe action: the most severe one that the matrix gives for the active hazards. A
+ * cause stays active until it has been absent for CLEAR AFTER. RETURN and more severe actions latch
+ * until {@link #acknowledge}, unless RESUME is set. The fence action always latches, because the
+ * mission would breach the fence again.
  */
 final class FailsafeDecision {
   /** An active hazard. */
@@ -41,7 +41,7 @@ final class FailsafeDecision {
     this.hazards = hazards;
     causes = new TreeMap<>(Comparator.comparingInt(hazards::indexOf));
     for (Hazard hazard : hazards) {
-      hazard.action(matrix); // declares it
+      hazard.action(matrix); // declares the variable
     }
   }
 
@@ -49,7 +49,7 @@ final class FailsafeDecision {
     add(new Cause(hazard, hazard.action(matrix), words, nowMicros));
   }
 
-  /** A cause that is only reported for the time being. */
+  /** A cause that is only reported for now. */
   void report(Hazard hazard, String words, long nowMicros) {
     add(new Cause(hazard, FailsafeAction.CONTINUE, words, nowMicros));
   }
@@ -112,7 +112,7 @@ final class FailsafeDecision {
     return read;
   }
 
-  /** State that must be saved as soon as it changes. */
+  /** State that must be saved whenever it changes. */
   String saved() {
     return causes.keySet() + (kept == null ? "" : " " + kept.hazard() + " " + kept.action());
   }
@@ -131,7 +131,7 @@ final class FailsafeDecision {
         .reduce(least, BinaryOperator.maxBy(Comparator.naturalOrder()));
   }
 
-  /** The causes in words, the most severe first. */
+  /** The causes in words, most severe first. */
   List<String> causes() {
     List<Cause> all = new ArrayList<>(causes.values());
     all.sort((one, other) -> other.action().compareTo(one.action()));

@@ -11,7 +11,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
 import org.locationtech.jts.geom.prep.PreparedGeometry;
 import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
-import org.locationtech.jts.simplify.DouglasPeuckerSimplifier;
+import org.locationtech.jts.simplify.TopologyPreservingSimplifier;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -27,7 +27,7 @@ final class Fence {
   private static final double OUTLINE_M = 0.1; // tolerance of a published outline
 
   /**
-   * A place to return to instead of home if it is nearer.
+   * A position to return to instead of home if it is nearer.
    *
    * @param name "rally 1" is the fence's first
    * @param waypoint position; its threshold is ignored
@@ -125,8 +125,7 @@ final class Fence {
    * north of a local plane [m], simplified to where they matter.
    */
   private List<Point> outline(Polygon area) {
-    Geometry simple = DouglasPeuckerSimplifier.simplify(area, OUTLINE_M);
-    Geometry shown = simple.isEmpty() ? area : simple; // smaller than the tolerance
+    Geometry shown = TopologyPreservingSimplifier.simplify(area, OUTLINE_M);
     List<Point> points = new ArrayList<>();
     for (Coordinate corner : ((Polygon) shown).getExteriorRing().getCoordinates()) {
       Point enu = Point.of(corner.x, corner.y, 0.0);

@@ -34,7 +34,7 @@ final class FenceOrders {
   /**
    * Executes an order unless already done. Returns the answer in the name of the manager.
    *
-   * @param armed whether the vehicle is armed: it must then be well within the new fence
+   * @param armed whether the vehicle is armed: it must then be well inside the new fence
    */
   FenceOrderResult obey(FenceOrder order, String manager, boolean armed, long nowMicros) {
     FenceOrderResult before = answered.get(order.requestId());

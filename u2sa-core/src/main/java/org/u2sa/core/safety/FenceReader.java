@@ -25,12 +25,12 @@ final class FenceReader {
   private static final int MAX_RALLY_POINTS = 100;
   private static final int MIN_CORNERS = 3;
   private static final int CIRCLE_CORNERS = 64;
-  private static final double INSIDE = 1.0; // corners on the circle
+  private static final double INSIDE = 1.0; // corners are on the circle
   private static final double AROUND = 1.0 / Math.cos(Math.PI / CIRCLE_CORNERS); // edges touch it
 
   private final GeometryFactory geometry = new GeometryFactory();
   private final boolean onEarth;
-  private Geodetic origin; // the first corner read; null until then, and on a local plane
+  private Geodetic origin; // first corner read; null until then, and on a local plane
 
   private FenceReader(boolean onEarth) {
     this.onEarth = onEarth;

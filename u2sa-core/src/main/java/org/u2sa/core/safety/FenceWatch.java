@@ -51,7 +51,7 @@ final class FenceWatch implements Watch {
     load();
   }
 
-  /** Checks states against a different fence, starting with another watch's state. */
+  /** Checks states against a different fence, starting from another watch's state. */
   private FenceWatch(FenceWatch other, Fence fence) {
     matrix = other.matrix;
     settings = other.settings;
@@ -178,7 +178,7 @@ final class FenceWatch implements Watch {
     return judged(nowMicros, this::trouble);
   }
 
-  /** Trouble with the newest state: as judged, or that its frame does not fit the fence. */
+  /** Trouble with the newest state: a violation, or a frame that does not fit the fence. */
   private Optional<String> judged(
       long nowMicros, Function<StateInformation, Optional<String>> judgement) {
     try {

@@ -55,7 +55,7 @@ record GivenFence(String file, String xml, Fence fence) {
     return of(file, xml, marginM);
   }
 
-  /** The fence as published: by its file's name, since a recording runs again in another folder. */
+  /** The fence as published: no folder of its file, as a recording may be re-run elsewhere. */
   FenceState state(double marginM) {
     FenceState state = new FenceState().file(new File(file).getName()).margin(marginM);
     state.rally(

@@ -12,7 +12,7 @@ import org.u2sa.service.handover.HandOver;
  */
 final class GuardedWatch implements Watch {
   private final Watch watch;
-  private Optional<String> fault = Optional.empty(); // at the last message
+  private Optional<String> fault = Optional.empty();
 
   GuardedWatch(Watch watch) {
     this.watch = watch;

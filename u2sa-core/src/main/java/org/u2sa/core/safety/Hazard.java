@@ -31,7 +31,7 @@ final class Hazard {
       new Hazard("battery sensor", "ON BATTERY SENSOR LOSS", FailsafeAction.RETURN);
   static final Hazard FENCE = new Hazard("geofence", "ON FENCE", FailsafeAction.RETURN);
 
-  /** The hazards of every vehicle, in the order in which equal causes are reported. */
+  /** The hazards of every vehicle, in the order in which equally severe causes are reported. */
   static final List<Hazard> STANDARD =
       List.of(
           OPERATOR,

@@ -34,7 +34,7 @@ final class HeartbeatWatch implements Watch {
     this.sender = sender;
   }
 
-  /** Watches the link to the operators; any of them keeps it alive. */
+  /** Watches the link to the operators; any operator keeps it alive. */
   static HeartbeatWatch ofOperators(Supplier<SafetyVariables> settings) {
     return ofOperators(
         Hazard.OPERATOR,
@@ -99,7 +99,7 @@ final class HeartbeatWatch implements Watch {
             });
   }
 
-  /** The time to hear an operator starts when the pilot gives back control. */
+  /** The deadline for an operator's heartbeat starts when the pilot gives back control. */
   @Override
   public void pilotFlies(long nowMicros) {
     if (ofOperators && heardMicros >= 0) {
@@ -114,7 +114,7 @@ final class HeartbeatWatch implements Watch {
     }
   }
 
-  /** Every source heard before must be heard again within the deadline. */
+  /** Every source that has reported before must report again within the deadline. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     double deadlineS = upToDate ? 0.0 : expected.get().deadlineS();

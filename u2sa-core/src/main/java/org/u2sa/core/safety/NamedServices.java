@@ -37,7 +37,7 @@ final class NamedServices {
     return unknown(settings.get().actuatorServices());
   }
 
-  /** The estimator if it has not reported; vehicles without one have the default name. */
+  /** The estimator if it has not reported; ignores the default name, which may name none. */
   Optional<String> unknownEstimator() {
     String name = settings.get().estimatorService();
     return name.equals(SafetyVariables.DEFAULT_ESTIMATOR) ? Optional.empty() : unknown(name);

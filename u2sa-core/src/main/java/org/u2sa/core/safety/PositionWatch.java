@@ -41,7 +41,7 @@ final class PositionWatch implements Watch {
     }
   }
 
-  /** After a restart the vehicle is elsewhere: only states that arrive then count. */
+  /** After a restart the vehicle may be elsewhere: only states that arrive after it count. */
   @Override
   public void takeOver(HandOver state, long nowMicros, boolean upToDate) {
     if (upToDate) {

@@ -8,17 +8,17 @@ import org.u2sa.service.handover.HandOver;
 /**
  * The previous Safety Manager of the same run, so that a restart in flight neither disarms the
  * vehicle nor drops a failsafe. Its failsafes are known from its saved state. Its last retained
- * message only proves that it ran recently enough for a restart, because others could have
- * published it.
+ * message proves only that one ran recently enough for this to be a restart, because others could
+ * have published the message.
  */
 final class Predecessor {
-  private static final double LISTEN_S = 0.5; // until a broker has sent retained messages
+  private static final double LISTEN_S = 0.5; // time for a broker to send retained messages
   private static final double SPOKE_WITHIN_S = 20.0;
 
   /**
-   * The same for one restarted in its run: notice 10 s, then three starts that hang for 15 s each,
-   * delays, and retries for lack of resources. Not unlimited, because a vehicle that has come down
-   * by then must not be armed again by a restart by hand.
+   * The same for one restarted within the run: 10 s to notice, then three starts that hang for 15 s
+   * each, delays, and retries for lack of resources. Limited, because a manual restart must not
+   * re-arm a vehicle that has come down by then.
    */
   private static final double SPOKE_BEFORE_RESTART_WITHIN_S = 120.0;
 
@@ -27,9 +27,9 @@ final class Predecessor {
   private final long listensUntilMicros;
   private final double spokeWithinS;
   private boolean awaited = true;
-  private boolean heard; // a message of it
-  private boolean saysArmed; // its last message
-  private boolean armed; // its saved state
+  private boolean heard; // whether it sent a message
+  private boolean saysArmed; // according to its last message
+  private boolean armed; // according to its saved state
 
   Predecessor(long nowMicros, boolean isRestart) {
     spokeWithinS = isRestart ? SPOKE_BEFORE_RESTART_WITHIN_S : SPOKE_WITHIN_S;
@@ -73,7 +73,7 @@ final class Predecessor {
     armed = false;
   }
 
-  /** Whether a Safety Manager spoke shortly before. */
+  /** Whether a Safety Manager was active shortly before. */
   boolean wasHeard() {
     return heard;
   }

@@ -37,7 +37,7 @@ public interface SafetyCheck {
   /** Current trouble in words, such as {@code 2 cm of water}; empty if none. */
   Optional<String> trouble(long nowMicros);
 
-  /** Reason against arming, in words; by default the trouble. */
+  /** Reason not to arm, in words; by default the trouble. */
   default Optional<String> objection(long nowMicros) {
     return trouble(nowMicros);
   }

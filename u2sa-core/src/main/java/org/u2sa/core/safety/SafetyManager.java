@@ -29,7 +29,7 @@ import org.u2sa.service.actuator.EmergencyLatch;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Decides by the failsafe matrix how the vehicle reacts to faults, and whether it may move at all
+ * Decides how the vehicle reacts to faults, by the failsafe matrix, and whether it may move at all
  * (arming). In: state, conditions, health, operator, power, actuators, goals, arming, manual-state,
  * emergency-stop, fence-orders. Out: failsafe, arming-state, emergency-stop, fence, fence-orders.
  *
@@ -38,8 +38,8 @@ import org.u2sa.service.handover.HandOver;
  */
 public final class SafetyManager extends PeriodicService {
   private static final double CHECKS_PER_S = 10.0;
-  private static final double SLOWEST_HZ = 1.0; // else failsafes would come too late
-  private static final double REPEAT_INTERVAL_S = 1.0; // of unchanged states
+  private static final double SLOWEST_HZ = 1.0; // otherwise failsafes would come too late
+  private static final double REPEAT_INTERVAL_S = 1.0; // interval for unchanged states
 
   private final Settings<SafetyVariables> settings = settings(SafetyVariables.class);
   private final EmergencyLatch emergency;
@@ -59,7 +59,7 @@ public final class SafetyManager extends PeriodicService {
   private FailsafeAction said = FailsafeAction.CONTINUE;
   private List<Hazard> saidHazards = List.of();
   private double repeatDueS;
-  private int saidFence; // changes of the fence when it was published
+  private int saidFence; // fence version last published
 
   /**
    * Launcher constructor.
@@ -264,7 +264,7 @@ public final class SafetyManager extends PeriodicService {
     } else {
       log("emergency stop cleared by \"" + message.operator() + "\"");
       decision.acknowledge();
-      publish(Channels.EMERGENCY_STOP, message); // again: a repeated stop may have overtaken it
+      publish(Channels.EMERGENCY_STOP, message); // a repeated stop may have overtaken it
     }
     save();
     publish(arming.state(clock().micros()));

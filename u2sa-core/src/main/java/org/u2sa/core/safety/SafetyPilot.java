@@ -9,8 +9,8 @@ import org.u2sa.messages.safety.ManualState;
 
 /**
  * Determines whether a pilot moves the actuators directly, by radio and multiplexer, whatever
- * services command. Failsafes then have no effect, and would surprise the pilot when giving back
- * control.
+ * services command. Failsafes are then suspended: they would have no effect, and would surprise the
+ * pilot when giving back control.
  *
  * <p>The radio's service must confirm it in its health reports, whose names the broker reserves: a
  * mere publisher of manual-state must not suspend failsafes, and a dead radio service cannot report
@@ -23,7 +23,7 @@ final class SafetyPilot {
   private final Supplier<SafetyVariables> settings;
   private final Conditions conditions;
   private Optional<ManualState> newest = Optional.empty();
-  private boolean isConfirmed; // according to the service's last health report
+  private boolean isConfirmed; // as of the service's last health report
   private long untilMicros = Long.MIN_VALUE; // time at which the next health report is due
 
   SafetyPilot(Supplier<SafetyVariables> settings, Conditions conditions) {

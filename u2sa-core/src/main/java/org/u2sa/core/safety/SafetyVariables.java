@@ -70,7 +70,7 @@ record SafetyVariables(
             "Sensor names of the monitored batteries, separated by commas, so that spoofed ones are ignored; empty: all.")
         String batteries,
     @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 3)
-        @Description("Time for which a cause must be gone before it no longer counts.")
+        @Description("Time for which a cause must be absent before it no longer counts.")
         double clearAfter,
     @Variable(ifAbsentText = "false")
         @Description(
@@ -78,10 +78,10 @@ record SafetyVariables(
         boolean resume,
     @Variable(ifAbsentText = "")
         @Description(
-            "Service whose manual-state reports that a pilot moves the actuators directly, by radio and multiplexer; failsafes are then suspended. Empty: none.")
+            "Service that reports in manual-state that a pilot moves the actuators directly, by radio and multiplexer; failsafes are then suspended. Empty: none.")
         String pilotService,
     @Variable(ifAbsentText = "false")
-        @Description("Whether to arm once in a run, as soon as all checks pass.")
+        @Description("Whether to arm once per run, when all checks first pass.")
         boolean armAtStart,
     @Variable(ifAbsentText = "true") @Description("Whether arming requires a goal.")
         boolean missionRequired,

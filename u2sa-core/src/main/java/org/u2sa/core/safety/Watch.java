@@ -27,7 +27,7 @@ interface Watch {
 
   Hazard hazard();
 
-  /** Whether it handles messages of the channel. */
+  /** Whether this watch handles messages on the channel. */
   default boolean hears(Channel<?> channel) {
     return STANDARD.contains(channel);
   }
@@ -49,7 +49,7 @@ interface Watch {
    */
   default void takeOver(HandOver state, long nowMicros, boolean upToDate) {}
 
-  /** The part of it that must be saved as soon as it changes. */
+  /** The part of the state that must be saved whenever it changes. */
   default String saved() {
     return "";
   }
@@ -57,7 +57,7 @@ interface Watch {
   /** Current trouble in words; empty if none. */
   Optional<String> trouble(long nowMicros);
 
-  /** Reason against arming, in words; empty if none. */
+  /** Reason not to arm, in words; empty if none. */
   default Optional<String> objection(long nowMicros) {
     return trouble(nowMicros);
   }

@@ -44,8 +44,8 @@ final class Watches {
   }
 
   /**
-   * Whether essential services work. Objects to arming only if one is unknown: {@link ArmingChecks}
-   * lists all services that are not alive.
+   * Watch of essential services. Objects to arming only if one is unknown, because {@link
+   * ArmingChecks} lists all services that are not alive.
    *
    * @param failure failure at a time of the run's clock [µs], in words; empty if none
    * @param unknown a named service that has not reported, in words; empty if none

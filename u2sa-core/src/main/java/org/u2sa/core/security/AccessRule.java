@@ -17,7 +17,7 @@ import org.u2sa.messages.schema.MessageType;
  */
 public record AccessRule(
     Channel<?> channel, MessageType<?> type, Set<AccessRole> roles, Kind kind, boolean mayBeWill) {
-  /** Demand of a message on its receivers. */
+  /** What a message demands of its receivers. */
   public enum Kind {
     /** Reports: measurements, states, plans, answers. */
     REPORT,
@@ -29,7 +29,7 @@ public record AccessRule(
     URGENT
   }
 
-  private static final int LONGEST_QUESTION = 4 * 1_024; // a question has at most a service name
+  private static final int LONGEST_QUESTION = 4 * 1_024; // a query contains at most a service name
   private static final int LONGEST_URGENT = 16 * 1_024;
   private static final int LONGEST_CHANGE = 64 * 1_024; // 256 variables, the maximum per change
 

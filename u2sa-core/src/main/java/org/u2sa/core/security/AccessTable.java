@@ -53,8 +53,7 @@ public final class AccessTable {
       EnumSet.of(SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY);
   private static final Set<AccessRole> ANSWERING =
       EnumSet.of(
-          SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY,
-          OPERATOR); // for its tools, which are services
+          SERVICE, CONTROL, LAUNCHER, MONITOR, SAFETY, OPERATOR); // because its tools are services
   private static final Set<AccessRole> ALL = EnumSet.allOf(AccessRole.class);
 
   private static final List<AccessRule> RULES =
@@ -96,9 +95,9 @@ public final class AccessTable {
           row(Channels.CONDITIONS, REPORT, Set.of(MONITOR)),
           row(Channels.SERVICE_ORDERS, ServiceOrder.TYPE, ORDER, Set.of(MONITOR, OPERATOR)),
           row(Channels.SERVICE_ORDERS, ServiceOrderResult.TYPE, REPORT, Set.of(LAUNCHER)),
-          // Actuators repeat a stop that a clear did not lift only within their own process: an
-          // account that can stop a vehicle in the air would need guarding, and the Safety
-          // Manager repeats it.
+          // If a clear did not lift a stop, actuators repeat it only within their own process: an
+          // account that can stop a vehicle in the air would need guarding, and the Safety Manager
+          // repeats it.
           row(Channels.EMERGENCY_STOP, URGENT, Set.of(SAFETY, OPERATOR)).asWill(),
           row(Channels.FAILSAFE, URGENT, Set.of(MONITOR, SAFETY)),
           row(Channels.OPERATOR, REPORT, Set.of(OPERATOR)),
@@ -145,7 +144,7 @@ public final class AccessTable {
    * Rule for a message: by its type, or its nearest ancestor type with a rule.
    *
    * @param channel a standard channel's name
-   * @param known type as which the message will be read, {@link
+   * @param known type under which the message will be read, {@link
    *     org.u2sa.messages.schema.MessageTypes#nearest(List)}
    */
   public static Optional<AccessRule> rule(String channel, MessageType<?> known) {

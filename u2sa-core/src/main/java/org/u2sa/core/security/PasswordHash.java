@@ -9,7 +9,7 @@ import javax.crypto.SecretKeyFactory;
 import javax.crypto.spec.PBEKeySpec;
 
 /**
- * A stored password: PBKDF2 with HMAC-SHA-512, salted so that equal passwords are not recognisable.
+ * A stored password: PBKDF2 with HMAC-SHA-512, salted so that equal passwords cannot be recognised.
  * Each guess against a stolen file costs as much time as a log-in.
  *
  * @param iterations number of iterations

@@ -55,7 +55,7 @@ public final class SecretFile {
         throw new IOException(
             "it belongs to "
                 + owner.getName()
-                + ", and its ownership could not be kept: do it as that user",
+                + ", and its ownership could not be kept: run this as that user",
             e);
       }
     }
@@ -72,7 +72,7 @@ public final class SecretFile {
           permissions.contains(PosixFilePermission.GROUP_WRITE)
               || permissions.contains(PosixFilePermission.OTHERS_WRITE);
       return writable
-          ? Optional.of(folder + ": others than its owner may replace its files; chmod 700 it")
+          ? Optional.of(folder + ": users other than its owner may replace its files; chmod 700 it")
           : Optional.empty();
     } catch (IOException e) {
       return Optional.of(folder + ": its permissions cannot be read: " + e);
@@ -90,7 +90,7 @@ public final class SecretFile {
       others.removeAll(EnumSet.of(PosixFilePermission.OWNER_READ, PosixFilePermission.OWNER_WRITE));
       return others.isEmpty()
           ? Optional.empty()
-          : Optional.of(file + ": others than its owner may use it; chmod 600 it");
+          : Optional.of(file + ": users other than its owner may use it; chmod 600 it");
     } catch (IOException e) {
       return Optional.of(file + ": its permissions cannot be read: " + e);
     }

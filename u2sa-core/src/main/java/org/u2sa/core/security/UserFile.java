@@ -42,7 +42,7 @@ public final class UserFile {
       try {
         User user = User.parse(line.trim());
         if (users.put(user.name(), user) != null) {
-          throw new IllegalArgumentException("user \"" + user.name() + "\" comes twice");
+          throw new IllegalArgumentException("user \"" + user.name() + "\" is listed twice");
         }
       } catch (IllegalArgumentException e) {
         throw new BadInputException(file + ", line " + number + ": " + e.getMessage(), e);
@@ -54,7 +54,7 @@ public final class UserFile {
   private static List<String> lines(Path file) {
     try {
       if (Files.size(file) > LARGEST) {
-        throw new BadInputException(file + ": larger than " + LARGEST + " bytes; is it that file?");
+        throw new BadInputException(file + ": larger than " + LARGEST + " bytes; wrong file?");
       }
       return Files.readAllLines(file, StandardCharsets.UTF_8);
     } catch (NoSuchFileException e) {

@@ -74,7 +74,8 @@ class AcceptorTest {
     int most = (int) ConnectionFilter.ACCEPTED_PER_S / 2;
     assertThat(accepted(most)).isEqualTo(most);
     assertThat(accepted(50)).isZero();
-    assertThat(client.log).anyMatch(line -> line.contains("connection refused, too many a second"));
+    assertThat(client.log)
+        .anyMatch(line -> line.contains("connection refused, too many per second"));
     assertThat(listening.config().isAutoRead()).isTrue();
 
     client.pass(100);

@@ -35,7 +35,7 @@ class AdmissionPassTest {
     for (byte[] wrong : new byte[][] {null, {}, "password".getBytes(US_ASCII), changed}) {
       assertThatThrownBy(() -> client.filter.letIn(wrong))
           .isInstanceOf(ConnectionFilter.StartingException.class)
-          .hasMessageContaining("the client will come again");
+          .hasMessageContaining("the client will retry");
     }
   }
 

@@ -123,7 +123,7 @@ class BrokerFloodTest {
               for (int i = 0; i < 20; i++) {
                 publish(flood, payload);
               }
-              return broker.hasLogged("too many bytes await its acknowledgement");
+              return broker.hasLogged("too many bytes are unacknowledged");
             });
     broker.servesOn();
     assertThat(mute.isPutOut()).isTrue();

@@ -46,7 +46,7 @@ class ConnectRequestTest {
   @Test
   void connect_noClientIdAndLastingSession_isRefusedByItsId() {
     pipeline.send(MqttPacketBytes.connect("", 4, 0));
-    assertRefused(WRONG_ID, "it has no client ID, but wants a persistent session");
+    assertRefused(WRONG_ID, "it has no client ID but requests a persistent session");
   }
 
   @Test

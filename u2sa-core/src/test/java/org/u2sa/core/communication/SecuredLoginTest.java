@@ -95,7 +95,7 @@ class SecuredLoginTest extends SecuredClients {
     BrokerAccess nobody = BrokerAccess.of("", "", true, directory.authority().toString());
     assertThatThrownBy(() -> transport(nobody, "cessna").connect("Remote", inbox))
         .isInstanceOf(CommunicationException.class);
-    awaitLog("log-in refused, it names no user");
+    awaitLog("log-in refused, it gives no user name");
   }
 
   @Test

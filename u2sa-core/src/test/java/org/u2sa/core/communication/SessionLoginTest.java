@@ -122,7 +122,7 @@ class SessionLoginTest {
   void connect_nobody_isRefused() {
     client.send(MqttPacketBytes.connect("client", 0));
     assertAnswered(client, NOT_AUTHORIZED);
-    assertRefusedFor("it names no user");
+    assertRefusedFor("it gives no user name");
   }
 
   @Test

@@ -103,7 +103,7 @@ class SlowClientTest {
       assertIn();
     }
     publish(true, 200_000);
-    assertPutOutFor("too many bytes await its acknowledgement");
+    assertPutOutFor("too many bytes are unacknowledged");
     publish(true, 1); // to a client that is gone
   }
 
@@ -222,7 +222,7 @@ class SlowClientTest {
 
     client.broker.keep(1);
     client.passSeconds(1);
-    assertPutOutFor("too many bytes await its acknowledgement");
+    assertPutOutFor("too many bytes are unacknowledged");
   }
 
   @Test

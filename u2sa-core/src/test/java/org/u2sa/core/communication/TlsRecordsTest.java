@@ -156,7 +156,7 @@ class TlsRecordsTest {
     connect("TLSv1.2");
     clients.renegotiate();
     exchange();
-    assertThat(isPutOut("connection closed, it begins a second TLS handshake")).isTrue();
+    assertThat(isPutOut("connection closed, it started a second TLS handshake")).isTrue();
     assertThat(decrypted).isZero();
   }
 

@@ -98,6 +98,21 @@ class FenceOrdersTest extends WatchedVehicle {
   }
 
   @Test
+  void replace_thinKeepInAreaWithAMargin_isAnsweredAndPublished() {
+    kit.with("FENCE MARGIN", 2.0);
+    start();
+    live(0.2);
+    FenceOrderResult result =
+        replace(
+            "<fence><reference>Local ENU</reference><keepIn><corner><x>0</x><y>0</y></corner>"
+                + "<corner><x>200</x><y>0</y></corner><corner><x>200</x><y>4.06</y></corner>"
+                + "<corner><x>0</x><y>4.06</y></corner></keepIn></fence>");
+
+    assertThat(result.accepted()).as(result.outcome()).isTrue();
+    assertThat(fence().keepIn()).hasSize(1);
+  }
+
+  @Test
   void start_withoutAFence_publishesThatThereIsNone() {
     start();
     live(0.2);

@@ -87,7 +87,7 @@ class SecretFileTest {
       assertThat(SecretFile.tooOpen(file))
           .get()
           .asString()
-          .contains(file + ": others", "chmod 600");
+          .contains(file + ": users other", "chmod 600");
     }
   }
 
@@ -166,7 +166,7 @@ class SecretFileTest {
 
     assertThatThrownBy(directory::check)
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining(folder.resolve(open) + ": others than its owner may use it");
+        .hasMessageContaining(folder.resolve(open) + ": users other than its owner may use it");
   }
 
   @Test
@@ -176,6 +176,6 @@ class SecretFileTest {
 
     assertThatThrownBy(directory::check)
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining(folder + ": others than its owner may replace its files");
+        .hasMessageContaining(folder + ": users other than its owner may replace its files");
   }
 }

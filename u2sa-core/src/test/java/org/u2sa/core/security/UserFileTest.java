@@ -111,7 +111,7 @@ class UserFileTest {
 
     assertThatThrownBy(() -> UserFile.read(file))
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("users.txt, line 3: user \"pilot\" comes twice");
+        .hasMessageContaining("users.txt, line 3: user \"pilot\" is listed twice");
   }
 
   @Test

@@ -128,7 +128,7 @@ final class JpegFramer extends ByteParser<CameraFrame> {
     }
   }
 
-  /** A progressive image of a few kilobytes may have a thousand scans, each of all pixels. */
+  /** Limits scans: a small progressive image may have a thousand, each of all pixels. */
   private void refuseIfSlow() {
     long pixels = frameHeader == 0 ? 0L : (long) width() * height();
     if (pixels > maxPixels || pixels * scans > MAX_SCANNED) {

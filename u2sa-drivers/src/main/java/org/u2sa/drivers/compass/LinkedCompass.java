@@ -14,7 +14,7 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
   private static final long ANSWERS_WITHIN_MICROS = Clock.micros(0.25);
 
   private final byte[] request; // empty if the compass streams
-  private Optional<Heading> answered = Optional.empty(); // before the last request
+  private Optional<Heading> answered = Optional.empty(); // heading before the last request
   private long askedMicros;
   private boolean isAsked;
 
@@ -42,7 +42,7 @@ public final class LinkedCompass extends ParsedDevice<Heading> implements Compas
     isAsked = false;
   }
 
-  /** One request at a time; an unanswered one is repeated. */
+  /** Sends one request at a time, and repeats it if unanswered. */
   @Override
   protected void act(long nowMicros) {
     boolean isAnswered = latest != answered;

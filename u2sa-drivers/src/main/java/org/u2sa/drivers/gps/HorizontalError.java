@@ -10,7 +10,7 @@ import org.u2sa.device.port.GpsFix;
  * PX4 copy hAcc) are the root mean square of the horizontal distance, √(σE² + σN²): measured
  * against GST and confirmed in u-blox's forum, question 24428; the receiver descriptions only say
  * "horizontal accuracy estimate". NMEA's GST is already per axis. Android's accuracy is the 68 %
- * radius and is converted where the phone is read.
+ * radius and is converted when the phone is read.
  */
 public final class HorizontalError {
   private HorizontalError() {}

@@ -15,7 +15,7 @@ final class NmeaEpochs {
 
   private final double rangeErrorM;
   private NmeaEpoch open; // null if none
-  private boolean isTold; // the open epoch was already reported as a fix
+  private boolean isTold; // whether the open epoch was already reported as a fix
   private NmeaEpoch.Kind closing; // learned last sentence of each epoch; null until known
   private NmeaEpoch.Kind candidate;
   private int candidateEpochs;
@@ -73,7 +73,7 @@ final class NmeaEpochs {
     if (said.quality != quality) {
       quality = said.quality;
       if (sigmas.since < epoch) {
-        sigmas = Held.NOTHING; // belonged to a different kind of solution
+        sigmas = Held.NOTHING; // these belonged to a different kind of solution
       }
     }
     double speedMps = said.speedMps;

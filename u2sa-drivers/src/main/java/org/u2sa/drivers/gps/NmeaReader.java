@@ -40,7 +40,7 @@ final class NmeaReader implements NmeaParser.Meaning<GpsFix> {
     this.epochs = epochs;
   }
 
-  /** Passes the sentence on to the epochs, which hold the fix; other types are ignored. */
+  /** Passes the sentence to the epochs, which hold the fix; ignores other types. */
   @Override
   public Optional<GpsFix> of(NmeaSentence sentence, long nowMicros) {
     boolean known =

@@ -96,7 +96,7 @@ final class UbxEpoch {
         true);
   }
 
-  /** A value of the height, which is valid only in a 3-D fix. */
+  /** A value that depends on height, which is valid only in a 3-D fix. */
   private OptionalDouble vertical(double value) {
     return fixType >= FIX_3D ? OptionalDouble.of(value) : OptionalDouble.empty();
   }

@@ -129,6 +129,6 @@ final class UbxSetup {
     if (isUnanswered) {
       return "the receiver does not acknowledge its setup (" + steps.get(0).name + ")";
     }
-    return refusals.isEmpty() ? "" : "the receiver refused " + String.join(", ", refusals);
+    return refusals.isEmpty() ? "" : "the receiver rejected " + String.join(", ", refusals);
   }
 }

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.BadInputException;
 public interface BoardConnection {
   /**
    * Creates an unopened connection for one attempt. Its {@code waitForConnect} may block; {@code
-   * disconnect} from another thread ends that and any read.
+   * disconnect} from another thread ends the wait and any read.
    */
   IOIOConnection newConnection();
 

@@ -15,7 +15,7 @@ final class BoardConnector implements AutoCloseable {
   private static final long END_WITHIN_MS = 1_000;
   private static final long ASK_EVERY_MS = 250;
   private static final int ASKED_PER_PATIENCE = 4;
-  private static final long LONGEST_LOOK_MICROS = 100_000; // more is this process's own pause
+  private static final long LONGEST_LOOK_MICROS = 100_000; // longer means that this process paused
 
   private final BoardConnection connection;
   private final PinPlan plan;
@@ -30,8 +30,8 @@ final class BoardConnector implements AutoCloseable {
   private long seenBytes;
   private long seenMicros;
   private long seenAnswers;
-  private long lookedMicros; // when it looked for answers last
-  private long deafMicros; // time that it watched without an answer
+  private long lookedMicros; // when it last looked for answers
+  private long deafMicros; // time watched without an answer
   private long retryMicros = Long.MIN_VALUE;
 
   /**
@@ -111,7 +111,7 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** Like {@link #tryOnce}, but a fault in a library must not end reconnecting. */
+  /** Like {@link #tryOnce}, but prevents a library fault from ending reconnection. */
   private BoardSession triedOnce() {
     try {
       return tryOnce();
@@ -154,7 +154,7 @@ final class BoardConnector implements AutoCloseable {
     attempt = null;
   }
 
-  /** Gives up a board that does not answer, has fallen silent, or takes nothing any more. */
+  /** Gives up a board that does not answer, has fallen silent, or no longer accepts data. */
   private void watch(long nowMicros) {
     BoardSession present = attempt;
     if (present == null || !present.link().isHandshaking() || !present.isUp()) {
@@ -184,7 +184,7 @@ final class BoardConnector implements AutoCloseable {
     }
   }
 
-  /** Whether a connected board has not answered for too long, whatever else it sends. */
+  /** Whether a connected board has not answered for too long, regardless of what else it sends. */
   private boolean isDeaf(BoardSession present, boolean isConnected, long nowMicros) {
     long answers = present.answers().orElse(0);
     if (present.answers().isEmpty() || !isConnected || answers != seenAnswers) {

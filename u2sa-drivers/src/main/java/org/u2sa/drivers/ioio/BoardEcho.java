@@ -5,8 +5,8 @@ import ioio.lib.api.exception.ConnectionLostException;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Asks a connected board for answers, on a daemon thread: a board that sends but takes nothing
- * drives its pins by old commands, emergency stop or not, and only its answers tell.
+ * Queries a connected board on a daemon thread: a board that sends data but accepts none drives its
+ * pins by old commands even in an emergency stop, and only its answers reveal this.
  */
 final class BoardEcho {
   private final IOIO ioio;
@@ -18,7 +18,7 @@ final class BoardEcho {
   /**
    * Idle until {@link #start}.
    *
-   * @param everyMs pause between an answer and the next question
+   * @param everyMs pause between an answer and the next query
    */
   BoardEcho(IOIO ioio, long everyMs) {
     this.ioio = ioio;
@@ -45,7 +45,7 @@ final class BoardEcho {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ConnectionLostException | IllegalStateException e) {
-      return; // over
+      return; // ended
     }
   }
 
@@ -56,13 +56,13 @@ final class BoardEcho {
     hurry = false;
   }
 
-  /** Asks the next question without the pause before it. */
+  /** Sends the next query without the preceding pause. */
   synchronized void askNow() {
     hurry = true;
     notifyAll();
   }
 
-  /** Ends the thread, and waits for that; harmless if it has ended or was never started. */
+  /** Ends the thread and waits for its end; has no effect if it has ended or was never started. */
   void end() {
     thread.interrupt();
     boolean wasInterrupted = false;

@@ -6,7 +6,7 @@ import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.interfaces.mqtt.BrokerAccess;
 
-/** Log-in at a board served over the network by {@code ./u2sa board} with users. */
+/** Log-in to a board served over the network by {@code ./u2sa board} with users. */
 record BoardLogin(
     @Variable(ifAbsentText = "") @Description("User name for a board at tls:host:port.")
         String user,

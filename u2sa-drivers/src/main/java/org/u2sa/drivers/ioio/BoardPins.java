@@ -33,7 +33,7 @@ final class BoardPins {
   /**
    * Opens the pins.
    *
-   * @throws IllegalArgumentException if the connected board lacks a function at a pin
+   * @throws IllegalArgumentException if a pin of the connected board lacks a function
    */
   BoardPins(IOIO ioio, PinPlan plan) throws ConnectionLostException {
     for (int pin : plan.pulses()) {
@@ -56,7 +56,7 @@ final class BoardPins {
   }
 
   private static PulseLine radio(IOIO ioio, PinPlan plan) throws ConnectionLostException {
-    // pull-down: a detached wire reads no pulses instead of noise
+    // pull-down: a detached wire then gives no pulses instead of noise
     DigitalInput.Spec spec = new DigitalInput.Spec(plan.radio(), DigitalInput.Spec.Mode.PULL_DOWN);
     return new PulseLine(
         ioio.openPulseInput(

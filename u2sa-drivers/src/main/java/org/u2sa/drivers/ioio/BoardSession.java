@@ -19,7 +19,7 @@ final class BoardSession {
   /**
    * Idle until {@link #connect}.
    *
-   * @param askEveryMs pause between an answer of the board and the next question; not in lockstep
+   * @param askEveryMs pause between an answer of the board and the next query; unused in lockstep
    */
   BoardSession(BoardConnection connection, long askEveryMs) {
     guarded = new GuardedConnection(connection.newConnection(), connection.isLockstep());
@@ -93,12 +93,12 @@ final class BoardSession {
     return guarded;
   }
 
-  /** Number of questions that the board has answered; empty in lockstep, which asks none. */
+  /** Number of queries that the board has answered; empty in lockstep, which sends none. */
   OptionalLong answers() {
     return echo.isPresent() ? OptionalLong.of(echo.get().answers()) : OptionalLong.empty();
   }
 
-  /** Asks the next question without the usual pause. */
+  /** Sends the next query without the usual pause. */
   void askNow() {
     echo.ifPresent(BoardEcho::askNow);
   }

@@ -27,7 +27,7 @@ final class FlushCounter extends OutputStream {
   private final AllSent allSent = new AllSent();
   private final OutputStream target;
   private final ByteArrayOutputStream waiting =
-      new ByteArrayOutputStream(); // until the library flushes; guarded by this, as are all fields
+      new ByteArrayOutputStream(); // until the library flushes; guarded by this, like all fields
   // below
   private long dataSent; // flushed bytes, excluding one header per flush
   private long dataExpected;

@@ -11,11 +11,11 @@ import java.util.concurrent.locks.ReentrantLock;
 
 /**
  * Wraps an IOIOLib connection for two reasons. Writes must not block on the board, so a separate
- * thread sends. And the library deadlocks if the connection ends while a pin is being opened:
- * {@code IOIOImpl.openUart} and similar methods lock the IOIO's monitor and then the incoming
- * state's, {@code IncomingState.handleConnectionLost} the reverse. So pins are opened in {@link
- * #whileUp}, and the library learns of a disconnect only outside it. {@code IOIOImpl.sync} locks in
- * the same order, so a {@link BoardEcho} ends before the library learns.
+ * thread sends. In addition, the library deadlocks if the connection ends while a pin is being
+ * opened: {@code IOIOImpl.openUart} and similar methods lock the IOIO's monitor and then the
+ * incoming state's, {@code IncomingState.handleConnectionLost} does the reverse. Therefore pins are
+ * opened in {@link #whileUp}, and a disconnect is reported to the library only outside it. {@code
+ * IOIOImpl.sync} locks in the same order, so a {@link BoardEcho} ends before the report.
  */
 final class GuardedConnection implements IOIOConnection {
   private static final int BUFFER = 1024;
@@ -68,10 +68,7 @@ final class GuardedConnection implements IOIOConnection {
     handshaking = true;
   }
 
-  /**
-   * Opens pins unless the connection has ended, and keeps the library from seeing its end
-   * meanwhile.
-   */
+  /** Opens pins unless the connection has ended, and meanwhile hides its end from the library. */
   <T> T whileUp(Opening<T> opening) throws ConnectionLostException {
     up.lock();
     try {
@@ -85,7 +82,7 @@ final class GuardedConnection implements IOIOConnection {
   }
 
   /**
-   * Starts asking for answers; the end of the connection ends it.
+   * Starts querying the board; ends with the connection.
    *
    * @throws ConnectionLostException if the connection has ended
    */

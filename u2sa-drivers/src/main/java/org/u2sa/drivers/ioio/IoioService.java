@@ -35,7 +35,7 @@ public final class IoioService extends ProprioceptiveSensor implements ActuatorO
   private static final double STEPS_PER_S = 100.0;
   private static final double BATTERY_EVERY_S = 1.0;
   private static final double GREETING_EVERY_S = 1.0; // a served board drops a silent host
-  private static final int MAX_PULSES_A_STEP = 100; // a flood must not hold up the step
+  private static final int MAX_PULSES_A_STEP = 100; // bounds a step under a flood of pulses
   private static final double ALL_PERCENT = 100.0;
 
   private final BoardConnection connection;

@@ -26,7 +26,7 @@ record IoioVariables(
     @Variable(ifAbsentText = "true")
         @Description("Whether all actuators are neutral while one of them has no command.")
         boolean actuatorsTogether,
-    // a period is longer than the longest pulse, 5 ms
+    // a period must exceed the longest pulse, 5 ms
     @Variable(unit = "Hz", min = 20, max = 190, ifAbsent = 50)
         @Description("Servo pulses per second.")
         int pulseRate,
@@ -85,7 +85,7 @@ record IoioVariables(
         throw new BadInputException(
             "variable \"ACTUATORS\": \""
                 + part.trim()
-                + "\": expected NAME=PIN, each name once, with commas between",
+                + "\": expected NAME=PIN, each name once, separated by commas",
             e);
       }
     }
@@ -175,7 +175,7 @@ record IoioVariables(
         }
       }
       throw new BadInputException(
-          "IOIO: all analog inputs are taken; one must be free, or measure the battery");
+          "IOIO: all analog inputs are taken; one must be free or measure the battery");
     }
   }
 }

@@ -51,7 +51,7 @@ public final class LockstepConnection implements BoardConnection {
 
   @Override
   public String address() {
-    return "in the process";
+    return "this process";
   }
 
   @Override

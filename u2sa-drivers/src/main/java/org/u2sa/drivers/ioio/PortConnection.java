@@ -13,7 +13,7 @@ import org.u2sa.interfaces.mqtt.BrokerAccess;
 
 /**
  * A board on a desktop serial port (IOIO-OTG on USB) or over TCP: the firmware simulator or a
- * network serial port. The library's own socket connection waits for the board to call in, which no
+ * network serial port. The library's own socket connection waits for the board to connect, which no
  * current board does.
  *
  * <p>The board treats the DTR signal as the connection: on its rise it identifies itself; on its
@@ -50,7 +50,7 @@ final class PortConnection implements IOIOConnection {
   }
 
   /**
-   * The same for a board that asks for a user.
+   * The same for a board that requires a user.
    *
    * @throws BadInputException if the address is not {@code tls:HOST:PORT}
    */

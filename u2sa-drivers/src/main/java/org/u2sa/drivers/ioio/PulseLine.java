@@ -7,10 +7,10 @@ import java.util.OptionalDouble;
 /**
  * A pulse input of the board, read without blocking.
  *
- * <p>The library can only wait for a pulse. An interrupted thread still receives an available pulse
- * and otherwise returns immediately with an exception, which is slow. In lockstep, where the
- * board's bytes are visible before the library receives them, the library is queried only when
- * those bytes may contain a pulse. Confined to the service's thread.
+ * <p>The library can only wait for a pulse. When interrupted, it still returns an available pulse,
+ * and otherwise immediately throws an exception, which is slow. In lockstep, where the board's
+ * bytes are visible before the library receives them, the library is queried only when those bytes
+ * may contain a pulse. Confined to the service's thread.
  */
 final class PulseLine {
   // INCAP_REPORT: a pulse, followed by input number, 0 to 8, and length

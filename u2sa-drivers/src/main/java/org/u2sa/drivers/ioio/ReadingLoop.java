@@ -9,8 +9,8 @@ import java.io.InputStream;
  *
  * <p>The library's loop ({@code IOIOProtocol.IncomingThread.run}) keeps its state between messages
  * in fields only. So while its thread waits here between two messages, another thread runs the same
- * loop and exits it by an error once all bytes are read. The loop closes its stream on any exit and
- * would then announce a lost connection, so {@link #close} rethrows the error.
+ * loop and leaves it with an error once all bytes are read. The loop closes its stream on any exit
+ * and would then announce a lost connection, so {@link #close} rethrows the error.
  */
 final class ReadingLoop extends InputStream {
   private static final byte[] NOTHING = {};

@@ -3,14 +3,14 @@ package org.u2sa.drivers.ioio;
 import java.util.Optional;
 
 /**
- * Determines whether the board has answered a question sent after a stop: it executes messages in
- * order, so it has then stopped. Until then the stop is commanded but not confirmed. Called on the
- * service's thread.
+ * Determines whether the board has answered a query sent after a stop: the board executes messages
+ * in order, so it has then stopped. Until then the stop is commanded but not confirmed. Called on
+ * the service's thread.
  */
 final class StopEcho {
-  private static final long FRESH_ANSWERS = 2; // the first may answer an earlier question
+  private static final long FRESH_ANSWERS = 2; // the first may answer an earlier query
 
-  private Optional<BoardSession> stopped = Optional.empty(); // question sent after the newest stop
+  private Optional<BoardSession> stopped = Optional.empty(); // queried after the newest stop
   private long neededAnswers;
 
   /** Call after the stop has been sent. An absent board outputs nothing and starts neutral. */
@@ -24,7 +24,7 @@ final class StopEcho {
 
   /**
    * Whether the newest stop is known to have arrived. A board lost before answering may still
-   * output pulses from its last commands, so only its return confirms.
+   * output pulses from its last commands, so only its return confirms the stop.
    */
   boolean isTaken(Optional<BoardSession> session) {
     if (stopped.isEmpty()) {

@@ -79,9 +79,9 @@ final class UartLine {
    * sending.
    *
    * <p>That thread sends once and is then ended by an interrupt. Afterwards this thread runs the
-   * library's loop ({@code FlowControlledOutputStream.FlushThread.run}) and exits it by an error
-   * once all is sent ({@link FlushCounter#run}). Its interrupt flag is set, so a wait for the board
-   * returns immediately.
+   * library's loop ({@code FlowControlledOutputStream.FlushThread.run}) and leaves it with an error
+   * once everything is sent ({@link FlushCounter#run}). Its interrupt flag is set, so a wait for
+   * the board returns immediately.
    *
    * @param sent counter of the library's output
    */

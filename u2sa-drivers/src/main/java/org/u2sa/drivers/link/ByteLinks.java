@@ -45,7 +45,7 @@ public final class ByteLinks {
    *   <li>{@code serial:PATH?baud=9600&parity=none&stop=1}: 8 data bits; parity none, even or odd;
    *       {@code &dtr=off} lowers Data Terminal Ready, which stops some devices
    *   <li>{@code tcp:HOST:PORT?silence=5}: a device server, as client; after this many seconds
-   *       without a byte the connection counts as lost and is re-established; 0: never
+   *       without a byte, the connection counts as lost and is re-established; 0: never
    *   <li>{@code udp:PORT?silence=2&senders=first}: datagrams to that port, from its first sender
    *       until that is silent (0: for 2 s); with {@code all} from anyone; replies go to the first
    *       sender
@@ -92,7 +92,7 @@ public final class ByteLinks {
   }
 
   /**
-   * Opener of {@code tls:HOST:PORT}, a device that asks for a user.
+   * Opener of {@code tls:HOST:PORT}, a device that requires a user.
    *
    * @throws BadInputException if the address is invalid
    */

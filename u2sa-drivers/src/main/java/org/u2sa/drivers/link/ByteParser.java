@@ -19,7 +19,7 @@ public abstract class ByteParser<R> {
    * Consumes bytes.
    *
    * @param length number of valid {@code bytes}
-   * @param nowMicros arrival time [µs, run's clock], used as the time of the readings
+   * @param nowMicros arrival time [µs, run's clock], used as the readings' time
    */
   public abstract void accept(byte[] bytes, int length, long nowMicros);
 

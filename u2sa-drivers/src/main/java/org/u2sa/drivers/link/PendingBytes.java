@@ -1,12 +1,12 @@
 package org.u2sa.drivers.link;
 
 /**
- * Reads the bytes that wait on a link, up to a limit: a device or a stranger on a network that
+ * Reads the bytes waiting on a link, up to a limit: a device, or a stranger on the network, that
  * sends faster than its reader parses must not keep a service from its other work, such as an
  * emergency stop. The rest is read at the next call.
  */
 public final class PendingBytes {
-  /** Maximum number of bytes per call, about as many as a link keeps unread. */
+  /** Maximum number of bytes per call, about as many as a link buffers. */
   static final int MAX_BYTES = 1 << 16;
 
   private final byte[] buffer = new byte[4_096];

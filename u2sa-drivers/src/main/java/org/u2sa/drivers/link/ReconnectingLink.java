@@ -98,7 +98,7 @@ final class ReconnectingLink implements ByteLink {
         if (!opened.isFoundBySpeaking()) {
           throw new IOException("no data for " + Clock.seconds(silenceMicros) + " s");
         }
-        lost("nothing comes");
+        lost("nothing arrives");
       }
     }
   }
@@ -110,7 +110,7 @@ final class ReconnectingLink implements ByteLink {
     }
     port = opened;
     if (opened.isFoundBySpeaking()) {
-      trouble = "nothing comes";
+      trouble = "nothing arrives";
     } else {
       found();
     }
@@ -131,7 +131,7 @@ final class ReconnectingLink implements ByteLink {
       found();
     }
     if (unread.put(bytes, count) > 0) {
-      trouble = "data came faster than it was read: the oldest bytes were dropped";
+      trouble = "data arrived faster than it was read: the oldest bytes were dropped";
     }
   }
 

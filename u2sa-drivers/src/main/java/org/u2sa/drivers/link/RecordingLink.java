@@ -16,8 +16,8 @@ import org.u2sa.interfaces.time.Clock;
  * the start, then {@code <} with received bytes, {@code >} with sent bytes, {@code +} for
  * connected, {@code -} for lost; bytes in hexadecimal.
  *
- * <p>In real time the {@link DiskWriter} writes, because the device must not wait for a disk that
- * hangs; a recording that would have gaps ends.
+ * <p>In real time the {@link DiskWriter} writes, because the device must not wait for a hanging
+ * disk; a recording that would have gaps is ended.
  */
 final class RecordingLink implements ByteLink {
   /** First line of a recording. */
@@ -150,7 +150,7 @@ final class RecordingLink implements ByteLink {
     }
   }
 
-  /** Ends the recording: the device matters more. */
+  /** Ends the recording, because the device matters more. */
   private void fail(String why) {
     synchronized (waiting) {
       failure = "recording " + file + " ended: " + why;

@@ -18,7 +18,7 @@ import org.u2sa.interfaces.time.Clock;
 final class ReplayLink implements ByteLink {
   private record Event(long dueMicros, char what, byte[] bytes) {}
 
-  private static final long MAX_BYTES = 64L << 20; // it is held in memory
+  private static final long MAX_BYTES = 64L << 20; // because it is held in memory
 
   private final Path file;
   private final Clock clock;
@@ -45,7 +45,7 @@ final class ReplayLink implements ByteLink {
     try {
       if (Files.exists(file) && (!Files.isRegularFile(file) || Files.size(file) > MAX_BYTES)) {
         throw new BadInputException(
-            "recording " + file + ": expected a regular file of at most " + MAX_BYTES + " bytes");
+            "recording " + file + ": expected a regular file of up to " + MAX_BYTES + " bytes");
       }
       lines = Files.readAllLines(file, StandardCharsets.US_ASCII);
     } catch (IOException e) {
@@ -164,7 +164,7 @@ final class ReplayLink implements ByteLink {
     if (isConnected()) {
       return "";
     }
-    return closed ? "closed" : isOver() ? "the recording is over" : "lost in the recording";
+    return closed ? "closed" : isOver() ? "the recording has ended" : "lost in the recording";
   }
 
   @Override

@@ -61,7 +61,7 @@ final class SerialOpener implements Port.Opener {
       }
       return new Opened(path, port);
     } catch (SerialPortInvalidPortException e) {
-      throw new IOException(path + " is not there", e);
+      throw new IOException(path + " does not exist", e);
     } catch (LinkageError e) { // no native library on phones: UnsatisfiedLinkError first, then
       // NoClassDefFoundError
       throw new IOException("no serial ports on this platform: " + e.getMessage(), e);
@@ -84,7 +84,7 @@ final class SerialOpener implements Port.Opener {
     return switch (code) {
       case 2 -> "not found";
       case 13 -> "permission denied: is the user in the group dialout?";
-      case 16 -> "another program has it";
+      case 16 -> "another program is using it";
       default -> "error " + code;
     };
   }

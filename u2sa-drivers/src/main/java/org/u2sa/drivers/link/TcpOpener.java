@@ -21,7 +21,7 @@ final class TcpOpener implements Port.Opener {
   private final Optional<BrokerAccess> access;
 
   /**
-   * @param access user of a server with log-in, over TLS; empty: plain connection
+   * @param access user for a server with log-in, over TLS; empty: plain connection
    */
   TcpOpener(String host, int port, Optional<BrokerAccess> access) {
     this.host = host;
@@ -55,7 +55,7 @@ final class TcpOpener implements Port.Opener {
     private final OutputStream out;
 
     /**
-     * @param socket the plain socket: closing an encrypted one waits for its writer
+     * @param socket the plain socket, because closing an encrypted one waits for its writer
      * @param spoken the same socket, or the encrypted one
      */
     Connected(String peer, Socket socket, Socket spoken) throws IOException {

@@ -28,7 +28,7 @@ final class UdpOpener implements Port.Opener {
 
   /**
    * @param host empty: the first sender
-   * @param hearsAll whether all senders are read, when no host is given
+   * @param hearsAll whether all senders are read, if no host is given
    * @param silenceS time without a datagram of the first sender after which another may replace it
    *     [s]
    */
@@ -100,7 +100,7 @@ final class UdpOpener implements Port.Opener {
       return length > 0;
     }
 
-    /** Whether the sender is the device; without a device, the sender becomes it. */
+    /** Whether the sender is the device; without a device, the sender becomes the device. */
     private boolean isPeer(SocketAddress sender) {
       long now = stopwatch.micros();
       boolean isVacant = peer == null || known == null && now - heardMicros > silenceMicros;

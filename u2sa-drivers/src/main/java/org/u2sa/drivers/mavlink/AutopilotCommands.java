@@ -41,8 +41,8 @@ final class AutopilotCommands {
   }
 
   /**
-   * Releases commands of a predecessor that transferred no state. Not by way of neutral, because a
-   * radio pilot may be in control instead.
+   * Releases commands of a predecessor that transferred no state, without sending neutral, because
+   * a radio pilot may be in control.
    */
   void inherit() {
     inherit(neutralMicros);
@@ -62,7 +62,7 @@ final class AutopilotCommands {
     releasesLeft = RELEASES;
   }
 
-  /** Saves whether it is in control, and since when without a command. */
+  /** Saves whether it is in control, and for how long it has had no command. */
   void handOver(HandOver state, long nowMicros) {
     state.flag(HOLDS, holds);
     if (holds) {

@@ -41,7 +41,7 @@ final class AutopilotPeer {
   private MavState said;
 
   /**
-   * @param system the autopilot's system ID; 0 for the first one heard
+   * @param system the autopilot's system ID; 0 for the first one that reports
    * @param stateHz requested rate of attitude and position [Hz]
    * @param out receives the messages to send
    */
@@ -131,6 +131,6 @@ final class AutopilotPeer {
   /** Forwards status texts. */
   void take(Statustext text, Consumer<String> log, Consumer<String> trouble) {
     boolean isGrave = text.severity().value() <= MavSeverity.MAV_SEVERITY_ERROR.ordinal();
-    (isGrave ? trouble : log).accept("the autopilot says: " + text.text());
+    (isGrave ? trouble : log).accept("status from the autopilot: " + text.text());
   }
 }

@@ -24,7 +24,7 @@ final class AutopilotState {
   private static final int FIX_3D = 3;
   private static final double MAX_LATITUDE = 90.0;
   private static final double MAX_LONGITUDE = 180.0;
-  private static final double MAX_RATE = 100.0; // rad/s: beyond any gyroscope in an autopilot
+  private static final double MAX_RATE = 100.0; // rad/s: beyond any autopilot's gyroscopes
 
   private final long staleMicros;
   private GpsRawInt gps;
@@ -50,7 +50,7 @@ final class AutopilotState {
   /**
    * State from an attitude.
    *
-   * @throws IllegalArgumentException if an angle or rate is not a number or absurd
+   * @throws IllegalArgumentException if an angle or rate is not a number or is implausible
    */
   StateInformation attitude(Attitude attitude, long nowMicros) {
     within("roll", attitude.roll(), FULL_TURN, "rad"); // defined as ±π; yaw also comes as 0…2π

@@ -11,7 +11,7 @@ final class LineLimit {
   private static final int MAX_LINES = 10; // per second
   private static final long WINDOW_MICROS = Clock.micros(1.0);
 
-  private long windowMicros = Long.MIN_VALUE / 2; // start
+  private long windowMicros = Long.MIN_VALUE / 2; // start of the window
   private int lines; // in the window
   private long omitted; // since the last line
 

@@ -51,8 +51,8 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
   private final LineLimit lines = new LineLimit();
   private final String
       positionName; // separate from attitude, because a newer message replaces an unread one
-  private final long silentMicros; // without heartbeats until the autopilot counts as lost
-  private long lostMicros = Long.MIN_VALUE; // when it does, if a successor hears none
+  private final long silentMicros; // time without heartbeats until the autopilot counts as lost
+  private long lostMicros = Long.MIN_VALUE; // when it counts as lost, if a successor receives none
   private boolean isWaitSaid;
 
   public MavlinkAutopilot(ServiceContext context) {
@@ -164,7 +164,7 @@ public final class MavlinkAutopilot extends ProprioceptiveSensor implements Actu
     } else if (message.payload() instanceof Attitude attitude) {
       peer.streams(now);
       StateInformation said = state.attitude(attitude, now).sensorName(sensorName());
-      form.hear(attitude, now); // not before: an absurd heading must not become the target
+      form.hear(attitude, now); // only now: an implausible heading must not become the target
       publish(Channels.SENSED_STATE, said);
     } else if (message.payload() instanceof GlobalPositionInt position) {
       state

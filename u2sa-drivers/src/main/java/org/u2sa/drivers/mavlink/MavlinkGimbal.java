@@ -20,7 +20,7 @@ import org.u2sa.mavlink.MavlinkStream;
  * (mavlink.io/en/services/gimbal_v2.html): GIMBAL_DEVICE_SET_ATTITUDE (284) out, and
  * GIMBAL_DEVICE_ATTITUDE_STATUS (285) in. Angles are relative to the vehicle.
  */
-@SuppressWarnings("deprecation") // the library marks messages that were in work by its date
+@SuppressWarnings("deprecation") // messages unfinished at the library's release
 public final class MavlinkGimbal extends LinkedDevice<Gimbal.Pointing> implements Gimbal {
   private static final long SEND_MICROS = Clock.micros(0.05);
   private static final long HEARTBEAT_MICROS = Clock.micros(1.0);

@@ -14,10 +14,10 @@ record MavlinkVariables(
         @Description("Address of the autopilot: udp:PORT, tcp:HOST:PORT or serial:DEVICE?baud=N.")
         String connection,
     @Variable(min = 0, max = 255, ifAbsent = 0)
-        @Description("MAVLink system ID of the autopilot; 0: the first one heard.")
+        @Description("MAVLink system ID of the autopilot; 0: the first one that reports.")
         int autopilotSystem,
     @Variable(min = 1, max = 255, ifAbsent = 255)
-        @Description("System ID of this service; ArduPilot obeys its SYSID_MYGCS.")
+        @Description("System ID of this service; ArduPilot obeys only the ID in its SYSID_MYGCS.")
         int ownSystem,
     @Variable(min = 1, max = 255, ifAbsent = 191)
         @Description("Component ID of this service; 191: onboard computer.")
@@ -67,7 +67,7 @@ record MavlinkVariables(
         double fullTilt,
     @Variable(min = 0, max = 1, ifAbsent = 0.5)
         @Description(
-            "With COMMANDS attitude: thrust while none is commanded; 0.5 holds height under ArduCopter unless bit 3 of GUID_OPTIONS is set, elsewhere give the hover thrust.")
+            "With COMMANDS attitude: thrust while none is commanded; 0.5 holds height under ArduCopter unless bit 3 of GUID_OPTIONS is set; otherwise give the hover thrust.")
         double neutralThrust) {
   private static final int CHANNELS = 8;
 

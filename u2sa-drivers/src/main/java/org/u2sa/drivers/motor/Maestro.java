@@ -25,7 +25,7 @@ public final class Maestro extends LinkedDevice<Servo.Position> implements Servo
   private final Variables wiring;
   private int target;
   private long askDueMicros = Long.MIN_VALUE;
-  private int firstByte = -1; // of a position reply
+  private int firstByte = -1; // first byte of a position reply; −1: none
 
   /**
    * Wiring of a servo.

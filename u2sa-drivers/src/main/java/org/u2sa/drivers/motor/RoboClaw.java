@@ -42,7 +42,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   private int turn;
   private double first;
   private double second;
-  private boolean isBySpeed; // first and second are counts per second
+  private boolean isBySpeed; // whether first and second are counts per second
   private OptionalDouble batteryV = OptionalDouble.empty();
 
   /**
@@ -74,7 +74,7 @@ public final class RoboClaw extends LinkedDevice<MotorController.Counts>
   @Override
   protected void act(long nowMicros) {
     if (!link.isConnected()) {
-      found(nowMicros); // and again once reconnected
+      found(nowMicros); // also restarts setup once reconnected
     }
     understand(nowMicros);
     if (asked != null && nowMicros - askedMicros > ANSWER_WITHIN_MICROS) {

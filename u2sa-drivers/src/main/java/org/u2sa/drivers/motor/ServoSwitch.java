@@ -37,7 +37,7 @@ public final class ServoSwitch implements SwitchOutput {
 
   @Override
   public Optional<Level> read(long nowMicros) {
-    if (!isSet) { // the servo must not move by itself
+    if (!isSet) { // the servo must not move on its own
       latest = isConnected() ? Optional.of(new Level(nowMicros, OptionalDouble.empty())) : latest;
       return latest;
     }

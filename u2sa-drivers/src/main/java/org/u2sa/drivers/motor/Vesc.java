@@ -18,7 +18,7 @@ import org.u2sa.interfaces.time.Clock;
 public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thruster {
   private static final byte GET_VALUES = 4;
   private static final byte SET_DUTY = 5;
-  private static final double DUTY_PER_PERCENT = 1000.0; // 100 000 is full
+  private static final double DUTY_PER_PERCENT = 1000.0; // 100,000 is full
   private static final long ASK_EVERY_MICROS = Clock.micros(0.1);
   private static final int VALUES_BYTES = 54; // up to the fault code; newer firmware appends fields
   private static final int INPUT_CURRENT = 9;
@@ -31,7 +31,7 @@ public final class Vesc extends LinkedDevice<Thruster.Turning> implements Thrust
   private final VescPacket packet = new VescPacket(this::take, this::refuse);
   private final double polePairs;
   private double percent;
-  private long heardMicros; // arrival of the bytes that are being parsed
+  private long heardMicros; // arrival time of the bytes being parsed
   private long askDueMicros = Long.MIN_VALUE;
   private int fault;
 

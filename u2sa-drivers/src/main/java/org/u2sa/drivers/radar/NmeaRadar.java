@@ -14,9 +14,9 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * A marine radar that sends its tracked targets by NMEA 0183 (TTM), and the settings of its screen
- * (RSD), which show that it works while it has no target. Targets being acquired are ignored; lost
- * targets, and those silent for a minute, are dropped, and so are later targets beyond a thousand.
+ * A marine radar that sends its tracked targets in NMEA 0183 (TTM), and the settings of its screen
+ * (RSD), which show that it is working while it has no targets. Ignores targets being acquired;
+ * drops lost ones, those silent for a minute, and later ones beyond a thousand.
  */
 public final class NmeaRadar extends ParsedDevice<TrackingRadar.Tracks> implements TrackingRadar {
   private static final double MAX_RANGE_M = 500_000.0;

@@ -52,7 +52,7 @@ public final class AnalogRangeFinder extends FileDevice<RangeFinder.Distance>
 
   /**
    * Range of a MaxBotix LV-MaxSonar-EZ [m]: supply / 512 volts per inch, 6…254 inches (data sheet
-   * PD11832). Nearer objects read as 6 inches.
+   * PD11832). Closer objects read as 6 inches.
    */
   static OptionalDouble maxBotixLvM(double volts, double supplyV) {
     return SonarModel.LV.rangeM(volts / (supplyV / 512.0));

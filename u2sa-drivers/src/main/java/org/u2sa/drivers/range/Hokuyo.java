@@ -123,7 +123,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
   /** Reports an unexpected reply; the next request then times out and the sequence restarts. */
   private boolean expect(boolean isExpected, String status) {
     if (!isExpected) {
-      trouble = "the laser answers " + asked + " with status " + status;
+      trouble = "the laser answered " + asked + " with status " + status;
     }
     return isExpected;
   }
@@ -157,8 +157,7 @@ public final class Hokuyo extends LinkedDevice<LaserScanner.Scan> implements Las
             .maxRange(sensor.farthestMm() * ScipSensor.MILLI)
             .timeIncrement(sensor.stepS())
             .beams(sensor.azimuth(sensor.firstStep()), sensor.stepRad(), ranges.get());
-    scan.timestamp(
-        nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // the scan is sent at its end
+    scan.timestamp(nowMicros - Clock.micros(sensor.steps() * sensor.stepS())); // sent when complete
     latest = Optional.of(new Scan(nowMicros, scan));
     trouble = "";
     untilMicros = nowMicros + SCAN_WITHIN_MICROS;

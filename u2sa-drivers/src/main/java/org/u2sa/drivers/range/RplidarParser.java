@@ -25,7 +25,8 @@ final class RplidarParser {
   static final double FARTHEST_M = 65_535 / STEPS_PER_METRE;
 
   private static final int FULL_TURN = 360 * 64;
-  // Random bytes look like a node at one in five positions, so this many in a row cannot be chance.
+  // Random bytes look like a node at one in five positions, so this many in a row are no
+  // coincidence.
   private static final int NODES_TO_TRUST = 16;
   private static final int MAX_BEAMS = 20_000; // per scan; a stopped motor sends no scan start
 
@@ -159,7 +160,7 @@ final class RplidarParser {
       malformed++;
       trusted = false;
       hasBegun = false; // discard a scan with a gap
-      ended = null; // and one whose end may be false
+      ended = null; // its end may have been misread
       return 1;
     }
     confirm();

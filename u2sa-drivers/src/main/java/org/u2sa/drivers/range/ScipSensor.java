@@ -108,10 +108,10 @@ record ScipSensor(
   /**
    * Ranges per step [m]; empty without an echo: above the maximum, or an error code for nothing in
    * range or too little light (0 and 1 in tables 3 and 4). Other codes, such as for an object too
-   * near or a dazzling reflection, are ambiguous: they stay ranges below the minimum, which
+   * close or a dazzling reflection, are ambiguous: they remain ranges below the minimum, which
    * indicate neither an obstacle nor free space.
    *
-   * @param lines lines after the status: timestamp, and blocks of at most 64 characters with a
+   * @param lines lines after the status: timestamp, and blocks of up to 64 characters with a
    *     checksum character each
    * @return empty if a checksum is wrong or the number of distances differs from the steps
    */

@@ -18,12 +18,12 @@ final class VelodyneParser extends ByteParser<PointScanner.Cloud> {
   private static final int BLOCK = 100;
   private static final int LASERS = 16;
   private static final int RETURN = 3; // bytes: distance, low byte first, and reflectivity
-  private static final int FLAG = 0xEEFF; // of each block
+  private static final int FLAG = 0xEEFF; // flag of each block
   private static final int PRODUCT = 1205; // offset in the packet
   private static final int VLP16 = 0x22;
   private static final int CIRCLE = 36_000; // hundredths of a degree
   private static final double METRES_PER_UNIT = 0.002;
-  private static final int MAX_POINTS = 120_000; // two returns at 5 Hz
+  private static final int MAX_POINTS = 120_000; // maximum, with two returns at 5 Hz
   private static final int[] ELEVATION_DEG = {
     -15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15
   };

@@ -36,7 +36,7 @@ public final class RadioSensor extends PeriodicService {
   private final RcSwitch radio = new RcSwitch(settings(RcSwitch.Variables.class).get());
   private final RadioReceiver receiver;
   private final DeviceReader<RadioReceiver.Pulses> reader;
-  private boolean wasAutomatic; // once: before that, no takeover is possible
+  private boolean wasAutomatic; // whether it ever was: before that, no takeover is possible
   private boolean isManual;
   private boolean isTold; // a predecessor's last state may be manual
   private long takeovers;

@@ -11,7 +11,7 @@ import org.u2sa.interfaces.time.Clock;
  */
 public final class RcSwitch {
   private static final double MICRO = 1.0e-6;
-  private static final double SHORTEST_US = 800.0; // covers radios with trims at their ends
+  private static final double SHORTEST_US = 800.0; // allows for radios with trims at their ends
   private static final double LONGEST_US = 2200.0;
 
   /** Switch position. */

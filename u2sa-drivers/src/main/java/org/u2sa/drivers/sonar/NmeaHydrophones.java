@@ -14,7 +14,7 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 /**
  * A hydrophone array whose processor sends an NMEA 0183 sentence for each ping: {@code
  * $YXPNG,frequency [Hz],azimuth clockwise from ahead [deg],elevation up [deg],sigma [deg]*hh};
- * sigma may be empty. Or its arrival times: {@code $YXTOA,frequency [Hz],first hydrophone
+ * sigma may be empty. Alternatively, arrival times: {@code $YXTOA,frequency [Hz],first hydrophone
  * [µs],second,…*hh}, from any common instant. The sentences are U2SA's own, because there is no
  * common protocol.
  */

@@ -26,7 +26,7 @@ public final class Ping1d extends LinkedDevice<RangeFinder.Distance> implements 
   private final PingFramer framer = new PingFramer(this::take, this::refuse);
   private final int minConfidence;
   private long askDueMicros = Long.MIN_VALUE;
-  private long heardMicros; // arrival of the bytes that are being parsed
+  private long heardMicros; // arrival time of the bytes being parsed
 
   /**
    * Uses the link; closing the device closes it.

@@ -42,7 +42,7 @@ public final class Ping360 extends LinkedDevice<Sonar.Ping> implements Sonar {
   private int angle;
   private boolean isAsked;
   private long askedMicros;
-  private long heardMicros; // arrival of the bytes that are being parsed
+  private long heardMicros; // arrival time of the bytes being parsed
 
   /**
    * Uses the link; closing the device closes it.

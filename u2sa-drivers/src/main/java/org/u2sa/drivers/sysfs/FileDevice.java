@@ -12,7 +12,7 @@ import org.u2sa.device.port.Device;
 
 /** A device read from files with one number each: all readable, or none. */
 public abstract class FileDevice<R extends Device.Reading> implements Device<R> {
-  private static final int MAX_BYTES = 64; // of a number; the file may be any
+  private static final int MAX_BYTES = 64; // of a number; the file may be of any length
 
   private final List<Path> files;
   private Optional<R> latest = Optional.empty();

@@ -10,7 +10,7 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * A load cell at an analogue-to-digital converter of Linux industrial I/O, such as the HX711:
- * {@code in_voltage0_raw} (Documentation/ABI/testing/sysfs-bus-iio). Its scale is that of a
+ * {@code in_voltage0_raw} (Documentation/ABI/testing/sysfs-bus-iio). Its scale comes from a
  * calibration with a known force.
  */
 public final class IioLoadCell extends FileDevice<LoadCell.Load> implements LoadCell {
@@ -22,7 +22,7 @@ public final class IioLoadCell extends FileDevice<LoadCell.Load> implements Load
           @Description("IIO: number in the file without load.")
           double zeroCount,
       @Variable(unit = "N", min = -1e9, max = 1e9, ifAbsent = 1)
-          @Description("IIO: force of one count, negative for a cell the other way round.")
+          @Description("IIO: force per count, negative for a cell mounted the other way round.")
           double forcePerCount) {}
 
   /** Uses a file that may be absent. */

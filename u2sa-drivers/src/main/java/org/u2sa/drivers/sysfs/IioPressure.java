@@ -13,8 +13,8 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * A pressure sensor on Linux industrial I/O, such as BMP280, MS5611 or MS5837. {@code
- * in_pressure_input} is in kilopascal, {@code in_pressure_raw} times {@code in_pressure_scale} too
- * (Documentation/ABI/testing/sysfs-bus-iio).
+ * in_pressure_input} is in kilopascal, as is {@code in_pressure_raw} times {@code
+ * in_pressure_scale} (Documentation/ABI/testing/sysfs-bus-iio).
  */
 public final class IioPressure extends FileDevice<Pressure> implements Barometer, DepthGauge {
   private static final double PASCALS = 1000.0;

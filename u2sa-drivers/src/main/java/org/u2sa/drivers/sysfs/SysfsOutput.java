@@ -16,9 +16,9 @@ import org.u2sa.interfaces.configuration.Variable;
 import org.u2sa.service.ServiceContext;
 
 /**
- * An output that Linux sets by a number in a file: {@code duty_cycle} of a PWM channel [ns]
- * (Documentation/ABI/testing/sysfs-class-pwm), {@code brightness} of an LED class device, which any
- * pin may be (sysfs-class-led), or {@code value} of a pin.
+ * An output that Linux sets from a number in a file: {@code duty_cycle} of a PWM channel [ns]
+ * (Documentation/ABI/testing/sysfs-class-pwm), {@code brightness} of an LED class device, as which
+ * any pin may be configured (sysfs-class-led), or {@code value} of a pin.
  */
 public final class SysfsOutput implements SwitchOutput {
   private static final double FULL_PERCENT = 100.0;

@@ -10,8 +10,8 @@ import org.u2sa.drivers.nmea.NmeaParser;
 import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
- * An AIS receiver that sends AIVDM sentences, at a serial port or on the network. Messages of
- * several sentences, which are not position reports, and the own ship (AIVDO) are ignored.
+ * An AIS receiver that sends AIVDM sentences, at a serial port or on the network. Ignores messages
+ * of several sentences, which are not position reports, and the own ship (AIVDO).
  */
 public final class AisReceiver extends ParsedDevice<TrafficReceiver.Traffic>
     implements TrafficReceiver {

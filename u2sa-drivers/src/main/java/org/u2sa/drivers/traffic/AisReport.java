@@ -13,7 +13,7 @@ import org.u2sa.messages.frame.Point;
 final class AisReport {
   private static final int BITS = 168;
   private static final int BITS_PER_CHARACTER = 6;
-  private static final int CLASS_A_SPEED = 50; // first bit; later fields have the same order
+  private static final int CLASS_A_SPEED = 50; // first bit; the fields after it have the same order
   private static final int CLASS_B_SPEED = 46;
   private static final int NO_SPEED = 1023;
   private static final int NO_COURSE = 3600;

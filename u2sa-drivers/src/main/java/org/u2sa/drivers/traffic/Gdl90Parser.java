@@ -72,7 +72,7 @@ final class Gdl90Parser extends ByteParser<TrafficReceiver.Traffic> {
     }
   }
 
-  /** CRC of section 2.2.3, which, unlike others, feeds each byte in at the low end. */
+  /** CRC of section 2.2.3, which, unlike others, feeds in each byte at the low end. */
   static int crc(byte[] bytes, int end) {
     int crc = 0;
     for (int i = 0; i < end; i++) {

@@ -48,7 +48,7 @@ public final class SerialVelocityLog extends ParsedDevice<VelocityLog.Speeds>
               isWater ? mps(sentence, 2, -1.0) : UNKNOWN,
               UNKNOWN));
     }
-    if (sentence.is("VHW")) { // 5: knots through the water
+    if (sentence.is("VHW")) { // field 5: knots through the water
       OptionalDouble ahead = mps(sentence, 5, 1.0);
       return Optional.of(new Speeds(nowMicros, UNKNOWN, UNKNOWN, UNKNOWN, ahead, UNKNOWN, UNKNOWN));
     }

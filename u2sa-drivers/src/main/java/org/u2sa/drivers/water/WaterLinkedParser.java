@@ -48,7 +48,7 @@ final class WaterLinkedParser extends ByteParser<VelocityLog.Speeds> {
   private VelocityLog.Speeds speeds(String text, long nowMicros) {
     int star = text.indexOf('*');
     if (star < 0 || Integer.parseInt(text.substring(star + 1), HEX) != crc(star)) {
-      throw new IllegalArgumentException("no or a wrong checksum");
+      throw new IllegalArgumentException("missing or wrong checksum");
     }
     String[] fields = text.substring(0, star).split(",", -1);
     boolean isNew = fields[0].equals("wrz");

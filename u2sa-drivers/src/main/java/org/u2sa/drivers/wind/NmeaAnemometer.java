@@ -11,8 +11,8 @@ import org.u2sa.drivers.nmea.NmeaSentence;
 
 /**
  * An NMEA 0183 anemometer, such as Gill WindSonic or Airmar WeatherStation: the relative wind of
- * MWV. True wind, which the instrument computes from a ship's speed, and readings marked as invalid
- * are ignored.
+ * MWV. Ignores true wind, which the instrument computes from a ship's speed, and readings marked as
+ * invalid.
  */
 public final class NmeaAnemometer extends ParsedDevice<Anemometer.Wind> implements Anemometer {
   private static final double MAX_MPS = 200.0;

@@ -146,7 +146,7 @@ class GpsSensorTest {
     kit.start(
         context -> new GpsSensor(context, LinkedGps.ublox(link, UbloxModel.UBLOX_8, 9600, 5.0)));
 
-    assertThat(lastError()).hasValue("the receiver refused CFG-MSG for 01-07");
+    assertThat(lastError()).hasValue("the receiver rejected CFG-MSG for 01-07");
   }
 
   @Test
@@ -177,7 +177,7 @@ class GpsSensorTest {
 
     assertThat(first).hasSizeGreaterThan(20);
     assertThat(texts(kit)).isEqualTo(first);
-    assertThat(lastError()).hasValue("the GPS receiver is lost: the recording is over");
+    assertThat(lastError()).hasValue("the GPS receiver is lost: the recording has ended");
   }
 
   private static List<String> texts(ServiceKit run) {

@@ -60,7 +60,7 @@ class UbxSetupTest {
     receiver.refuse("CFG-MSG-0112");
     turns(10);
 
-    assertThat(setup.trouble()).isEqualTo("the receiver refused CFG-MSG for 01-12");
+    assertThat(setup.trouble()).isEqualTo("the receiver rejected CFG-MSG for 01-12");
     assertThat(receiver.heard()).endsWith("CFG-MSG-0112", "CFG-MSG-0106");
     assertThat(setup.isDone()).isTrue();
   }

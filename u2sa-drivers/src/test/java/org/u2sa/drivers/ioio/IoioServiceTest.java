@@ -143,7 +143,7 @@ class IoioServiceTest {
     assertThat(on.bench.width(BoardKit.LEFT)).isZero();
     on.drive(100.0, 100.0, 0.5);
     assertThat(on.lastError().orElseThrow())
-        .isEqualTo("the IOIO at in the process is lost: the board has no power");
+        .isEqualTo("the IOIO at this process is lost: the board has no power");
     on.board.power(true);
     int from = on.bench.history(BoardKit.LEFT, 0).size();
     on.drive(100.0, 100.0, 2.0);

@@ -117,7 +117,7 @@ class ReconnectingLinkTest {
     untilTaken();
 
     assertThat(link.trouble())
-        .isEqualTo("data came faster than it was read: the oldest bytes were dropped");
+        .isEqualTo("data arrived faster than it was read: the oldest bytes were dropped");
     link.connections();
     StringBuilder all = new StringBuilder();
     for (String part = heard(); !part.isEmpty(); part = heard()) {

@@ -89,7 +89,7 @@ class ReplayLinkTest {
       seen(replay, clock, 25, turn -> {});
 
       assertThat(replay.isConnected()).isFalse();
-      assertThat(replay.trouble()).isEqualTo("the recording is over");
+      assertThat(replay.trouble()).isEqualTo("the recording has ended");
       assertThat(replay.write(new byte[1])).isFalse();
     }
   }

@@ -620,7 +620,7 @@ class MavlinkAutopilotTest {
             .text("EKF variance")
             .build());
     live(0.5);
-    assertThat(lastError()).isEqualTo("the autopilot says: EKF variance");
+    assertThat(lastError()).isEqualTo("status from the autopilot: EKF variance");
     say(heartbeat(MavState.MAV_STATE_CRITICAL));
     kit.advance(0.3);
     assertThat(lastError()).contains("MAV_STATE_CRITICAL");
@@ -677,7 +677,7 @@ class MavlinkAutopilotTest {
     kit.advance(0.1);
 
     List<String> said = new ArrayList<>(kit.log("MavlinkAutopilot"));
-    said.removeIf(line -> !line.contains("the autopilot says"));
+    said.removeIf(line -> !line.contains("status from the autopilot"));
     assertThat(said).hasSizeBetween(2, 11);
     assertThat(said.get(said.size() - 1)).contains("last (after 49").contains("lines not logged)");
   }

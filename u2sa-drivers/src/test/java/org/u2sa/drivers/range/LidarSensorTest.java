@@ -231,7 +231,7 @@ class LidarSensorTest {
     kit.advance(3.0);
     assertThat(kit.log("LidarSensor"))
         .anySatisfy(
-            line -> assertThat(line).contains("the laser answers MD0000108001000 with status 50"));
+            line -> assertThat(line).contains("the laser answered MD0000108001000 with status 50"));
     device.broken(false);
     kit.advance(1.8);
     kit.forget();

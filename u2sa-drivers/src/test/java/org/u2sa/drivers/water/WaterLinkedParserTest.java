@@ -52,6 +52,6 @@ class WaterLinkedParserTest {
     say(
         "wrx,112.83,0.007,0.017,0.006,0.000,0.93,y,0*d2\nwrx,112.83,0.008,0.017,0.006,0,1,y,0*d2\n");
     assertThat(parser.refused()).isEqualTo(1);
-    assertThat(parser.lastRefusal()).startsWith("no or a wrong checksum: wrx,112.83,0.008");
+    assertThat(parser.lastRefusal()).startsWith("missing or wrong checksum: wrx,112.83,0.008");
   }
 }

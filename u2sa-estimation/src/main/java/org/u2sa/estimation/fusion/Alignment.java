@@ -7,7 +7,7 @@ package org.u2sa.estimation.fusion;
 final class Alignment {
   private Alignment() {}
 
-  /** Initialises a state of which nothing is known yet. */
+  /** Initialises a state about which nothing is known yet. */
   static void start(FilterState s, long micros, FilterTuning tuning) {
     double speed = tuning.domain().speedSigmaMps;
     s.micros = micros;

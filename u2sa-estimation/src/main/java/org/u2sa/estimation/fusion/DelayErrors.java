@@ -12,8 +12,8 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  * <p>While τ is unobservable, as on a straight at constant speed, the position stays uncertain
  * along track in proportion to the uncertainty of τ; turns and speed changes make it observable if
  * other sensors measure them. Only then is τ corrected. Otherwise its uncertainty is considered
- * (Schmidt 1966), and the model is linearised about a steady velocity: the noise of the estimated
- * one would pass for information on τ.
+ * (Schmidt 1966), and the model is linearised about a steady velocity: noise in the estimated
+ * velocity would be mistaken for information on τ.
  */
 final class DelayErrors {
   static final int NONE = -1;
@@ -25,8 +25,8 @@ final class DelayErrors {
   private static final double SIGMAS = 3.0; // required significance
   private static final double CHANGING_S = 2.0; // time constant of the steady velocity in a change
   private static final double STEADY_S = 30.0; // otherwise
-  private static final double MIN_CHANGE_MPS = 0.3; // change of velocity that shows τ
-  private static final double MIN_CHANGE_SHARE = 0.15; // likewise, of the steady speed
+  private static final double MIN_CHANGE_MPS = 0.3; // velocity change that makes τ observable
+  private static final double MIN_CHANGE_SHARE = 0.15; // fraction of the steady speed
 
   private final double sigmaS;
 

@@ -3,8 +3,8 @@ package org.u2sa.estimation.fusion;
 import org.u2sa.estimation.measurement.Measurement;
 
 /**
- * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) that accepts any sources; each
- * is identified by name, from its first measurement on. Measurements may arrive late and out of
+ * Error-state extended Kalman filter (Solà 2017, arXiv 1711.02508) that accepts any sources,
+ * identified by name from their first measurement on. Measurements may arrive late and out of
  * order: they are inserted at their time, and all later ones are fused again, lazily at the next
  * query, so that several late arrivals cost only one replay.
  *
@@ -17,7 +17,7 @@ public final class ErrorStateFilter {
   public enum Outcome {
     /** It is the newest measurement. */
     FUSED,
-    /** It was late and was inserted at its time. */
+    /** It was late, and was inserted at its time. */
     REPLAYED,
     /** It was older than the horizon and was discarded. */
     TOO_LATE
@@ -55,7 +55,7 @@ public final class ErrorStateFilter {
       history.restart(new FilterState());
     }
     if (history.isFull() && history.fused() == 0) {
-      fuse(); // the oldest entry lives on only in the state after it
+      fuse(); // the oldest entry survives only in the state after it
     }
     history.forget(micros() - horizonMicros);
     int source = trust.source(m.source());

@@ -32,9 +32,9 @@ public final class Estimate {
   }
 
   /**
-   * Whether the horizontal position, geodetic or from a local origin, is known well enough. For a
-   * ground vehicle it is false once no source measures its speed, however small the sigma still is,
-   * because the vehicle may have stopped.
+   * Whether the horizontal position, geodetic or from a local origin, is known well enough. False
+   * for a ground vehicle whose speed is not measured, however small sigma still is, because the
+   * vehicle may have stopped.
    */
   public boolean hasPosition() {
     boolean isSure = Math.max(positionSigmaM(0), positionSigmaM(1)) <= tuning.lostSigmaM();

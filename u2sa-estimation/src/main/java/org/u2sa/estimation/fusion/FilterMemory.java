@@ -23,7 +23,7 @@ public final class FilterMemory {
 
   private FilterMemory() {}
 
-  /** Writes the texts, each under its name. */
+  /** Writes the texts, each under its key. */
   public static void write(ErrorStateFilter filter, BiConsumer<String, String> to) {
     FilterState s = filter.state();
     if (!s.isStarted) {

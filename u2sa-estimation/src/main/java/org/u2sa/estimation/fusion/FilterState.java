@@ -26,7 +26,7 @@ final class FilterState {
   static final int DELAY_SLOTS = 3; // position sources with an estimated delay
   static final int N = 21 + PERSISTENT_STATES + DELAY_SLOTS;
   static final int NO_SOURCE = -1;
-  static final int RESUMED = -2; // unknown source, whose biases are known
+  static final int RESUMED = -2; // unknown source with known biases
   static final int POSITION = 0;
   static final int VELOCITY = 3;
   static final int ATTITUDE = 6;

@@ -114,7 +114,7 @@ final class Fuser {
     int at = trust.of(s, source, quantity);
     int slot = persistent.slot(s, m, quantity, source, at);
     if (PersistentErrors.isPosition(slot) && s.trust[at + SourceTrust.LEARNT] == 0.0) {
-      SourceTrust.raise(s.trust, at, PersistentErrors.ALL_WHITE); // until its scatter is known
+      SourceTrust.raise(s.trust, at, PersistentErrors.ALL_WHITE); // until the scatter is known
     }
     int delay = delays.slot(s, quantity, source);
     if (starts.begin(s, m, quantity, at, slot)) {
@@ -198,8 +198,8 @@ final class Fuser {
   }
 
   /**
-   * Makes the velocity as uncertain as hard acceleration since the last message, if only the motion
-   * model contradicts its only source.
+   * If only the motion model contradicts the only source of velocity, increases the velocity's
+   * uncertainty by that of hard acceleration since the last message.
    */
   private void supposeAcceleration(FilterState s, int source) {
     if (s.isStrapdown || s.hasSpeedInput()) {
@@ -222,8 +222,8 @@ final class Fuser {
   }
 
   /**
-   * Whether an airspeed is usable. A pitot tube reads about zero in slow air from any direction, so
-   * near its noise floor it carries no information about the wind.
+   * Whether an airspeed is usable. In slow air a pitot tube reads about zero, whatever the air's
+   * direction, so near its noise floor it carries no information about the wind.
    */
   private boolean isReadable(Measurement m) {
     return tuning.domain() != MotionDomain.AIR

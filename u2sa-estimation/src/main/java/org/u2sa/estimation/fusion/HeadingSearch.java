@@ -6,7 +6,7 @@ import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
  * Estimates the heading if no source measures it. Speed and turn rate of the wheels give the
- * displacement in the vehicle's axes, positions give it on the earth: the angle between the two is
+ * displacement in the vehicle's axes, positions give it in earth axes: the angle between the two is
  * the heading, whether driving forward or in reverse. The wheel displacement is integrated along
  * the nominal heading, whose initial value is arbitrary until the heading is known.
  *
@@ -23,7 +23,7 @@ final class HeadingSearch {
   private static final int FIRST = 4; // first fix: north, east [m]
   private static final int FIX_MICROS = 6; // time of the newest fix; 0: none
   private static final int SOURCE = 7;
-  private static final int TURN_VARIANCE = 8; // of unmeasured turns since the first fix
+  private static final int TURN_VARIANCE = 8; // due to unmeasured turns since the first fix
   private static final int C = 9; // relative to the first fix [m]
   private static final int H = 11;
   private static final int CC = 13; // variances per axis of c and h
@@ -31,7 +31,7 @@ final class HeadingSearch {
   private static final int CH = 15; // covariance E(c h*)
 
   private static final double FRESH_S = 1.0;
-  private static final double SILENT_S = 5.0; // then another source may be used
+  private static final double SILENT_S = 5.0; // after this another source may be used
   private static final double UNKNOWN = 100.0; // variance per axis of h, whose length is 1
   private static final double MAX_SIGMA_RAD = 0.15; // displacement of about ten position sigmas
   private static final double UNLIKELY =

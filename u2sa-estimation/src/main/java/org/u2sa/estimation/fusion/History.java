@@ -6,10 +6,10 @@ import org.u2sa.estimation.measurement.Measurement;
 
 /**
  * Time-ordered buffer of recent measurements with snapshots of the state after them, from which
- * fusion can resume. The newest entries all keep a snapshot, because late measurements are mostly
- * late by a few entries; of older entries, every eighth does, so a later measurement requires
- * fusing a few more again. States are large, and the fewer there are, the more of them fit into the
- * CPU caches.
+ * fusion can resume. The newest entries all keep a snapshot, because most late measurements are
+ * only a few entries late; every eighth of the older entries does, so for an even later measurement
+ * a few more must be fused again. States are large, so keeping fewer of them helps them to fit into
+ * the CPU caches.
  */
 final class History {
   private static final int RECENT = 32; // newest measurements, which all keep the state after them

@@ -45,9 +45,9 @@ final class InertialInput {
   }
 
   /**
-   * Whether the velocity may follow the specific force. In the air without a receiver, it does only
-   * while the tilt is measured: a multirotor that controls a frozen velocity would tilt ever
-   * further, and its specific force does not reveal the tilt.
+   * Whether the velocity may follow the specific force. In the air without a position receiver, it
+   * may only while the tilt is measured: a multirotor that controls a frozen velocity would tilt
+   * ever further, and its specific force does not reveal the tilt.
    */
   private static boolean isIntegrable(FilterState s, MotionDomain domain) {
     boolean isTiltMeasured = s.tiltMicros > 0 && (s.micros - s.tiltMicros) * 1e-6 <= UNAIDED_S;

@@ -4,12 +4,12 @@ import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Compares the inertial sensor that drives the prediction with those on standby. Any that differs
- * from it by more than biases and noise allow is excluded and reported. The driving sensor itself
+ * Compares the inertial sensor that drives the prediction with those on standby. Excludes and
+ * reports any that differs from it by more than biases and noise allow. The driving sensor itself
  * is excluded and replaced if no other agrees with it and either two others agree with each other
- * against it for some time, or one differs while other kinds of sensors contradict the estimate. If
- * three all differ from each other, the faulty one cannot be identified: the driving one is kept
- * until other sensors contradict it.
+ * for some time, or one differs while other kinds of sensors contradict the estimate. If all three
+ * differ from each other, the faulty one cannot be identified: the driving one is kept until other
+ * sensors contradict it.
  *
  * <p>Sensors are not averaged: another sensor's sample is up to an interval old, and on a turning
  * vehicle that error exceeds the noise averaging would remove. The comparison uses means over about
@@ -19,9 +19,9 @@ final class InertialVote {
   private static final int AXES = 6; // angular rates, then specific forces
   private static final double FRESH_INTERVALS = 3.0;
   private static final double MEAN_SHARE = 0.1; // weight of a new difference in the mean
-  private static final double UNLIKELY = 4.0; // standard deviations
+  private static final double UNLIKELY = 4.0; // number of standard deviations
   private static final double AGREED = 25.0; // consecutive samples: faults may agree by chance
-  private static final double LEFT_OUT_S = 30.0; // long, as faults may only show in turns
+  private static final double LEFT_OUT_S = 30.0; // long, because some faults only show in turns
   private static final double SHORTEST_S = 1e-3; // minimum sample interval
   private static final double LONGEST_S = 0.6; // maximum interval to differentiate a rate
   private static final double MISLED_RAD = 0.5; // assumed error until a fault is detected

@@ -54,7 +54,7 @@ final class Linearization {
     variance[rows - 1] += addedVariance;
   }
 
-  /** Multiplies the prediction of the last row by a factor of the state, whose column is given. */
+  /** Multiplies the prediction of the last row by a factor from the state, given its column. */
   void scale(double factor, int column) {
     double unscaled = predicted[rows - 1];
     for (int k = 0; k < N; k++) {

@@ -173,7 +173,7 @@ final class MotionInput {
     double change = isRenewed ? rate - s.heldRadPerS : 0.0;
     s.heldRadPerS = rate;
     double sigma2 =
-        factor * square(m.sigma(quantity, 2)) + change * change / 4.0; // held: late by half
+        factor * square(m.sigma(quantity, 2)) + change * change / 4.0; // held values lag by half
     int error = FilterState.RATE + 2;
     if (isGyro) {
       f.reset();

@@ -10,9 +10,9 @@ import org.u2sa.estimation.measurement.SensedQuantity;
  * {@link FilterState#HEADING_SOURCES} heading sources, because a compass's deviation is constant
  * while the vehicle keeps its direction.
  *
- * <p>A single source cannot distinguish its error from the vehicle's motion, so both keep its
- * claimed uncertainty however often it repeats a measurement. But if other sensors measure how the
- * vehicle moved and turned, a drifting error cannot drag the estimate along, and earlier, more
+ * <p>A single source cannot distinguish its error from the vehicle's motion, so repeated
+ * measurements reduce neither uncertainty below the claimed one. But if other sensors measure how
+ * the vehicle moved and turned, a drifting error cannot drag the estimate along, and earlier, more
  * accurate knowledge is retained.
  *
  * <p>If wheels measure the motion, they also reveal how much a position source drifts, and its
@@ -26,8 +26,7 @@ final class PersistentErrors {
   /** White-noise fraction of a claimed sigma. The rest is time-correlated. */
   private static final double NEW_SHARE = 0.2;
 
-  private static final double OUTGROWN =
-      9.0; // ratio of the variance to the newest claimed variance
+  private static final double OUTGROWN = 9.0; // of the variance to the newest claimed variance
 
   private static final double MEMORY = 4.0; // time constants over which a variance is learned
   private static final double LARGEST = 4.0; // limit of one error, as a multiple of the variance
@@ -118,8 +117,8 @@ final class PersistentErrors {
 
   /**
    * Handles positions that persistently contradict the wheels at a constant offset: either the
-   * source's error has jumped by this amount or the estimate is off by it. Increases the
-   * uncertainty of both accordingly.
+   * source's error or the estimate is off by this amount. Increases the uncertainty of both
+   * accordingly.
    */
   static void jumped(FilterState s, Linearization model, int slot, int at) {
     double[] n = model.innovation;

@@ -237,8 +237,8 @@ final class ProcessModel {
   }
 
   /**
-   * Noise of the horizontal velocity by the acceleration that an inertial sensor measures while its
-   * direction is not known, per axis [m²/s³].
+   * Noise of the horizontal velocity per axis [m²/s³], due to an acceleration that an inertial
+   * sensor measures while its direction is unknown.
    */
   private double feltNoise(FilterState s) {
     double[] x = s.x;

@@ -4,8 +4,8 @@ import org.u2sa.estimation.measurement.Measurement;
 import org.u2sa.estimation.measurement.SensedQuantity;
 
 /**
- * Initialises a quantity from its first measurement, and resets it from one that proves right
- * against the estimate.
+ * Initialises a quantity from its first measurement, and resets it from one that proves more
+ * reliable than the estimate.
  */
 final class QuantityStart {
   private static final double AGAIN_S = 30.0;
@@ -160,7 +160,7 @@ final class QuantityStart {
     }
   }
 
-  /** Aligns a local frame of another origin so that its first position fits. */
+  /** Aligns a local frame with a different origin so that its first position fits. */
   static void shift(FilterState s, Linearization model, SensedQuantity quantity, int at) {
     double[] t = s.trust;
     if (t[at + SourceTrust.HAS_OFFSET] == 0.0) {

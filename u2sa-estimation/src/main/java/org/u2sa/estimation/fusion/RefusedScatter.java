@@ -13,7 +13,7 @@ final class RefusedScatter {
   private static final int MIN_STEPS = 4;
   private static final double LOST_STEPS = 2.0; // degrees of freedom lost to mean and largest step
   private static final double STEP_VARIANCES = 4.0; // per squared step: two axes, two positions
-  private static final double MIN_GROWTH = 2.0; // of a variance; less may be chance
+  private static final double MIN_GROWTH = 2.0; // of a variance; less may be due to chance
 
   private final FilterTuning tuning;
 

@@ -12,7 +12,7 @@ import org.u2sa.estimation.measurement.Measurement;
 final class Sightings {
   private static final double CORRELATION_S = 0.5;
   private static final double SHORTEST_S = 0.05;
-  private static final int SIZE = 3; // two coordinates, time
+  private static final int SIZE = 3; // two coordinates and a time
 
   private Sightings() {}
 

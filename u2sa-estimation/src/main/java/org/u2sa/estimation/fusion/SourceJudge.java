@@ -63,15 +63,15 @@ final class SourceJudge {
       if (quantity == SensedQuantity.HEADING) {
         moved = Math.IEEEremainder(moved, 2.0 * Math.PI);
       }
-      // Positions never repeat on the move. Speeds and angles may for a while: the estimate must
-      // have changed by more than its uncertainty.
+      // Positions never repeat while the vehicle moves. Speeds and angles may for a while, so the
+      // estimate must have changed by more than its uncertainty.
       double limit2 =
           quantity == SensedQuantity.PLACE
               ? model.variance[i]
               : 4.0 * model.variance[i] + 16.0 * expected[i];
       boolean isApart =
           quantity == SensedQuantity.PLACE
-              || model.innovation[i] * model.innovation[i] > limit2; // estimate not dragged there
+              || model.innovation[i] * model.innovation[i] > limit2; // estimate not dragged along
       if (t[own + SourceTrust.RUN] >= FROZEN_RUN && isApart && moved * moved > limit2) {
         t[own + SourceTrust.IS_FROZEN] = 1.0;
       }
@@ -128,9 +128,9 @@ final class SourceJudge {
   }
 
   /**
-   * Whether measurements of another source are being rejected repeatedly. Sources that have gone
-   * silent do not count. Nor do turn rates: they often come from the same gyroscopes as the rates
-   * in question.
+   * Whether measurements of another source are being rejected repeatedly. Ignores sources that have
+   * gone silent, and turn rates, which often come from the same gyroscopes as the rates in
+   * question.
    */
   boolean isContradicted(FilterState s, int source) {
     for (int other = 0; other < trust.sources(); other++) {

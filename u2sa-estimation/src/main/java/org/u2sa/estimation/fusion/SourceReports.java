@@ -17,7 +17,7 @@ public final class SourceReports {
   public enum Standing {
     /** Its measurements are fused. */
     USED,
-    /** None of its measurements can be used, or not yet. */
+    /** None of its measurements can be used yet, or at all. */
     UNUSED,
     /** Its newest measurements contradict the estimate. */
     GATED,

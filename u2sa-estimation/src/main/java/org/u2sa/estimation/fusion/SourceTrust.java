@@ -23,7 +23,7 @@ final class SourceTrust {
   static final int MESSAGES = 2;
   static final int RUN = 3; // consecutive messages with unchanged values
   static final int IS_FROZEN = 4;
-  static final int INERTIAL = 5; // number of rates and forces that it measures: 0, 3 or 6
+  static final int INERTIAL = 5; // number of rates and forces measured: 0, 3 or 6
   static final int KEPT = 6; // its newest values
   static final int RATES_MICROS = KEPT + Measurement.SIZE; // time of the newest angular rates
   static final int RATES = RATES_MICROS + 1; // newest angular rates: three
@@ -32,7 +32,7 @@ final class SourceTrust {
 
   // Numbers of a quantity of a source.
   static final int FACTOR = 0; // actual over claimed variance, unbounded estimate
-  static final int LEARNT = 1; // number of innovations it was learned from
+  static final int LEARNT = 1; // number of innovations the factor was learned from
   static final int PREVIOUS = 2; // previous innovations, in claimed sigmas: three
   static final int HAS_PREVIOUS = 5;
   static final int USED = 6;
@@ -50,20 +50,20 @@ final class SourceTrust {
   static final int RUN_OF = 24; // message at which the run of RUN_START began
   static final int STREAK_FIRST = 25; // first innovation of the streak: two
   static final int DISTRUST = 27; // minimum factor, if dead reckoning contradicts the claim
-  static final int RESET_MICROS = 28; // last reset of the estimate from it; 0: never
-  static final int DOUBT_MPS = 29; // amount by which positions contradict this speed; 0: none
+  static final int RESET_MICROS = 28; // last reset of the estimate from this source; 0: never
+  static final int DOUBT_MPS = 29; // difference of positions from this speed; 0: none
   static final int DOUBT_MEAN = 30; // mean innovation since: three
   static final int WANDER = 33; // actual over claimed variance of its persistent error; 0: unknown
-  static final int WANDER_S = 34; // time over which it was learned
-  static final int WANDER_MICROS = 35; // time of its last update
+  static final int WANDER_S = 34; // time over which that was learned
+  static final int WANDER_MICROS = 35; // time of that update
   static final int STREAK_NEWEST = 36; // newest innovation of the streak: two
-  static final int STREAK_JUMP = 38; // largest change between its consecutive innovations
+  static final int STREAK_JUMP = 38; // largest change between consecutive ones
   static final int STREAK_STEPS2 = 39; // sum of the squared changes
   private static final int QUANTITY_SIZE = 40;
 
   private static final double PRIOR = 10.0; // weight of the claim, in innovations
   private static final double LARGEST = 25.0; // cap of one innovation, as a multiple of variance
-  private static final double NOTEWORTHY = 1.4; // a smaller factor may be chance
+  private static final double NOTEWORTHY = 1.4; // a smaller factor may be due to chance
   private static final double HIGHEST = 1e6;
   static final double FORGIVEN = 0.998; // decay of distrust per measurement used
   private static final double MEAN_SHARE = 0.05;
@@ -155,7 +155,7 @@ final class SourceTrust {
     return shown < NOTEWORTHY ? 1.0 : Math.min(HIGHEST, shown);
   }
 
-  /** Restarts learning from that factor. */
+  /** Restarts learning from the given factor. */
   static void raise(double[] t, int at, double factor) {
     t[at + FACTOR] = factor;
     t[at + LEARNT] = PRIOR;
@@ -173,7 +173,7 @@ final class SourceTrust {
       t[at + LEARNT] = PRIOR;
     }
     boolean hasPrevious = t[at + HAS_PREVIOUS] == model.rows;
-    boolean wasRefused = t[at + STREAK] > 0.0; // so no update in between
+    boolean wasRefused = t[at + STREAK] > 0.0; // so there was no update in between
     double sum = 0.0;
     double ofState = 0.0;
     for (int i = 0; i < model.rows; i++) {

@@ -17,7 +17,7 @@ final class SpeedDoubt {
   private static final double SAME_SPEED = 0.4; // relative difference of two speeds
   private static final double MEMORY_S = 6.0; // time constant of the mean that decides a doubt
   private static final double HEADING_SIGMA_RAD = 0.2;
-  private static final double UNMEASURED_S = 5.0; // time after which the heading counts as guessed
+  private static final double UNMEASURED_S = 5.0; // until an unmeasured heading counts as guessed
   private static final double LATELY_S = 5.0;
   private static final double AGREES_MPS = 0.3;
   private static final double AGREES_SHARE = 0.15; // fraction of the drift that raised the doubt

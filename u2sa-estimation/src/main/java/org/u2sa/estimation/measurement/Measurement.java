@@ -51,7 +51,7 @@ public final class Measurement {
     present[quantity.ordinal()] |= (byte) (1 << component);
   }
 
-  /** Sets the sensor's offset along BODY_FRD from the reference point [m]; begin resets it. */
+  /** Sets the sensor's offset from the reference point, BODY_FRD [m]; {@link #begin} resets it. */
   public Measurement mounted(double forward, double right, double down) {
     mounted[0] = forward;
     mounted[1] = right;
@@ -212,7 +212,7 @@ public final class Measurement {
     return true;
   }
 
-  /** Writes the measurement into an array from an index on; returns the index behind it. */
+  /** Writes the measurement into an array, starting at an index; returns the index after it. */
   public int keep(double[] to, int from) {
     System.arraycopy(values, 0, to, from, values.length);
     return values.length;

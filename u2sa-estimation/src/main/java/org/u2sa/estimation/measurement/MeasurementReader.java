@@ -41,13 +41,13 @@ public final class MeasurementReader {
     StateField.FLUID_X_DOT_SIGMA, StateField.FLUID_Y_DOT_SIGMA, StateField.FLUID_Z_DOT_SIGMA
   };
 
-  private static final int MAX_INERTIAL = 64; // anybody may invent sensors
+  private static final int MAX_INERTIAL = 64; // caps memory against spoofed sensors
 
   private final UsualSigmas usual;
   private final Set<String> fluidSensors;
-  private final Set<String> inertialSensors = new TreeSet<>(); // names of their states
+  private final Set<String> inertialSensors = new TreeSet<>(); // sensor names
 
-  /** Creates a reader that uses the given sigmas if a message has none, of all sensors. */
+  /** Creates a reader for all sensors that uses the given sigmas if a message has none. */
   public MeasurementReader(UsualSigmas usual) {
     this(usual, new TreeSet<>());
   }
@@ -150,7 +150,7 @@ public final class MeasurementReader {
 
   /**
    * Reads Euler rates, except those of a sensor whose gyroscopes are read: they have the same bias,
-   * so as further measurements they would say that there is none.
+   * so as independent measurements they would seem to show that there is none.
    */
   private void readRates(StateInformation s, Measurement to) {
     if (!inertialSensors.contains(s.sensorName())) {

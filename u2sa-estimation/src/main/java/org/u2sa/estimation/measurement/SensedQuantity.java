@@ -57,7 +57,7 @@ public enum SensedQuantity {
     return size;
   }
 
-  /** Whether sources of these two quantities can corroborate each other. */
+  /** Whether sources of the two quantities can corroborate each other. */
   public boolean corroborates(SensedQuantity other) {
     return this == other || kin(this) == kin(other);
   }

@@ -73,7 +73,7 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Answers of the given services if they answer; otherwise of all. All services are queried even
+   * Answers received when the given services have answered, or otherwise all. All are asked, even
    * for a single one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {

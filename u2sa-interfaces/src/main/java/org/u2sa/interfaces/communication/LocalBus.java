@@ -110,7 +110,7 @@ public final class LocalBus implements Transport {
     if (!names.add(serviceName)) {
       throw new CommunicationException(
           String.format(
-              "service name \"%s\" is taken in system \"%s\": names must differ",
+              "service name \"%s\" is taken in system \"%s\": service names must be unique",
               serviceName, systemId));
     }
     return new LocalConnection(serviceName, receiver);

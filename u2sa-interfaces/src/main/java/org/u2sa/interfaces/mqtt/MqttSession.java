@@ -54,7 +54,7 @@ interface MqttSession {
    */
   long close();
 
-  /** Aborts the session without a DISCONNECT; returns likewise. Safe on an unopened session. */
+  /** Aborts without a DISCONNECT; returns the same count. Safe on an unopened session. */
   long abandon();
 
   /** Stops counting; returns the number of unconfirmed messages. */

@@ -55,7 +55,7 @@ final class SecretFiles {
       open.retainAll(refused);
       if (!open.isEmpty()) {
         throw new BadInputException(
-            variable + " \"" + file + "\": others than its owner may " + what);
+            variable + " \"" + file + "\": users other than its owner may " + what);
       }
     } catch (IOException e) {
       throw new BadInputException(

@@ -112,7 +112,7 @@ class BrokerAccessTest {
     Files.setPosixFilePermissions(Path.of(open), PosixFilePermissions.fromString("rw-r--r--"));
     assertRefused(
         () -> BrokerAccess.of("ann", open, false, ""),
-        "PASSWORD FILE \"" + open + "\": others than its owner may use it");
+        "PASSWORD FILE \"" + open + "\": users other than its owner may use it");
   }
 
   /** Two of the certificates that this Java trusts. */
@@ -144,7 +144,7 @@ class BrokerAccessTest {
     Files.setPosixFilePermissions(open, PosixFilePermissions.fromString("rw-rw-rw-"));
     assertRefused(
         () -> BrokerAccess.of("", "", true, open.toString()),
-        "CA FILE \"" + open + "\": others than its owner may write it; chmod o-w it");
+        "CA FILE \"" + open + "\": users other than its owner may write it; chmod o-w it");
   }
 
   @Test

@@ -39,7 +39,7 @@ class SecretFilesTest {
     assertThatThrownBy(() -> SecretFiles.requireClosed("PASSWORD FILE", file))
         .isInstanceOf(BadInputException.class)
         .hasMessage(
-            "PASSWORD FILE \"" + file + "\": others than its owner may use it; chmod 600 it");
+            "PASSWORD FILE \"" + file + "\": users other than its owner may use it; chmod 600 it");
   }
 
   @ParameterizedTest

@@ -9,7 +9,7 @@ public final class Cbor {
   /** Major type 0: an unsigned integer. */
   public static final int UNSIGNED = 0x00;
 
-  /** Major type 1: a negative integer, −1 less the argument. */
+  /** Major type 1: a negative integer, −1 minus the argument. */
   public static final int NEGATIVE = 0x20;
 
   /** Major type 2: a byte string. */

@@ -49,7 +49,7 @@ public final class CborInput {
     return bytes;
   }
 
-  /** Goes on at an offset. */
+  /** Continues at an offset. */
   public void passTo(int offset) {
     at = offset;
   }
@@ -187,7 +187,7 @@ public final class CborInput {
   }
 
   /**
-   * Reads an integer of 64 bits.
+   * Reads a 64-bit integer.
    *
    * @throws IllegalArgumentException if the next item has another type
    */
@@ -203,11 +203,11 @@ public final class CborInput {
   private long anyCount() {
     int major = next() & Cbor.MAJOR;
     if (major > Cbor.NEGATIVE) {
-      throw unexpected("an integer of 64 bits");
+      throw unexpected("a 64-bit integer");
     }
     long argument = argument();
     if (argument < 0) {
-      throw new IllegalArgumentException("expected an integer of 64 bits, not of 65");
+      throw new IllegalArgumentException("expected a 64-bit integer, not a 65-bit one");
     }
     return major == Cbor.UNSIGNED ? argument : ~argument;
   }

@@ -70,7 +70,7 @@ public final class FieldLabels {
 
   private FieldLabels() {}
 
-  /** Number of labels: every smaller integer has a name. */
+  /** Number of labels; every smaller integer has a name. */
   public static int count() {
     return NAMES.length;
   }

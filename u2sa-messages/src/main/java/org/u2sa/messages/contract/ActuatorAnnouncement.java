@@ -123,7 +123,7 @@ public final class ActuatorAnnouncement extends U2SAData {
     return put(RATE_LIMIT, value);
   }
 
-  /** Dead band [%, 0…99]: smaller commands have no effect, which grows from there; empty: 0. */
+  /** Dead band [%, 0…99]: a command's effect is zero up to it and grows from there; empty: 0. */
   public OptionalDouble deadband() {
     return get(DEADBAND);
   }
@@ -259,8 +259,8 @@ public final class ActuatorAnnouncement extends U2SAData {
   }
 
   /**
-   * Service that drives it; the service's health reports and loss of connection apply to the
-   * actuator too. Empty if unknown.
+   * Service that drives it; the service's health reports and loss of connection also apply to the
+   * actuator. Empty if unknown.
    */
   public Optional<String> serviceName() {
     return Optional.ofNullable(get(SERVICE_NAME));

@@ -34,7 +34,7 @@ public final class ConfigurationChangeResult extends ServiceMessage<Configuratio
     return put(VARIABLE_NAME, value);
   }
 
-  /** Whether the variable has the new value now. */
+  /** Whether the variable now has the new value. */
   public boolean accepted() {
     return require(ACCEPTED);
   }

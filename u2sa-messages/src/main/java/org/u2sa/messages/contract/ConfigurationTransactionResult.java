@@ -35,7 +35,7 @@ public final class ConfigurationTransactionResult
     return TYPE;
   }
 
-  /** Whether all variables have their new values now. */
+  /** Whether all variables now have their new values. */
   public boolean accepted() {
     return require(ACCEPTED);
   }

@@ -4,8 +4,8 @@ package org.u2sa.messages.contract;
 public enum ServiceAction {
   /** Start the service, which must not be running. */
   START,
-  /** End the service, whatever its state, and start it again. */
+  /** End the service, regardless of its state, and start it again. */
   RESTART,
-  /** Replace the running service by another class, which takes over its state. */
+  /** Replace the running service with another class, which takes over its state. */
   SWAP
 }

@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.schema.ValueField;
 
 /**
- * Order to a service's launcher to restart it or to replace it by another class (user story 8,
+ * Order to a service's launcher to restart it or to replace it with another class (user story 8,
  * thesis 3.5.3).
  */
 public final class ServiceOrder extends ServiceExchange<ServiceOrder> {

@@ -37,7 +37,7 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
     return new Geodetic(global.x(), global.y(), global.z());
   }
 
-  /** This place as a point in GLOBAL. */
+  /** This position as a point in GLOBAL. */
   public Point point() {
     return Point.of(longitudeDeg, latitudeDeg, altitudeM);
   }
@@ -118,8 +118,8 @@ public record Geodetic(double longitudeDeg, double latitudeDeg, double altitudeM
     }
 
     /**
-     * Inverse of {@link #of}: Bowring's parametric latitude, repeated to rest (Bowring 1976, Survey
-     * Review 181).
+     * Inverse of {@link #of}: Bowring's parametric latitude, iterated to convergence (Bowring 1976,
+     * Survey Review 181).
      */
     static Geodetic geodetic(Point ecef) {
       double p = Math.hypot(ecef.x(), ecef.y());

@@ -100,7 +100,7 @@ public abstract class GoalInformation extends U2SAData {
     return put(DESCRIPTION, text);
   }
 
-  /** True once the Path Planner has abandoned the goal, uncompleted, after its attempts. */
+  /** True once the Path Planner has abandoned the goal after its attempts. */
   public boolean abandoned() {
     return get(ABANDONED);
   }
@@ -146,7 +146,7 @@ public abstract class GoalInformation extends U2SAData {
   }
 
   /**
-   * Number of next goals that must be completed, no matter which; empty: as configured in the
+   * Number of next goals that must be completed, regardless of which; empty: as configured in the
    * Mission Manager.
    */
   public OptionalLong choose() {
@@ -175,7 +175,7 @@ public abstract class GoalInformation extends U2SAData {
     ValueField<GoalInformation, List<String>> field = nextField(result);
     if (field == null) {
       throw new IllegalArgumentException(
-          "nextIf: " + result + " has no goals of its own; expected DONE, FAILED or TIMED_OUT");
+          "nextIf: " + result + " cannot have its own goals; expected DONE, FAILED or TIMED_OUT");
     }
     return put(field, List.copyOf(uids));
   }

@@ -62,7 +62,7 @@ public class SearchArea extends GoalInformation {
     return put(CORNERS, points);
   }
 
-  /** Required ground resolution: length on the ground that a pixel covers, at most [m]. */
+  /** Required ground resolution: maximum length on the ground covered by a pixel [m]. */
   public double resolution() {
     return require(RESOLUTION);
   }
@@ -107,7 +107,7 @@ public class SearchArea extends GoalInformation {
     return put(SPEED, metresPerSecond);
   }
 
-  /** Share of the area that suffices, 0…1; empty: all of it. */
+  /** Sufficient fraction of the area, 0…1; empty: all of it. */
   public OptionalDouble share() {
     return get(SHARE);
   }

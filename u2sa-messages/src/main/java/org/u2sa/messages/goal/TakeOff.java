@@ -5,9 +5,9 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Take-off of an aircraft, from a runway, a hand or on the spot; reached at the altitude {@link
- * #z}. An aeroplane keeps the direction {@link #psi} or, without it, its initial heading; a
- * multirotor rises vertically. x and y are ignored.
+ * Take-off of an aircraft, from a runway, a hand or in place; reached at the altitude {@link #z}.
+ * An aeroplane keeps the direction {@link #psi} or, without it, its initial heading; a multirotor
+ * rises vertically. x and y are ignored.
  */
 public class TakeOff extends Waypoint {
   private static final Schema<TakeOff> SCHEMA =

@@ -14,7 +14,7 @@ import org.u2sa.messages.shape.ShapeDescription;
 /**
  * A floating dock with one bay: a back wall and two fingers, open towards psi (thesis 4.2.1.3). The
  * centre is that of the whole rectangle; a vessel that docks bow first heads opposite to psi. The
- * bay is free water, only the walls are solid.
+ * bay is free water; only the walls are solid.
  */
 public class Dock extends ShapeDescription implements Coloured {
   private static final Schema<Dock> SCHEMA =
@@ -118,7 +118,7 @@ public class Dock extends ShapeDescription implements Coloured {
     return box;
   }
 
-  /** Point of the frame at metres along psi and across it. */
+  /** Point of the frame at the given metres along and across psi. */
   private Point at(double ahead, double aside) {
     double along = referenceFrame().isEarth() ? Math.PI / 2.0 - psi() : psi();
     double cos = Math.cos(along);

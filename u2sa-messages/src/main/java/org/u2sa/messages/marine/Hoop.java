@@ -62,7 +62,7 @@ public class Hoop extends ShapeDescription implements Coloured {
     return put(PSI, value);
   }
 
-  /** Whether the hoop lies flat, its normal vertical; then psi has no meaning. */
+  /** Whether the hoop lies flat, with a vertical normal; psi then has no meaning. */
   public boolean lying() {
     return require(LYING);
   }

@@ -11,7 +11,7 @@ public final class MarineObjects {
    * Creates the object of a name, with this name as its type.
    *
    * @param name a kind (buoy, marker, pole, hoop, bin, button, puck, dock, hot target, path
-   *     marker), after its colour if it has one; any other name yields a plain ObjectDescription
+   *     marker), preceded by any colour; any other name yields a plain ObjectDescription
    * @param radiusM half its width [m]; 0 if unknown
    */
   public static ObjectDescription named(String name, double radiusM) {

@@ -4,7 +4,7 @@ package org.u2sa.messages.mission;
 public enum MissionAction {
   /** Pursue a goal now; the mission continues from there. */
   GOTO,
-  /** End a current goal and continue as if it were completed. */
+  /** End a current goal and continue as if it had been completed. */
   SKIP,
   /** Add goals. */
   INSERT,

@@ -10,9 +10,9 @@ import org.u2sa.messages.schema.ValueField;
 
 /**
  * Stops everything that moves immediately, and keeps it stopped until an operator clears it.
- * Retained, so that actuators that connect later obey too. A message with {@code active} latches;
- * one without clears the stops listed in {@code lifts}, or if none are listed, all up to {@code
- * clears}.
+ * Retained, so that actuators that connect later also obey it. A message with {@code active}
+ * latches; one without clears the stops listed in {@code lifts}, or if none are listed, all up to
+ * {@code clears}.
  */
 public final class EmergencyStop extends U2SAData {
   private static final Schema<EmergencyStop> SCHEMA =
@@ -74,7 +74,7 @@ public final class EmergencyStop extends U2SAData {
   }
 
   /**
-   * ID of this stop, unique in the system; repetitions keep it. Empty in a clear, and from senders
+   * Unique ID of this stop in the system; repetitions keep it. Empty in a clear, and from senders
    * that predate the field.
    */
   public Optional<String> stopId() {

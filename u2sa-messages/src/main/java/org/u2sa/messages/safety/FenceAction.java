@@ -6,6 +6,6 @@ public enum FenceAction {
   REPLACE,
   /** Remove the fence; the vehicle may go anywhere. */
   REMOVE,
-  /** Return to the fence of the file that the Safety Manager's variable FENCE names. */
+  /** Return to the fence of the file named by the Safety Manager's variable FENCE. */
   RELOAD
 }

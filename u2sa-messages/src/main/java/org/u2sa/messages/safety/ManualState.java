@@ -10,7 +10,7 @@ import org.u2sa.messages.schema.ValueField;
 public final class ManualState extends U2SAData {
   /**
    * Prefix of the remark by which a pilot's radio confirms in its health reports that the pilot
-   * flies; the Safety Manager requires it to believe a state of the service PILOT SERVICE.
+   * flies; without it, the Safety Manager does not trust a state of the service PILOT SERVICE.
    */
   public static final String REMARK = "BY HAND";
 

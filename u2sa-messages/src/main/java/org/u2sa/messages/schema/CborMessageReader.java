@@ -11,7 +11,7 @@ import org.u2sa.messages.cbor.WireForm;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 
-/** Reads one message with those nested in it; all errors are {@link MalformedMessageException}s. */
+/** Reads one message and those nested in it; all errors are {@link MalformedMessageException}s. */
 final class CborMessageReader extends CborReader {
   private static final FieldKey TYPE_NAME = WireForm.READABLE.key(FieldTable.TYPE_KEY);
   private static final FieldKey TYPE_LABEL = WireForm.COMPACT.key(FieldTable.TYPE_KEY);

@@ -50,7 +50,7 @@ abstract class CborReader {
   /**
    * Reads a message in a list.
    *
-   * @param type class that the message must be of
+   * @param type required class of the message
    * @param name of that class's message type
    */
   abstract <M> M nested(Class<M> type, String name) throws MalformedMessageException;
@@ -267,7 +267,7 @@ abstract class CborReader {
     while (!in.isDone(length, map.size())) {
       String name = key();
       if (map.put(name, element.read()) != null) {
-        throw malformed("the key \"" + name + "\" comes twice");
+        throw malformed("the key \"" + name + "\" occurs twice");
       }
     }
     depth--;

@@ -33,7 +33,7 @@ final class CborWriter {
     if (bytes.length > Limits.PAYLOAD_BYTES) {
       throw new IllegalStateException(
           String.format(
-              "%s: %s bytes exceed the %s that readers take",
+              "%s: %s bytes exceed the %s that readers accept",
               String.join("/", message.typeChain()), bytes.length, Limits.PAYLOAD_BYTES));
     }
     return bytes;

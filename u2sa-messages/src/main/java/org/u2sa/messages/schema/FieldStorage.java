@@ -19,7 +19,7 @@ final class FieldStorage {
   private long present; // bit n: the number of slot n is set
   private long valuesPresent; // likewise for values
   private long timestampMicros;
-  private boolean timed; // the timestamp is set
+  private boolean timed; // whether the timestamp is set
   private boolean frozen;
 
   FieldStorage(int values) {

@@ -23,8 +23,8 @@ final class FieldTable<T extends StoredMessage> {
   private static final int MAX_BYTES = 4096; // one large message must not inflate all later buffers
 
   private final MessageField<T>[] fields;
-  final String[] names; // of the fields
-  private final FieldKey[] keys; // of the fields
+  final String[] names; // names of the fields
+  private final FieldKey[] keys; // keys of the fields
   private final NumberRun[] runs; // run of each number by index; null for other kinds
   private final long defaultedNumbers; // bit n: the number of slot n has a default
   private final long requiredNumbers; // likewise

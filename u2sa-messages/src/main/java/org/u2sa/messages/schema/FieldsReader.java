@@ -73,7 +73,7 @@ final class FieldsReader<T extends U2SAData> {
   private void field(MessageField<T> field, String name) throws MalformedMessageException {
     boolean isKnownTwice = field != null && field.isSet(message);
     if (isKnownTwice || others != null && others.contains(name)) {
-      throw reader.malformed("the key comes twice");
+      throw reader.malformed("the key occurs twice");
     }
     if (field == null) {
       other(name);

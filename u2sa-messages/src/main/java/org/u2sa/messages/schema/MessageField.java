@@ -133,7 +133,7 @@ public abstract class MessageField<T extends StoredMessage> {
     FieldStorage storage = message.storage;
     if (storage.isFrozen()) {
       throw new IllegalStateException(
-          path() + " cannot be set: the message is frozen since it was published; copy() it");
+          path() + " cannot be set: the message was frozen when it was published; copy() it");
     }
     return storage;
   }

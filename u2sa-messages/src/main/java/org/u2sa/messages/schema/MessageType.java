@@ -29,7 +29,7 @@ public final class MessageType<T extends U2SAData> {
   private final List<MessageField<T>> fields;
   private final Map<String, MessageField<T>> byName = new HashMap<>();
   final Map<String, String> aliases;
-  final Map<MessageField<?>, MessageType<?>> elements; // of the lists of messages
+  final Map<MessageField<?>, MessageType<?>> elements; // element types of lists of messages
   final ValueField<?, ReferenceFrame> frameField; // null: none
   final NumberField<?> latitudeField; // in GLOBAL; null: none
   final int[] points; // slots of values
@@ -143,7 +143,7 @@ public final class MessageType<T extends U2SAData> {
    */
   public T create() {
     if (isAbstract()) {
-      throw new IllegalStateException(name() + " is abstract: no message can be of this type");
+      throw new IllegalStateException(name() + " is abstract: no message can have this type");
     }
     return identity.empty().get();
   }
@@ -155,7 +155,7 @@ public final class MessageType<T extends U2SAData> {
    */
   T newCarrier() {
     if (identity.empty() == null) {
-      throw new IllegalStateException("no message can be of type " + name());
+      throw new IllegalStateException("no message can have type " + name());
     }
     return identity.empty().get();
   }

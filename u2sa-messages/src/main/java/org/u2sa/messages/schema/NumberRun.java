@@ -19,9 +19,9 @@ final class NumberRun {
 
   final int start;
   private final NumberField<?>[] fields;
-  private final FieldKey[] keys; // of them
+  private final FieldKey[] keys; // keys of the fields
   private final int firstSlot;
-  private final long slots; // mask of all
+  private final long slots; // mask of all slots
   private final long defaulted; // mask of those always written
   private final NumberPattern[] written = new NumberPattern[REMEMBERED]; // by numbers set
   private final NumberPattern[] expected = new NumberPattern[REMEMBERED]; // by fingerprint

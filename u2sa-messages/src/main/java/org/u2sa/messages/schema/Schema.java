@@ -130,7 +130,7 @@ public final class Schema<T extends U2SAData> {
   }
 
   /**
-   * Optional coordinate in metres, or degrees in messages in GLOBAL; at most a million kilometres.
+   * Optional coordinate in metres, or degrees in messages in GLOBAL; up to a million kilometres.
    */
   public NumberField<T> optionalCoordinate(String field) {
     return coordinate(field, Presence.OPTIONAL);

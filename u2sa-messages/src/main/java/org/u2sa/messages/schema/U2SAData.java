@@ -46,7 +46,7 @@ public abstract class U2SAData extends StoredMessage {
     return unknown == null ? type().chain() : unknown.chain();
   }
 
-  /** The system that the message is from; empty until set. */
+  /** System that the message comes from; empty until set. */
   public final String systemId() {
     String id = get(SYSTEM_ID);
     return id == null ? "" : id;

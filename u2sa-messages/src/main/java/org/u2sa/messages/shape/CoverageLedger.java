@@ -136,7 +136,7 @@ public final class CoverageLedger extends Polygon {
     return steps > 0 && steps * RESOLUTION_STEP_M <= resolutionM + 1e-9;
   }
 
-  /** Share of the area's cells seen at a resolution [m], 0…1. */
+  /** Fraction of the area's cells seen at a resolution [m], 0…1. */
   public double share(double resolutionM) {
     int inside = 0;
     int seen = 0;

@@ -12,8 +12,8 @@ import org.u2sa.messages.schema.ValueField;
 /**
  * An object measured as at least one point (thesis 3.2.3.6, figure 10), in the message's own frame.
  *
- * <p>A cloud whose UID is the name of its sensor is a scan: all that the sensor sees at that time,
- * which may be nothing.
+ * <p>A cloud whose UID is the name of its sensor is a scan: everything that the sensor sees at that
+ * time, possibly nothing.
  */
 public class PointCloud extends ObjectDescription {
   private static final Schema<PointCloud> SCHEMA =
@@ -36,7 +36,7 @@ public class PointCloud extends ObjectDescription {
     return put(POINTS, value);
   }
 
-  /** Whether it is all that its sensor sees, rather than one object among others. */
+  /** Whether it is everything that its sensor sees, rather than one object among others. */
   public boolean isScan() {
     return !sensorName().isEmpty() && sensorName().equals(uid());
   }

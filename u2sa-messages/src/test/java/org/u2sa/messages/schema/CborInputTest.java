@@ -294,7 +294,7 @@ class CborInputTest {
   @ParameterizedTest
   @ValueSource(strings = {"1b8000000000000000", "3b8000000000000000", "1bffffffffffffffff"})
   void count_of65Bits_isRefused(String hex) {
-    assertThatThrownBy(() -> input(hex).count()).hasMessageContaining("an integer of 64 bits");
+    assertThatThrownBy(() -> input(hex).count()).hasMessageContaining("a 64-bit integer");
   }
 
   /** Lengths are checked before memory is taken. */

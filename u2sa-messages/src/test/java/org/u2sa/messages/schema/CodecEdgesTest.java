@@ -45,7 +45,7 @@ class CodecEdgesTest {
   void decode_keyTwiceInAMapOfAnUnknownField_isRefused() {
     assertThatThrownBy(() -> decode(UNKNOWN, "a1 6171 a2 6161 01 6161 02"))
         .isInstanceOf(MalformedMessageException.class)
-        .hasMessageContaining("the key \"a\" comes twice");
+        .hasMessageContaining("the key \"a\" occurs twice");
   }
 
   /** {"origin": …}: a text, and an array of three. */
@@ -166,7 +166,7 @@ class CodecEdgesTest {
       assertThatThrownBy(() -> codec.decode(object.typeChain(), twice))
           .isInstanceOf(MalformedMessageException.class)
           .hasMessageContaining("ObjectDescription.level")
-          .hasMessageContaining("the key comes twice");
+          .hasMessageContaining("the key occurs twice");
     }
   }
 

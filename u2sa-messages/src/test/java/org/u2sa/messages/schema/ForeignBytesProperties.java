@@ -132,6 +132,6 @@ class ForeignBytesProperties {
 
     assertThatThrownBy(() -> codec.decode(message.typeChain(), bytes(pairs, random)))
         .isInstanceOf(MalformedMessageException.class)
-        .hasMessageContaining("the key comes twice");
+        .hasMessageContaining("the key occurs twice");
   }
 }

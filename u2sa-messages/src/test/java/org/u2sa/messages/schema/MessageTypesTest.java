@@ -85,7 +85,7 @@ class MessageTypesTest {
   void create_abstractType_isRefused() {
     assertThatThrownBy(GoalInformation.TYPE::create)
         .isInstanceOf(IllegalStateException.class)
-        .hasMessage("GoalInformation is abstract: no message can be of this type");
+        .hasMessage("GoalInformation is abstract: no message can have this type");
   }
 
   @Test

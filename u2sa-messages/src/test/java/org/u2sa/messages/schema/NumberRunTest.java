@@ -138,10 +138,10 @@ class NumberRunTest {
       assertThatThrownBy(() -> codec.decode(STATE, twice))
           .isInstanceOf(MalformedMessageException.class)
           .hasMessageContaining("StateInformation.x")
-          .hasMessageContaining("the key comes twice");
+          .hasMessageContaining("the key occurs twice");
     }
     byte[] again = HexFormat.of().parseHex("a4" + pairs + pairs);
-    assertThatThrownBy(() -> codec.decode(STATE, again)).hasMessageContaining("comes twice");
+    assertThatThrownBy(() -> codec.decode(STATE, again)).hasMessageContaining("occurs twice");
   }
 
   @Test

@@ -110,7 +110,7 @@ class U2SADataTest {
     assertThat(goal.isFrozen()).isTrue();
     assertThatThrownBy(() -> goal.x(1.0))
         .isInstanceOf(IllegalStateException.class)
-        .hasMessageContaining("Waypoint.x cannot be set: the message is frozen");
+        .hasMessageContaining("Waypoint.x cannot be set: the message was frozen");
     assertThatThrownBy(() -> goal.uid("2")).isInstanceOf(IllegalStateException.class);
     assertThatThrownBy(() -> list.systemId("s")).isInstanceOf(IllegalStateException.class);
     assertThatThrownBy(() -> list.timestamp(1L)).isInstanceOf(IllegalStateException.class);
@@ -186,7 +186,7 @@ class U2SADataTest {
 
     assertThatThrownBy(goal::serialize)
         .isInstanceOf(IllegalStateException.class)
-        .hasMessageContaining("bytes exceed the 1048576 that readers take");
+        .hasMessageContaining("bytes exceed the 1048576 that readers accept");
   }
 
   @Test

@@ -7,7 +7,7 @@ import org.u2sa.planning.seen.PlanarShape;
 
 /** Keep-out regions of an aircraft: around shapes, and outside corridors. Immutable. */
 final class KeepOut {
-  private static final double TOUCH = 0.999; // paths along the very edge are free
+  private static final double TOUCH = 0.999; // paths exactly along the edge are free
 
   record Round(double northM, double eastM, double avoidM) {}
 
@@ -42,14 +42,14 @@ final class KeepOut {
         }
       }
     }
-    for (PlanarShape corridor : corridors) { // paths may have to go around their corners
+    for (PlanarShape corridor : corridors) { // paths may have to round their corners
       for (int i = 0; i < corridor.count(); i++) {
         rounds.add(new Round(corridor.northM(i), corridor.eastM(i), 0.0));
       }
     }
   }
 
-  /** Maximum distance of points that show whether a curve keeps clear [m]. */
+  /** Maximum spacing of points for checking whether a curve keeps clear [m]. */
   double arcSampleM() {
     return 0.5 * sampleM;
   }
@@ -72,7 +72,7 @@ final class KeepOut {
               < TOUCH * wall.avoidM()
           || PlanarShape.segmentM(n2, e2, wall.n1(), wall.e1(), wall.n2(), wall.e2())
               < TOUCH * wall.avoidM()) {
-        return false; // nearest at an end of one or the other, or they cross; ends are rounds
+        return false; // nearest at an end of either, or they cross; ends are round
       }
     }
     return isInside(n1, e1, n2, e2);

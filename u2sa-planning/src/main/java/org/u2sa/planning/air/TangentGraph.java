@@ -13,10 +13,10 @@ import org.u2sa.planning.seen.PlanarShape;
 
 /**
  * Finds the shortest path around shapes for an aircraft with a turning circle: arcs around the
- * shapes, none tighter than the turning circle, and the tangents between them (a visibility graph
- * of circles: Chang, Choi, Kwon, Park, Yap: Shortest Path Amidst Disc Obstacles Is Computable, SoCG
- * 2005; the first and the last circle as in Dubins 1957). Obstacles smaller than the turning circle
- * are passed on a turning circle.
+ * shapes, none of them tighter than the turning circle, and the tangents between them (a visibility
+ * graph of circles: Chang, Choi, Kwon, Park, Yap: Shortest Path Amidst Disc Obstacles Is
+ * Computable, SoCG 2005; the first and the last circle as in Dubins 1957). Obstacles smaller than
+ * the turning circle are passed on a turning circle.
  *
  * <p>Searched by A*; tangents and arcs are created and checked lazily. Immutable.
  */
@@ -210,7 +210,7 @@ public final class TangentGraph {
     return Optional.of(new Node(to, heading, cost, cost + rest, node, id));
   }
 
-  /** Expands a node by the last turn, to the heading at the goal. */
+  /** Expands a node with the last turn, to the heading at the goal. */
   private Optional<Node> finish(Node node, int id) {
     Ring ring = rings.get(node.ring());
     double heading = goalHeadingRad.orElse(node.headingRad());
@@ -236,8 +236,8 @@ public final class TangentGraph {
   }
 
   /**
-   * Whether an arc is free, by points on it: a chord lies inside the ring and would seem to hit the
-   * ring's own shape.
+   * Whether an arc is free, checked at points on it: a chord would lie inside the ring and seem to
+   * hit the ring's own shape.
    */
   private boolean arcIsFree(Ring ring, double from, double turned) {
     double metres = turned * ring.radiusM();

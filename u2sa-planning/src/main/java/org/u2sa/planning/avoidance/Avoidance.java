@@ -43,7 +43,7 @@ public final class Avoidance {
   private final Supplier<String> chosen;
   private final Supplier<AvoidanceVariables> settings;
   private final Supplier<LineSettings> lines;
-  private final BiConsumer<String, Boolean> say; // message, and whether it is a warning
+  private final BiConsumer<String, Boolean> say; // receives a message, and whether it is a warning
   private final SeenWorld world;
   private final Passages passages;
   private final VirtualObstacles obstacles;
@@ -102,7 +102,7 @@ public final class Avoidance {
             .oneOf(names.toArray(new String[0]))
             .ifAbsent(NONE)
             .describedAs(
-                "NONE ignores obstacles; GRID avoids them for vehicles that turn on the spot, "
+                "NONE ignores obstacles; GRID avoids them for vehicles that turn in place, "
                     + "HYBRID for vehicles with a minimum turn radius; other names are planners of "
                     + "extensions.");
     chosen = () -> configuration.getVariable(planner);
@@ -117,7 +117,7 @@ public final class Avoidance {
     drift = new DriftWatch(settings);
   }
 
-  /** Estimates the drift of the vehicle, whatever it pursues. */
+  /** Estimates the drift of the vehicle, whatever its goal. */
   public void see(Vehicle vehicle) {
     drift.see(vehicle);
   }
@@ -166,7 +166,7 @@ public final class Avoidance {
   }
 
   /**
-   * Whether something is in the way of a vehicle that flies straight on to a place: an obstacle
+   * Whether something is in the way of a vehicle that flies straight to a position: an obstacle
    * near the line, or traffic.
    */
   public boolean isHindered(Vehicle vehicle, StateInformation state, Place to) {

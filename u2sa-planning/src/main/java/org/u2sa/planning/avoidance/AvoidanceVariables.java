@@ -27,11 +27,11 @@ public record AvoidanceVariables(
         double clearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Distance from obstacles within which the vehicle does not cut its route's corners, but follows it closely and more slowly; 0: corners are cut as far as obstacles allow.")
+            "Distance from obstacles within which the vehicle does not cut corners of its route but follows it closely and more slowly; 0: corners are cut as far as obstacles allow.")
         double preferredClearance,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "Narrowest passage on the map that routes lead straight through, for vehicles that turn on the spot. 0: wide enough to turn in or, if no other route leads to the goal, VEHICLE WIDTH plus CLEARANCE.")
+            "Narrowest passage on the map that routes lead straight through, for vehicles that turn in place. 0: wide enough to turn in or, if no other route leads to the goal, VEHICLE WIDTH plus CLEARANCE.")
         double narrowestPassage,
     @Variable(unit = "m", min = 0, ifAbsent = 1)
         @Description("Beyond CLEARANCE, distance from obstacles up to which routes cost more.")
@@ -44,14 +44,14 @@ public record AvoidanceVariables(
         double planningCell,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
         @Description(
-            "PLANNING CELL for routes through passages too narrow to turn in, because coarse cells make passages narrower; 0: PLANNING CELL.")
+            "Like PLANNING CELL, for routes through passages too narrow to turn in, because coarse cells make passages narrower; 0: PLANNING CELL.")
         double narrowCell,
     @Variable(unit = "m", min = 0, minExcluded = true, ifAbsent = 40)
-        @Description("Edge of the square around the vehicle in which obstacles are planned around.")
+        @Description("Edge of the square around the vehicle within which routes avoid obstacles.")
         double planningSpan,
     @Variable(ifAbsentText = "corridor")
         @Description(
-            "Type of objects that form the area to stay inside, each overlapping the next.")
+            "Type of the objects, each overlapping the next, that form the area to stay inside.")
         String corridorType,
     @Variable(ifAbsentText = "")
         @Description("Types of objects that are not obstacles, separated by commas.")
@@ -93,11 +93,10 @@ public record AvoidanceVariables(
         @Description("Delay from a navigation point until the vehicle moves accordingly.")
         double reactionTime,
     @Variable(unit = "deg/s", min = 0, minExcluded = true, ifAbsent = 45)
-        @Description("Yaw rate that the control system achieves in turns on the spot.")
+        @Description("Yaw rate that the control system achieves in turns in place.")
         double plannedTurnRate,
     @Variable(unit = "m", min = 0, ifAbsent = 0)
-        @Description(
-            "Minimum turn radius; 0: derived from TURN ACCELERATION, or turns on the spot.")
+        @Description("Minimum turn radius; 0: derived from TURN ACCELERATION, or turns in place.")
         double turnRadius,
     @Variable(ifAbsentText = "false")
         @Description("Whether the control system can drive backwards.")
@@ -132,7 +131,7 @@ public record AvoidanceVariables(
         double giveUpAfter,
     @Variable(unit = "s", min = 0, ifAbsent = 0)
         @Description(
-            "Time without any route after which obstacles with a confidence below 0.6 are ignored, until a route has existed for as long; 0: never.")
+            "Time without any route after which obstacles with a confidence below 0.6 are ignored, until a route has existed for the same time; 0: never.")
         double overlookAfter,
     @Variable(unit = "s", min = 0, minExcluded = true, ifAbsent = 2)
         @Description(
@@ -141,7 +140,7 @@ public record AvoidanceVariables(
   /** Collision distance to an obstacle, allowing for rounding [fraction of a cell]. */
   private static final double TOUCH_CELLS = 0.5;
 
-  private static final double COVER_CELLS = 1.5; // spacing of discs that cover it closely
+  private static final double COVER_CELLS = 1.5; // spacing of discs that closely cover the vehicle
   private static final int EFFORTS_IN_FLIGHT = 5;
   private static final double OCCUPIED_ABOVE = 0.65; // probability of a cell of the grid
 
@@ -149,7 +148,7 @@ public record AvoidanceVariables(
     PassSides.parse(passSides);
   }
 
-  /** Shape of the vehicle, including corners if passages may be hardly wider than it. */
+  /** Shape of the vehicle, including corners if passages may be barely wider than it. */
   BodyDiscs body(boolean onTheSpot) {
     return onTheSpot || narrowestPassage > 0.0
         ? BodyDiscs.closely(
@@ -163,7 +162,7 @@ public record AvoidanceVariables(
   /**
    * Settings for reading the world, for a vehicle that can or cannot turn in place.
    *
-   * @param narrow whether routes may use every passage that it fits through
+   * @param narrow whether routes may use every passage that the vehicle fits through
    */
   SeenWorld.Reading reading(boolean onTheSpot, boolean narrow) {
     boolean isNarrow = onTheSpot && (narrow || narrowestPassage > 0.0);

@@ -8,7 +8,7 @@ import org.u2sa.planning.local.RouteTrack;
 /** Follows a route past traffic; a vehicle that can stop is stuck if it makes no progress. */
 final class Following implements Behaviour {
   private final RouteTrack track;
-  private final ProgressWatch watch; // progress toward the goal on whichever route
+  private final ProgressWatch watch; // progress toward the goal, on any route
   private double nearestM = Double.POSITIVE_INFINITY; // shortest remaining route so far
   private long nearestMicros;
 

@@ -48,8 +48,8 @@ final class GoalAttempt {
   }
 
   /**
-   * Whether to ignore obstacles that are inferred rather than observed: for a while whenever none
-   * of the remaining routes was free for a while, because a gap may have been closed in error.
+   * Whether to ignore obstacles that are inferred rather than observed. Done for a while after some
+   * time without a free route: a gap may have been closed in error.
    */
   boolean overlooks(AvoidanceVariables settings, long micros) {
     if (at(micros) instanceof Searching search && search.doubtsObstacles(settings, micros)) {

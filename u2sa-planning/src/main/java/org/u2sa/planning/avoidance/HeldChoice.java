@@ -3,7 +3,7 @@ package org.u2sa.planning.avoidance;
 import org.u2sa.planning.avoidance.Avoidance.Wanted;
 import org.u2sa.planning.local.ArcChoice;
 
-/** The last choice of a vehicle that cannot stop: it holds for a few metres of flight. */
+/** Last choice of a vehicle that cannot stop; valid for a few metres of flight. */
 record HeldChoice(ArcChoice choice, Wanted wanted, long micros) {
   private static final long LASTS_MICROS = 100_000;
 

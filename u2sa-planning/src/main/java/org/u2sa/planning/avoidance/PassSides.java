@@ -16,7 +16,7 @@ import org.u2sa.planning.seen.PlanarShape;
  * thread.
  */
 final class PassSides {
-  /** Distance below which the route past the mark uses the objects seen on both sides [reaches]. */
+  /** Distance below which the route past a mark relies on seen objects on both sides [reaches]. */
   private static final double NEAR_REACHES = 1.8;
 
   /** Dead band of a mark's position [m]. */

@@ -6,7 +6,7 @@ import org.u2sa.planning.seen.SeenWorld;
 
 /**
  * Selects the passages that routes may use: first only those in which the vehicle can turn in
- * place; without such a route to the goal, all that it fits through. Confined to the planner's
+ * place; if no such route leads to the goal, all that it fits through. Confined to the planner's
  * thread.
  */
 final class Passages {

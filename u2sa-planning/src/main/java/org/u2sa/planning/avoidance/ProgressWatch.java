@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
  * gap that is a sensor error, so only the remaining distance to the goal counts.
  */
 final class ProgressWatch {
-  /** Without progress, a goal is abandoned after the time to travel the route this many times. */
+  /** Without progress, a goal is abandoned after this many times the route's travel time. */
   private static final double MAX_ROUTES = 4.0;
 
   private double nearestM = Double.POSITIVE_INFINITY; // shortest remaining route to this goal [m]
@@ -36,7 +36,7 @@ final class ProgressWatch {
     double seconds = Clock.seconds(now.micros() - nearestMicros);
     double allowedS = MAX_ROUTES * longestM / now.limits().speedMps() + now.settings().stuckAfter();
     return seconds > allowedS
-        ? Optional.of(String.format(Locale.ROOT, "no nearer to the goal for %.0f s", seconds))
+        ? Optional.of(String.format(Locale.ROOT, "no closer to the goal for %.0f s", seconds))
         : Optional.empty();
   }
 }

@@ -110,8 +110,8 @@ final class RouteKeeper {
   }
 
   /**
-   * Whether a vehicle that cannot stop is where it may have room to turn since the last search. A
-   * failed search takes long, so the wait doubles after each.
+   * Whether a vehicle that cannot stop may have room to turn since the last search. A failed search
+   * takes long, so the wait doubles after each.
    */
   private boolean isElsewhere(Situation now) {
     long wait = now.settings().replanMicros() << Math.min(failures, MAX_DOUBLINGS);
@@ -190,7 +190,7 @@ final class RouteKeeper {
       double cost = costs.straightCost(north, east, route.northM(i), route.eastM(i));
       boolean besideStart = i == route.next() && cost == Double.POSITIVE_INFINITY;
       if (besideStart && costs.cost(north, east) == Double.POSITIVE_INFINITY) {
-        cost = Math.hypot(route.northM(i) - north, route.eastM(i) - east); // it is leaving
+        cost = Math.hypot(route.northM(i) - north, route.eastM(i) - east); // leaving point i
       }
       sum += cost;
       north = route.northM(i);

@@ -89,7 +89,7 @@ record Situation(
         Math.toRadians(now.plannedTurnRate()));
   }
 
-  /** Wanted speed of the vehicle; airspeed for aircraft [m/s]. */
+  /** Desired speed of the vehicle; airspeed for aircraft [m/s]. */
   static double wantedMps(Wanted wanted, AvoidanceVariables now) {
     return Math.max(now.minSpeed(), wanted.speedMps().orElse(now.plannedSpeed()));
   }

@@ -11,10 +11,10 @@ import org.u2sa.planning.seen.SeenWorld;
 
 /** Checks straight ways of an aircraft for obstacles and traffic. */
 final class StraightFlight {
-  /** Height above the place of landing below which obstacles are not looked for [m]. */
+  /** Height above the landing position below which obstacles are not checked [m]. */
   private static final double LOWEST_M = 2.0;
 
-  /** Way looked along [m], and length of a descent: mistaken goals may be anywhere. */
+  /** Maximum distance checked, and length of a descent [m]: erroneous goals may be anywhere. */
   private static final double FARTHEST_M = 1.0e8;
 
   private static final double LONGEST_DESCENT_M = 1.0e5;
@@ -26,7 +26,7 @@ final class StraightFlight {
   }
 
   /**
-   * Whether an obstacle is near the line to a place.
+   * Whether an obstacle is near the line to a position.
    *
    * @param at vehicle on the planning plane [m]
    */
@@ -46,7 +46,7 @@ final class StraightFlight {
         if (away < keptM) {
           return true;
         }
-        i += Math.max(1.0, Math.floor((away - keptM) / stepM)); // nothing is nearer until there
+        i += Math.max(1.0, Math.floor((away - keptM) / stepM)); // nothing is closer up to there
       } while (i <= last);
     }
     return false;

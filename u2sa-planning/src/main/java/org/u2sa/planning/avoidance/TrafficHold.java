@@ -38,7 +38,7 @@ final class TrafficHold {
     return held;
   }
 
-  /** Whether traffic comes near a vehicle that moves straight on, within a time. */
+  /** Whether traffic comes near a vehicle that moves straight on, within the given time. */
   static boolean comesNear(
       List<Mover> movers, Vehicle vehicle, Point at, double keptM, double withinS) {
     for (Mover mover : movers) {
@@ -58,7 +58,7 @@ final class TrafficHold {
   }
 
   /**
-   * Whether traffic can reach the vehicle within a time.
+   * Whether traffic can reach the vehicle within the given time.
    *
    * @param keptM clearance beyond the traffic's own radius [m]
    */

@@ -22,7 +22,7 @@ import org.u2sa.planning.seen.SeenWorld;
  * traffic, and reports evasions. Confined to the planner's thread.
  */
 final class VerticalEvasion {
-  private static final double SAME_M = 1.0; // keeps its altitude
+  private static final double SAME_M = 1.0; // deviations below this count as level
   private static final long LASTS_MICROS = 10 * Clock.MICROS_PER_SECOND;
 
   private final Optional<HeightGrid> terrain;
@@ -68,7 +68,7 @@ final class VerticalEvasion {
     double below = groundDownM(plane, at.x(), at.y());
     double clearance = now.verticalClearance();
     double groundM = Double.isNaN(below) ? clearance : Math.min(clearance, below - at.z());
-    // Beyond the map there may be a hill: at least keep the altitude.
+    // Beyond the map there may be a hill: do not descend.
     double beyond = Double.isNaN(below) ? Double.NaN : at.z() + groundM;
     DoubleBinaryOperator ground =
         (north, east) -> {
@@ -81,7 +81,7 @@ final class VerticalEvasion {
       top = Math.max(top, downM(plane, ceiling.getAsDouble()) + clearance);
     }
     OptionalDouble floor = fence.map(FenceState::lowest).orElse(OptionalDouble.empty());
-    if (floor.isPresent() && bottom < Double.POSITIVE_INFINITY) { // else the ground is unknown
+    if (floor.isPresent() && bottom < Double.POSITIVE_INFINITY) { // otherwise the ground is unknown
       bottom = Math.min(bottom, downM(plane, floor.getAsDouble()) - clearance);
     }
     return Optional.of(
@@ -113,7 +113,7 @@ final class VerticalEvasion {
     return plane.onEarth() ? plane.point(0.0, 0.0, 0.0).z() - altitudeM : -altitudeM;
   }
 
-  /** Remembers the direction and reports the start of an evasion. */
+  /** Stores the direction and reports the start of an evasion. */
   void chosen(ArcChoice choice, Point at, long micros) {
     boolean isOver = micros - lastMicros > LASTS_MICROS;
     if (Double.isNaN(choice.toDownM())) {

@@ -34,7 +34,7 @@ final class VirtualObstacles {
     tell();
   }
 
-  /** Discards all, because the plane changed; takes effect with the next change. */
+  /** Discards all of them, because the plane changed; takes effect with the next change. */
   void forgetAll() {
     wayBack = List.of();
     gaps.forget();
@@ -84,10 +84,10 @@ final class VirtualObstacles {
     /** Maximum distance at which a gap is seen reliably [radii of the vehicle with clearance]. */
     private static final double NEAR_RADII = 5.0;
 
-    /** Minimum distance: nearer, the vehicle would be inside the closed region. */
+    /** Minimum distance: any closer, and the vehicle would be inside the closed region. */
     private static final double MIN_RADII = 1.5;
 
-    /** Sooner closures belong to the same attempt. */
+    /** Closures sooner than this belong to the same attempt. */
     private static final long AGAIN_MICROS = 3 * Clock.MICROS_PER_SECOND;
 
     private record Closure(double northM, double eastM, long micros) {
@@ -150,8 +150,8 @@ final class VirtualObstacles {
 
   /**
    * Blocks the way back between two lines, such as those of a lane, behind a vehicle that has
-   * reached a waypoint: the way ahead is still unseen and may be longer, but leads to the next
-   * waypoint.
+   * reached a waypoint: the way ahead has not been seen yet and may be longer, but leads to the
+   * next waypoint.
    */
   static final class WayBack {
     private static final double MARGIN_M = 1.0; // leaves room to turn and to back out

@@ -9,7 +9,7 @@ import java.util.List;
  * @param pieces in order
  */
 public record Curve(List<Piece> pieces) {
-  private static final double MAX_STEPS = 10_000.0; // of a piece: mistaken goals may be anywhere
+  private static final double MAX_STEPS = 10_000.0; // per piece: erroneous goals may be anywhere
 
   /**
    * An arc or a straight.

@@ -27,7 +27,7 @@ public final class Dubins {
     return Curve.of(radiusM, best.lengths, best.word);
   }
 
-  /** All paths of a turn, a straight or a turn, and a turn; at most six. */
+  /** All paths of a turn, a straight or a turn, and a turn; up to six. */
   public static List<Curve> all(Pose from, Pose to, double radiusM) {
     List<Curve> all = new ArrayList<>();
     offer(
@@ -87,7 +87,7 @@ public final class Dubins {
     }
   }
 
-  /** Takes a word with the lengths of its pieces in radii. */
+  /** Adds a word with the lengths of its pieces in radii. */
   private interface Offers {
     void offer(int[] word, double t, double p, double q);
   }
@@ -157,6 +157,6 @@ public final class Dubins {
     if (turned < 0.0) {
       turned += TURN;
     }
-    return turned > TURN - ROUNDING ? 0.0 : turned; // a full turn counts as none
+    return turned > TURN - ROUNDING ? 0.0 : turned; // a full turn counts as no turn
   }
 }

@@ -16,8 +16,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Delegates to the guidance currently configured; both are kept up to date on each leg, so that it
- * can change en route.
+ * Delegates to the guidance currently configured; all are kept up to date on each leg, so that the
+ * law can change en route.
  */
 public final class ChosenGuidance implements WaypointGuidance {
   private static final String LINE = "LINE";
@@ -27,7 +27,7 @@ public final class ChosenGuidance implements WaypointGuidance {
 
   private record Integral(
       @Variable(unit = "m/s", min = 0, max = 10, ifAbsent = 0.1)
-          @Description("Gain of the integral of ILOS; at most about a quarter of the usual speed.")
+          @Description("Integral gain of ILOS; up to about a quarter of the usual speed.")
           double crossTrackGain) {}
 
   private final Supplier<String> name;
@@ -59,7 +59,7 @@ public final class ChosenGuidance implements WaypointGuidance {
     lines = new LineGuidance(settings, new ChosenLaw());
   }
 
-  /** The configured law; all begin together, because another can be chosen en route. */
+  /** The configured law; all laws start together, because another can be chosen en route. */
   private final class ChosenLaw implements GuidanceLaw {
     private GuidanceLaw law() {
       return laws.get(lawName());
@@ -91,7 +91,7 @@ public final class ChosenGuidance implements WaypointGuidance {
     }
   }
 
-  /** Line law used for legs and turns, even while DIRECT is selected: that can change en route. */
+  /** Line law for legs and turns, even while DIRECT is selected, which can change en route. */
   private String lawName() {
     return name.get().equals(DIRECT) ? LINE : name.get();
   }

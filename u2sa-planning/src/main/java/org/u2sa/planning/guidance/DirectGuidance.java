@@ -6,15 +6,15 @@ import org.u2sa.messages.frame.Point;
 /**
  * Guidance of the thesis (4.5.2.4), kept for teaching: always straight toward the waypoint.
  *
- * <p>The point is a unit vector in the vehicle's horizontal plane; its z is the wanted climb, −1
+ * <p>The point is a unit vector in the vehicle's horizontal plane; its z is the demanded climb, −1
  * (down, full climb) … 1 (full descent), 0 to hold altitude. It follows no line and has no finish
- * line: a vehicle that misses the waypoint circles until it hits.
+ * line: a vehicle that misses the waypoint circles until it hits it.
  */
 final class DirectGuidance implements WaypointGuidance {
   /** Altitude is held within this difference: 10 ft [m]. */
   static final double HOLD_M = 10.0 * 0.3048;
 
-  /** Altitude difference from which climb or descent is full: 1000 ft [m]. */
+  /** Altitude difference from which on climb or descent is full: 1000 ft [m]. */
   static final double FULL_M = 1000.0 * 0.3048;
 
   @Override
@@ -47,7 +47,7 @@ final class DirectGuidance implements WaypointGuidance {
 
   @Override
   public boolean isNearest() {
-    return true; // thesis 3.2.3.4: complete as soon as the vehicle is within the threshold
+    return true; // thesis 3.2.3.4: complete once the vehicle is within the threshold
   }
 
   @Override

@@ -50,7 +50,7 @@ public interface GuidanceLaw {
    * Air Vehicles, IEEE Transactions on Robotics 23(3), 2007, eq. 6).
    *
    * <p>Near the line it is equivalent to {@link #carrot} with the same look-ahead. Far off it still
-   * advances along the leg, while a carrot is approached ever more perpendicularly.
+   * advances along the leg, whereas a carrot law approaches the leg ever more perpendicularly.
    *
    * @param interceptRad course relative to the line when far off [rad], above 0, at most π/2
    */

@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.service.handover.HandOver;
 
 /**
- * Line-of-sight law with integral action, for a vehicle that wind or current pushes off the line
+ * Line-of-sight law with integral action, for a vehicle pushed off the line by wind or current
  * (Børhaug, Pavlov, Pettersen: Integral LOS Control for Path Following of Underactuated Marine
  * Surface Vessels in the Presence of Constant Ocean Currents, CDC 2008, eq. 8; Fossen 2021, section
  * 12.4.2).

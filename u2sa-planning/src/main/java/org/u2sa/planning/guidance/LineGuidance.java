@@ -37,7 +37,7 @@ public final class LineGuidance implements WaypointGuidance {
   /** Growth of the distance beyond noise: the closest approach is past [m]. */
   private static final double GROWN_M = 1.0;
 
-  /** Longer gaps between states do not count for a law with a memory [s]. */
+  /** Longer gaps between states are ignored by a law with a memory [s]. */
   private static final double LONGEST_STEP_S = 1.0;
 
   /** Minimum speed for learning: a slower vehicle may be moored, drifting or disarmed [m/s]. */
@@ -48,9 +48,9 @@ public final class LineGuidance implements WaypointGuidance {
   private Optional<Place> start = Optional.empty();
   private boolean leaving; // moves away from a waypoint inside its turning circle
   private boolean turning; // already follows the next leg
-  private double nearestM; // to the target, since heading for it or turning at it
-  private double distanceM; // to the target
-  private double nearM; // within which a vehicle that turns on the spot may leave it
+  private double nearestM; // minimum since heading for the target or turning at it
+  private double distanceM; // current distance to the target
+  private double nearM; // within this, a vehicle that turns in place may leave the target
   private boolean passed;
   private OptionalLong steppedMicros = OptionalLong.empty(); // last step on this line
 
@@ -135,7 +135,7 @@ public final class LineGuidance implements WaypointGuidance {
     nearestM = Math.min(nearestM, distanceM);
     if (start.isEmpty() && isHeadingFor(vehicle, to)) {
       start = Optional.of(vehicle.place());
-      nearestM = distanceM; // distances while turning round are not an approach
+      nearestM = distanceM; // distances while turning round do not count as an approach
     }
     Optional<Leg> leg =
         start.map(from -> legFrom(vehicle.nedOf(from), to)).filter(l -> !l.isPoint());
@@ -170,7 +170,7 @@ public final class LineGuidance implements WaypointGuidance {
     return turnsOnTheSpot() || Math.abs(Leg.wrapped(bearing - vehicle.courseRad())) < ALIGNED_RAD;
   }
 
-  /** Without a leg: to the target, or straight ahead while it is inside the turning circle. */
+  /** Point without a leg: the target, or straight ahead if that is inside the turning circle. */
   private Point straightTo(Vehicle vehicle, Point to) {
     double radius = settings.get().turns().radiusM(vehicle.speedMps());
     double course = vehicle.courseRad();
@@ -199,7 +199,7 @@ public final class LineGuidance implements WaypointGuidance {
     if (remaining <= distance && Math.abs(inside) <= threshold) {
       turning = true;
       beginLine();
-      nearestM = distanceM; // a wide turn into the leg may have come nearer than this
+      nearestM = distanceM; // a wide turn into the leg may have come closer than this
     }
   }
 

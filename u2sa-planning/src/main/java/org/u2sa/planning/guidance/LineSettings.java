@@ -17,7 +17,7 @@ public record LineSettings(
 
   /** Altitude profile along a leg. */
   public enum AltitudeProfile {
-    /** Immediately to the altitude of the leg's end. */
+    /** Changes immediately to the altitude of the leg's end. */
     IMMEDIATE {
       @Override
       Slope along(Place start, Place end, Vehicle vehicle, double targetDownM) {
@@ -25,7 +25,7 @@ public record LineSettings(
       }
     },
     /**
-     * In proportion to the distance along the leg if both ends have an altitude, otherwise
+     * Changes in proportion to the distance along the leg if both ends have an altitude, otherwise
      * immediately.
      */
     LINEAR {

@@ -73,7 +73,7 @@ public final class LoiterCircle {
     return Math.hypot(to.x(), to.y()) - radiusM;
   }
 
-  /** Distance of another place from the circle's line [m], positive outside. */
+  /** Distance of another position from the circle's line [m], positive outside. */
   public double outsideM(Place place, Vehicle vehicle) {
     Point from = vehicle.nedOf(centre).minus(vehicle.nedOf(place));
     return Math.hypot(from.x(), from.y()) - radiusM;
@@ -86,7 +86,7 @@ public final class LoiterCircle {
   }
 
   /**
-   * Place on the circle.
+   * Position on the circle.
    *
    * @param bearingRad its direction from the centre
    */

@@ -6,7 +6,7 @@ package org.u2sa.planning.guidance;
  *
  * @param accelerationMps2 lateral acceleration of the vehicle's turns [m/s²]: g · tan(bank) for an
  *     aircraft; 0 for a vehicle that turns in place and does not anticipate
- * @param cornerM limit of corner cutting, whatever the waypoint's threshold [m]
+ * @param cornerM limit of corner cutting, regardless of the waypoint's threshold [m]
  * @param lagS delay from command to established turn [s]: roll-in of an aircraft
  */
 public record TurnAnticipation(double accelerationMps2, double lagS, double cornerM) {
@@ -29,10 +29,10 @@ public record TurnAnticipation(double accelerationMps2, double lagS, double corn
   /**
    * Distance before the waypoint at which to start the turn [m].
    *
-   * <p>The corner may be cut by 60 % of the threshold, but by no more than the limit. An arc of
+   * <p>The corner may be cut by up to 60 % of the threshold and no more than the limit. An arc of
    * radius R that starts d before the waypoint passes it at sqrt(d² + R²) − R, so it passes at m or
    * less if d ≤ sqrt(2 R m + m²). Starting at R · tan(θ/2) makes the arc end on the next leg: the
-   * turn never needs to start sooner.
+   * turn never needs to start earlier.
    *
    * @param speedMps ground speed [m/s]
    * @param turnRad change of direction at the waypoint [rad], either sign

@@ -95,8 +95,8 @@ public final class Vehicle {
   }
 
   /**
-   * Vector from the vehicle to a position: north, east, down [m]. A coordinate that the place or
-   * the vehicle lacks counts as no difference (thesis 4.6.2.3). Down is the difference of
+   * Vector from the vehicle to a position: north, east, down [m]. A coordinate missing from the
+   * position or the vehicle counts as no difference (thesis 4.6.2.3). Down is the difference of
    * altitudes, without the earth's curvature.
    *
    * @throws IllegalArgumentException if one is on the earth and the other on a local plane
@@ -128,7 +128,7 @@ public final class Vehicle {
         : "on a local plane (LOCAL_ENU, LOCAL_NED)";
   }
 
-  /** Rotates north, east, down to BODY: forward, left, down. Unknown attitude counts as level. */
+  /** Rotates north, east, down to BODY: forward, left, down; level if attitude is unknown. */
   public Point body(Point ned) {
     return body(ned, state.phi().orElse(0.0), state.theta().orElse(0.0));
   }

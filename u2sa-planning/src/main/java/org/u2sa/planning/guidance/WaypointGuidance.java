@@ -24,15 +24,15 @@ public interface WaypointGuidance {
   /** Converts north, east, down [m] to the point passed to control, in BODY axes. */
   Point bodyPoint(Vehicle vehicle, Point ned);
 
-  /** Whether the vehicle had finally passed the target at the last call of {@link #towards}. */
+  /** Whether the vehicle had definitely passed the target at the last call of {@link #towards}. */
   boolean hasPassed();
 
-  /** Whether a vehicle within the threshold is at its closest and will come no nearer. */
+  /** Whether a vehicle within the threshold is at its closest point. */
   boolean isNearest();
 
   /**
-   * Whether the vehicle approaches the target; false while it turns round or moves away to gain
-   * room for the turn, when the distance does not count for the attempt.
+   * Whether the vehicle approaches the target; false while it turns round or moves away to make
+   * room for the turn; the distance then does not count for the attempt.
    */
   boolean isApproaching();
 

@@ -19,9 +19,9 @@ final class CostToGo {
 
   private int rows;
   private int columns;
-  private float[] cost = new float[0]; // of a metre
+  private float[] cost = new float[0]; // per metre
   private float[] toGo = new float[0]; // [m]
-  private int[][] buckets = new int[0][]; // used in a circle
+  private int[][] buckets = new int[0][]; // used cyclically
   private int[] filled = new int[0];
   private int waiting;
   private double bucketM;
@@ -60,8 +60,8 @@ final class CostToGo {
       cost = new float[rows * columns];
       toGo = new float[rows * columns];
     }
-    // The edges start together, but differ by up to the diagonal: no two may share a bucket that
-    // belong to different laps of the circle.
+    // The edges start together but differ by up to the diagonal: entries of different laps around
+    // the buckets must not share a bucket.
     int needed = STEP_BUCKETS + (int) Math.ceil(PER_STEP * Math.hypot(rows, columns));
     if (buckets.length < needed) {
       buckets = new int[needed][];
@@ -107,7 +107,7 @@ final class CostToGo {
         int cell = buckets[at][--filled[at]];
         waiting--;
         if ((long) (toGo[cell] / bucketM) != bucket) {
-          continue; // has been reached at lower cost since
+          continue; // has since been reached at lower cost
         }
         int row = cell / columns;
         int column = cell % columns;
@@ -125,7 +125,7 @@ final class CostToGo {
     }
   }
 
-  /** Edges far from a goal outside do not start with bucket 0. */
+  /** For a goal outside the grid, far edges do not start with bucket 0. */
   private long firstBucket() {
     float least = Float.POSITIVE_INFINITY;
     for (float metres : toGo) {

@@ -24,7 +24,7 @@ import org.u2sa.planning.search.GridFrame;
  *
  * <p>Nodes are cells of position and heading that keep the exact pose in which they were reached.
  * The heuristic is the maximum of the cost-to-go ignoring turn limits and the shortest curve
- * ignoring obstacles; occasionally that curve itself is tried to the goal.
+ * ignoring obstacles; occasionally that curve itself is tried as a path to the goal.
  *
  * <p>A search can be split into parts ({@link #begin}, {@link #search}), between which costs may
  * change; expanded nodes are not revisited. The order of expanded nodes does not depend on how the
@@ -40,7 +40,7 @@ public final class HybridAStar {
   private static final double TURNING_MATTERS = 6.0;
 
   /**
-   * Heuristic weight: paths cost slightly more, but are found much sooner (Pohl: Heuristic Search
+   * Heuristic weight: paths cost slightly more but are found much sooner (Pohl: Heuristic Search
    * Viewed as Path Finding in a Graph, Artificial Intelligence 1, 1970).
    */
   private static final double GREED = 1.3;
@@ -116,7 +116,7 @@ public final class HybridAStar {
   private int nextShot;
   private Optional<Way> found = Optional.empty();
 
-  /** Runs a whole search and returns the cheapest path found; parameters as of {@link #begin}. */
+  /** Runs a whole search and returns the cheapest path found; parameters as in {@link #begin}. */
   public Optional<Way> plan(
       CostGrid costs, BodyDiscs discs, double within, Motion can, Pose from, Goal to) {
     begin(costs, discs, within, can, from, to);
@@ -127,7 +127,7 @@ public final class HybridAStar {
   /**
    * Starts a search and discards the previous search.
    *
-   * @param within clearance of the vehicle's discs to obstacles [m]; if already nearer, the current
+   * @param within clearance of the vehicle's discs to obstacles [m]; if already closer, the current
    *     distance
    */
   public void begin(
@@ -174,7 +174,7 @@ public final class HybridAStar {
       looked++;
       if (looked > nextShot && !goalOutside) {
         shoot(node);
-        // the nearer, the more often (section 2.2)
+        // more often near the goal (section 2.2)
         nextShot = looked + (int) (heuristic(node.pose) / (4.0 * stepM));
       }
       expand(node);
@@ -268,7 +268,7 @@ public final class HybridAStar {
         : Dubins.shortest(from, to, motion.radiusM());
   }
 
-  /** Cost of an arc [m]; infinite if the vehicle comes too near to something on it. */
+  /** Cost of an arc [m]; infinite if the vehicle comes too close to something on it. */
   private double cost(Pose from, Pose end, double lengthM, double curvature) {
     int parts = Math.max(1, (int) Math.ceil(Math.abs(lengthM) / grid.frame().cellM()));
     double sum = 0.0;

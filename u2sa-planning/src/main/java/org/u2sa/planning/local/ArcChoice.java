@@ -8,7 +8,7 @@ package org.u2sa.planning.local;
  * @param speedMps speed [m/s]
  * @param backwards whether in reverse
  * @param kind purpose of the motion
- * @param toDownM altitude to evade to, down coordinate [m]; NaN: that of the goal
+ * @param toDownM altitude of an evasion, down coordinate [m]; NaN: that of the goal
  */
 public record ArcChoice(
     double northM, double eastM, double speedMps, boolean backwards, Kind kind, double toDownM) {
@@ -19,9 +19,9 @@ public record ArcChoice(
 
   /** Purpose of a choice. */
   public enum Kind {
-    /** Along the route. */
+    /** Follows the route. */
     FOLLOW,
-    /** Off the route, around something. */
+    /** Leaves the route to go around something. */
     EVADE,
     /** Leaves a corner too narrow to turn in; continues until there is room. */
     MAKE_ROOM,

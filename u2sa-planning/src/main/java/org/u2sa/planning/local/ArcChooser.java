@@ -17,7 +17,7 @@ import org.u2sa.service.motion.Drift;
 public final class ArcChooser {
   private static final int FAN = 10; // arcs to each side
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
-  private static final double LOOKS_RAD = Math.toRadians(12.0); // near enough
+  private static final double LOOKS_RAD = Math.toRadians(12.0); // bearing tolerance
   private static final double CLEARLY_MORE = 0.8; // shortfall ratio to prefer a nearer point
   private static final double SAME_M = 0.005;
   private static final double SLOWEST = 0.4; // fraction of the speed, close to a route
@@ -106,7 +106,7 @@ public final class ArcChooser {
       double curvature = limits.curvatureTo(pose, north, east, backwards);
       for (double share : SPEEDS) {
         double most = share * limits.speedMps();
-        // at the speed driven: assuming more would mistime the encounter with traffic
+        // at the actual speed: assuming more would mistime the encounter with traffic
         double speed = limits.stops() ? Math.min(most, straight) : Math.max(most, speedMps);
         Motion motion = Motion.along(track, curvature, backwards, speed, ahead);
         Outcome outcome = forecast.play(motion);
@@ -130,7 +130,7 @@ public final class ArcChooser {
               new ArcChoice(north, east, safe, backwards, ArcChoice.Kind.BRAKE), motion, outcome);
         }
         if (!limits.stops() || !free) {
-          break; // slowing down does not help
+          break; // slowing down would not help
         }
       }
       if (leastLacksM <= SAME_M) {
@@ -201,7 +201,7 @@ public final class ArcChooser {
     return waits ? stand : evasion.choose(pose.northM(), pose.eastM(), stand);
   }
 
-  /** Circles to the right, where there is room, for a vehicle that cannot stop. */
+  /** Makes a vehicle that cannot stop circle, to the right if there is room. */
   public ArcChoice circle() {
     Pose beside = new Pose(pose.northM(), pose.eastM(), pose.headingRad() + 0.5 * Math.PI);
     Pose middle = beside.along(limits.turnRadiusM(), 0.0);
@@ -228,8 +228,8 @@ public final class ArcChooser {
   }
 
   /**
-   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if none,
-   * as {@link #withoutRoute()}, because traffic may come while it waits.
+   * Chooses the longest free path in reverse or, if necessary, forward, to leave a corner; if there
+   * is none, acts as {@link #withoutRoute()}, because traffic may come while the vehicle waits.
    */
   public ArcChoice backOut(double wayM) {
     ArcChoice best = null;

@@ -16,7 +16,7 @@ final class Evasion {
   private static final int FAN = 10; // arcs to each side
   private static final int DIRECTIONS = 24; // number of directions for turns in place
   private static final double[] SPEEDS = {1.0, 0.6, 0.3};
-  private static final double[] ENDS = {NEVER, 1.0, 0.5}; // in reaches
+  private static final double[] ENDS = {NEVER, 1.0, 0.5}; // stopping points, in reaches
   private static final double DEAD_END = 10.0; // cost of a motion without escape, in reaches
   private static final double OTHER_SIDE = 0.3; // cost of turning to the other side, in reaches
   private static final double ASIDE_RAD = Math.toRadians(10.0);
@@ -32,15 +32,15 @@ final class Evasion {
   private final double reachM;
   private double goalNorthM;
   private double goalEastM;
-  private Motion onRoute; // free of static obstacles, but too near to traffic
+  private Motion onRoute; // free of static obstacles but too close to traffic
 
   private ArcChoice best;
   private Motion bestMotion; // null: at rest
   private double leastScore = NEVER;
-  private ArcChoice widest; // best of those too near to traffic
+  private ArcChoice widest; // best choice too close to traffic
   private double widestM = -NEVER;
   private double widestRoomM;
-  private ArcChoice freest; // best of those blocked by static obstacles
+  private ArcChoice freest; // best choice blocked by static obstacles
   private double freestM = -1.0;
 
   Evasion(
@@ -63,7 +63,7 @@ final class Evasion {
   }
 
   /**
-   * Side of an evasive motion. Between two that are equally good, an aircraft that changes its mind
+   * Side of an evasive motion. An aircraft that keeps alternating between two equally good ones
    * flies straight on until neither is possible.
    */
   private static double side(ArcChoice before, Pose pose) {
@@ -73,7 +73,7 @@ final class Evasion {
     return evades && Math.abs(aside) > ASIDE_RAD ? Math.signum(aside) : 0.0;
   }
 
-  /** Adds a choice on the route that is free but too near to traffic. */
+  /** Adds a choice on the route that is free but too close to traffic. */
   void alsoConsider(ArcChoice choice, Motion motion, Outcome outcome) {
     onRoute = onRoute == null ? motion : onRoute;
     consider(choice, outcome);
@@ -144,9 +144,9 @@ final class Evasion {
   }
 
   /**
-   * Altitude, up or down, at which the best motion also keeps its distance: a vehicle that cannot
-   * stop and turns away from an equally fast aircraft at the same altitude ends at the boundary.
-   * NaN if there is none: the goal's altitude.
+   * Altitude, above or below, at which the best motion also keeps its distance: a vehicle that
+   * cannot stop and turns away from an equally fast aircraft at the same altitude ends at the
+   * boundary. NaN if there is none: the goal's altitude.
    */
   private double apart() {
     double[] altitudes = room.altitudes(limits.horizonS());
@@ -183,7 +183,7 @@ final class Evasion {
     }
   }
 
-  /** Turns to directions of the plane, not of the vehicle: stable while it turns. */
+  /** Turns to directions fixed on the plane, which are stable while the vehicle turns. */
   private void turns() {
     for (int k = 0; k < DIRECTIONS; k++) {
       double turn = Pose.wrapped(2.0 * Math.PI * k / DIRECTIONS - pose.headingRad());
@@ -251,8 +251,8 @@ final class Evasion {
 
   /** No motion keeps the clearance: chooses the one that stays farthest away. */
   private ArcChoice lastResort(Outcome standing, ArcChoice stand) {
-    // If a collision is unavoidable, prefer to be stopped. If traffic is that near
-    // already, only the clearance is violated, and the vehicle may leave.
+    // If a collision is unavoidable, prefer to be stopped. If traffic is already that close, only
+    // the clearance is violated, and the vehicle may leave.
     boolean touched = widestM <= Math.min(0.0, forecast.gapNowM() - limits.trafficM());
     boolean stands =
         standing != null

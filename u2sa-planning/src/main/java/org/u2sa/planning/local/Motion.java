@@ -9,9 +9,9 @@ package org.u2sa.planning.local;
  * @param backwards whether in reverse
  * @param speedMps wanted speed [m/s]
  * @param arcM length of the arc [m]
- * @param endM distance at which it stops [m]; infinite if it does not
+ * @param endM distance at which it stops [m]; infinite if it does not stop
  * @param track route followed after the arc; null for straight on
- * @param toDownM altitude to evade to, down coordinate [m]; NaN: that of the goal
+ * @param toDownM altitude of an evasion, down coordinate [m]; NaN: that of the goal
  */
 record Motion(
     double turnRad,

@@ -6,7 +6,7 @@ import org.u2sa.planning.search.CostGrid;
 
 /**
  * Simulates motions to find how far they are free of static obstacles, and when they meet traffic.
- * A vehicle that can stop is assumed to stop before obstacles, and is checked while stopped, too.
+ * A vehicle that can stop is assumed to stop before obstacles, and is also checked while stopped.
  * Not thread-safe.
  */
 final class MotionForecast {
@@ -20,15 +20,15 @@ final class MotionForecast {
   private final MotionLimits limits;
   private final Pose start;
   private final double startMps;
-  private final double requiredM; // nearer to a static obstacle is a collision
-  private final double enoughM; // larger distances are not distinguished
+  private final double requiredM; // closer to a static obstacle is a collision
+  private final double enoughM; // greater distances are not distinguished
   private final double stepS;
 
   /**
    * Predicted outcome of a motion.
    *
    * @param freeM distance to the first static obstacle [m]; infinite if none
-   * @param meetsS time until traffic is too near [s]; infinite within the horizon
+   * @param meetsS time until traffic is too close [s]; infinite within the horizon
    * @param gapM minimum distance to traffic within the horizon [m]; infinite without traffic
    * @param roomM mean distance to traffic in that time, up to {@link TrafficForecast#ROOMY_M} [m]
    * @param lacksM shortfall of the preferred distance to static obstacles: RMS along the path [m]
@@ -105,9 +105,9 @@ final class MotionForecast {
   }
 
   /**
-   * @param stopM distance at which it stops [m]; infinite if it does not
-   * @param amongTraffic whether to check traffic up to the horizon, or only static obstacles;
-   *     these, too, up to the horizon if there is traffic
+   * @param stopM distance at which it stops [m]; infinite if it does not stop
+   * @param amongTraffic whether to check traffic up to the horizon, or only static obstacles; these
+   *     are also checked up to the horizon if there is traffic
    */
   private Outcome play(Motion motion, double stopM, boolean amongTraffic) {
     double sign = motion.sign();
@@ -117,7 +117,7 @@ final class MotionForecast {
     boolean toHorizon = limits.stops() && !amongTraffic && !traffic.isEmpty();
     Tally tally = new Tally();
     double v = motion.turnRad() == 0.0 ? Math.max(0.0, sign * startMps) : 0.0;
-    double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // before a turn in place
+    double rolls = motion.turnRad() == 0.0 ? 0.0 : startMps; // rolls before a turn in place
     double turned = 0.0;
     double gone = 0.0;
     double freeM = NEVER;
@@ -172,7 +172,7 @@ final class MotionForecast {
     return tally.outcome(freeM);
   }
 
-  /** Factor on the speed in an arc: if the vehicle turns in place, its outer side is no faster. */
+  /** Factor on the speed in an arc: if it turns in place, its outer side is not faster. */
   private double turning(Motion motion) {
     double across = Math.abs(motion.curvature()) * body.radiusM();
     return limits.turnsOnTheSpot() ? 1.0 / (1.0 + across) : 1.0;
@@ -192,10 +192,10 @@ final class MotionForecast {
       double v = Math.max(0.0, motion.sign() * startMps);
       double stopping =
           limits.stoppingM(Math.max(v, motion.speedMps())) + 2.0 * costs.frame().cellM();
-      // equally far along each arc, so that clearances compare
+      // equally far along each arc, so that clearances are comparable
       return limits.preferredM() > 0.0 ? Math.max(limits.lookAheadM(), stopping) : stopping;
     }
-    // on its route as far as it takes to turn back
+    // on its route, as far as it needs to turn back
     return motion.track() == null
         ? 0.0
         : Math.min(4.0 * limits.turnRadiusM(), motion.track().remainingM());

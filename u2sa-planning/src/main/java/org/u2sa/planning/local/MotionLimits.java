@@ -13,7 +13,7 @@ import org.u2sa.planning.curve.Pose;
  * @param reverses whether it can reverse
  * @param lookAheadM look-ahead on the route [m]
  * @param touchM collision distance to an obstacle [m]
- * @param preferredM distance to keep from obstacles where the route keeps it [m]; 0 if touchM
+ * @param preferredM distance to keep from obstacles wherever the route keeps it [m]; 0 if touchM
  *     suffices
  * @param trafficM distance to keep from traffic beyond both radii [m]
  * @param horizonS time horizon of traffic prediction [s]

@@ -4,8 +4,8 @@ import java.util.List;
 import org.u2sa.planning.route.Route;
 
 /**
- * Progress of a vehicle along its route. Progress is monotonic; it does not pass a cusp of the
- * route until the vehicle has been there. Not thread-safe.
+ * Progress of a vehicle along its route. Progress is monotonic and does not pass a cusp of the
+ * route until the vehicle has reached it. Not thread-safe.
  */
 public final class RouteTrack {
   /** Search range ahead of the last position, in look-aheads. */

@@ -6,16 +6,16 @@ import org.u2sa.planning.search.CostGrid;
 import org.u2sa.service.motion.Drift;
 
 /**
- * Simulates steering a drifting boat to a point, to predict how close obstacles come: it turns its
- * bow to the point and against the drift, and thrusts in proportion to the alignment. Meanwhile
- * wind and current carry it. Not thread-safe.
+ * Simulates steering a drifting boat to a point, to predict how close obstacles come: the boat
+ * turns its bow to the point and against the drift, and thrusts in proportion to the alignment,
+ * while wind and current carry it. Not thread-safe.
  */
 final class SteeredForecast {
   private static final double NEVER = Double.POSITIVE_INFINITY;
   private static final double STEP_S = 0.2;
-  private static final double LASTS_S = 7.0; // time to turn round, and a length
+  private static final double LASTS_S = 7.0; // time to turn round and move one length
   private static final double ARRIVED_M = 0.8;
-  private static final double TURNS_S = 0.8; // turn rate: the angle to go in this time
+  private static final double TURNS_S = 0.8; // turn rate: the remaining angle over this time
   private static final double LAG_S = 0.3; // time constant of the turn rate
 
   private final CostGrid costs;

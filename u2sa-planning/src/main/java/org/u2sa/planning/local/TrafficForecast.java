@@ -8,7 +8,7 @@ import org.u2sa.planning.seen.Mover;
 
 /**
  * Predicts traffic from its velocity or trajectory, and its distance to the vehicle. A motion that
- * meets it lies in its velocity obstacle (Fiorini, Shiller: Motion Planning in Dynamic Environments
+ * meets it is in its velocity obstacle (Fiorini, Shiller: Motion Planning in Dynamic Environments
  * Using Velocity Obstacles, International Journal of Robotics Research 17, 1998). Not thread-safe.
  */
 final class TrafficForecast {
@@ -80,7 +80,7 @@ final class TrafficForecast {
   }
 
   /**
-   * Whether traffic is too near at a time, and nearer than it is now. The clearance is a cylinder
+   * Whether traffic is too close at a time, and closer than it is now. The clearance is a cylinder
    * or, if heights matter, a spheroid.
    *
    * @param downM down coordinate of the vehicle then [m]

@@ -5,8 +5,8 @@ import org.u2sa.planning.search.BodyDiscs;
 import org.u2sa.planning.search.CostGrid;
 
 /**
- * Room of a vehicle to turn in place, and when it has to make room first. Once it moves to make
- * room it continues until there is enough. Immutable.
+ * Determines whether a vehicle has room to turn in place, or must make room first. Once it moves to
+ * make room, it continues until there is enough. Immutable.
  *
  * @param speedMps speed of the vehicle along its heading [m/s]; negative in reverse
  * @param makesRoom whether the vehicle is already making room
@@ -31,7 +31,7 @@ record TurnRoom(
     return spareM() >= limits.slipM(Math.abs(speedMps));
   }
 
-  /** Whether the vehicle has to stop before it moves to a place with room. */
+  /** Whether the vehicle has to stop before it moves to where there is room. */
   boolean standsFirst() {
     return Math.abs(speedMps) > CREEPS_MPS && !makesRoom;
   }

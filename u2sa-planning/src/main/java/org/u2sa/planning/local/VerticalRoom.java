@@ -34,7 +34,7 @@ public record VerticalRoom(
     DoubleBinaryOperator ground,
     int before) {
 
-  /** Altitudes to evade to, in order of preference: the current one, then reachable ones. */
+  /** Altitudes for an evasion, in order of preference: the current one, then reachable ones. */
   double[] altitudes(double horizonS) {
     double change = rateMps * horizonS;
     double up = Math.min(downM, Math.max(topDownM, downM - change));
@@ -48,7 +48,7 @@ public record VerticalRoom(
     return downM + Math.max(-change, Math.min(change, toDownM - downM));
   }
 
-  /** Whether the ground or an obstacle at another altitude is too near. */
+  /** Whether the ground or an obstacle at another altitude is too close. */
   boolean isBlocked(Pose at, double atDownM) {
     double groundDownM = ground.applyAsDouble(at.northM(), at.eastM());
     boolean isUnknown = Double.isNaN(groundDownM) && bottomDownM == Double.POSITIVE_INFINITY;

@@ -9,7 +9,7 @@ final class Angles {
     return Math.IEEEremainder(angleRad, 2.0 * Math.PI);
   }
 
-  /** Whole degrees as a mariner reads them, clockwise from north, 000 to 359. */
+  /** Whole degrees in nautical notation, clockwise from north, 000 to 359. */
   static long degrees(double courseRad) {
     return Math.floorMod(Math.round(Math.toDegrees(courseRad)), 360L);
   }

@@ -11,7 +11,7 @@ package org.u2sa.planning.rightofway;
 record Approach(double northM, double eastM, double northMps, double eastMps) {
   private static final double NO_MOTION = 1.0e-9; // [m²/s²]
 
-  /** Time of the closest point of approach [s]: past if negative, 0 without relative motion. */
+  /** Time of the closest point of approach [s]: negative if past, 0 without relative motion. */
   double closestS() {
     double square = northMps * northMps + eastMps * eastMps;
     return square < NO_MOTION ? 0.0 : -(northM * northMps + eastM * eastMps) / square;

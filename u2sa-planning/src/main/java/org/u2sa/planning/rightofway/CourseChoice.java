@@ -7,8 +7,8 @@ import java.util.function.DoublePredicate;
 
 /**
  * Chooses a course and speed among all encounters: the least alteration that is large enough to be
- * seen, to the side that the rules demand, and passes every vessel at the required distance. Course
- * is altered rather than speed; if nothing is safe, the safest choice is taken (rules 8 and 17(b)).
+ * seen, to the side that the rules demand, and passes every vessel at the required distance. Alters
+ * course rather than speed; if no choice is safe, takes the safest (rules 8 and 17(b)).
  */
 final class CourseChoice {
   private static final double STEP_RAD = Math.toRadians(5.0);
@@ -48,7 +48,7 @@ final class CourseChoice {
     this.isOpen = isOpen;
   }
 
-  /** Distance at which to pass a target [m], its uncertainty after a time included. */
+  /** Distance at which to pass a target [m], including its uncertainty after a time. */
   double requiredM(Target target, double afterS) {
     double kept = settings.passingDistance();
     return kept

@@ -16,7 +16,7 @@ public record CourseOrder(double courseRad, double speedShare, double fromRad, S
     return Angles.wrapped(courseRad - fromRad);
   }
 
-  /** The vessel to give way to, and how: rule and vessel, course, change of course, speed. */
+  /** Text of the order: rule and vessel, course, change of course, speed. */
   @Override
   public String toString() {
     long change = Math.round(Math.toDegrees(changeRad()));

@@ -2,7 +2,7 @@ package org.u2sa.planning.rightofway;
 
 /**
  * An encounter with one vessel, from the first risk of collision until the vessel is past and
- * clear. Its rule is decided once: no later change of bearing makes the vehicle another party to it
+ * clear. Its rule is decided once: no later change of bearing changes the vehicle's part in it
  * (rule 13(d)).
  */
 final class Encounter {
@@ -10,7 +10,7 @@ final class Encounter {
   private static final double MIN_DOUBT_RAD = Math.toRadians(0.5); // of any course
 
   private final Rule rule;
-  private double courseRad; // of the vehicle when the rule was decided, or resumed later
+  private double courseRad; // vehicle's course when the rule was decided, or later resumed
   private Target target; // newest
   private double seenS; // time of the newest track
   private boolean actsItself; // stands on, but the other vessel does not give way
@@ -65,13 +65,13 @@ final class Encounter {
     seenS = nowS;
   }
 
-  /** Moves a target without a new track along its course; returns the age of its track [s]. */
+  /** Moves a target that has no new track along its course; returns the age of its track [s]. */
   double unseen(double sinceS, double nowS) {
     target = target.after(sinceS);
     return nowS - seenS;
   }
 
-  /** Whether the vehicle has to act: it gives way, or the other vessel should but does not. */
+  /** Whether the vehicle must act: it gives way, or the other vessel should but does not. */
   boolean mustAct() {
     return rule.givesWay() || actsItself;
   }

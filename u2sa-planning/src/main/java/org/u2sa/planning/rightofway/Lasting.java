@@ -1,6 +1,6 @@
 package org.u2sa.planning.rightofway;
 
-/** A condition that has to last, because tracks are noisy. */
+/** Debounces a condition, because tracks are noisy. */
 final class Lasting {
   private final double minimumS;
   private double sinceS = Double.NaN;
@@ -9,7 +9,7 @@ final class Lasting {
     this.minimumS = minimumS;
   }
 
-  /** Whether it has held without a break for the minimum time. */
+  /** Whether the condition has held without interruption for the minimum time. */
   boolean lasts(boolean holds, double nowS) {
     if (!holds) {
       sinceS = Double.NaN;

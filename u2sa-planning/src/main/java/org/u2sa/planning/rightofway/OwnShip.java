@@ -8,7 +8,7 @@ package org.u2sa.planning.rightofway;
  * @param northMps northward velocity over ground [m/s]
  * @param eastMps eastward velocity over ground [m/s]
  * @param courseRad course to its goal or along its route, clockwise from north [rad]
- * @param speedMps speed over ground at which it wants to go there [m/s]
+ * @param speedMps desired speed over ground [m/s]
  * @param limits limits of its motion
  */
 public record OwnShip(
@@ -26,7 +26,7 @@ public record OwnShip(
    * @param radiusM radius around its reference point [m]
    * @param turnRadPerS turn rate at its speed [rad/s]
    * @param brakingMps2 deceleration [m/s²]
-   * @param reactionS delay until it obeys [s]
+   * @param reactionS delay until it responds [s]
    * @param slowestMps minimum speed [m/s]; 0 if it can stop
    */
   public record Limits(
@@ -36,7 +36,7 @@ public record OwnShip(
       double reactionS,
       double slowestMps) {}
 
-  /** Course over ground, or the wanted one of a vehicle that hardly moves [rad]. */
+  /** Course over ground, or the desired one if the vehicle hardly moves [rad]. */
   double presentCourseRad() {
     return Math.hypot(northMps, eastMps) > 0.3 * speedMps
         ? Math.atan2(eastMps, northMps)
@@ -44,8 +44,8 @@ public record OwnShip(
   }
 
   /**
-   * A target's motion relative to the vehicle after it has changed to a course and speed. The
-   * change takes time, in which it moves on at the mean of both velocities on average.
+   * A target's motion relative to the vehicle after it has changed to a course and speed. During
+   * the change, the vehicle on average moves at the mean of both velocities.
    */
   Approach approach(Target target, double newCourseRad, double newMps) {
     double north = newMps * Math.cos(newCourseRad);

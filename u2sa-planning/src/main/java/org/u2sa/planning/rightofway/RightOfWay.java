@@ -17,9 +17,9 @@ import java.util.stream.Collectors;
  * thread-safe.
  *
  * <p>An encounter begins with a risk of collision on the vehicle's intended or present course. If
- * the vehicle gives way, it alters its course once, early and clearly, and keeps to that until its
- * intended course is free. If it stands on, it holds the course it had, until the other vessel
- * would have had to act but has not.
+ * the vehicle gives way, it alters its course once, early and clearly, and keeps the new course
+ * until its intended course is free. If it stands on, it holds its course until the other vessel
+ * should have acted but has not.
  */
 public final class RightOfWay {
   private static final double LOST_S = 20.0; // age of a track at which its encounter ends
@@ -39,7 +39,7 @@ public final class RightOfWay {
   private final Lasting free = new Lasting(SURE_S);
   private final Lasting unsafe = new Lasting(SURE_S);
   private double lastS = Double.NaN;
-  private RightOfWayVariables settings; // of the present decision
+  private RightOfWayVariables settings; // settings of the current decision
 
   /**
    * @param say reports the beginning of an encounter and each decision
@@ -190,7 +190,7 @@ public final class RightOfWay {
         });
   }
 
-  /** A vessel that stands on does not turn onto another leg before the other one is clear. */
+  /** A vessel that stands on does not turn onto another leg before the other vessel is clear. */
   private Optional<CourseOrder> held(OwnShip own, CourseChoice choice) {
     for (Encounter each : encounters.values()) {
       double course = each.courseRad();

@@ -24,7 +24,7 @@ public record RightOfWayVariables(
         double giveWayTime,
     @Variable(unit = "s", min = 0, minExcluded = true, max = 36_000, ifAbsent = 60)
         @Description(
-            "With RIGHT OF WAY: time to the closest point of approach at which a vehicle that stands on acts itself (rule 17).")
+            "With RIGHT OF WAY: time to the closest point of approach at which a vehicle that stands on takes action itself (rule 17).")
         double standOnTime,
     @Variable(unit = "deg", min = 5, max = 90, ifAbsent = 35)
         @Description(

@@ -25,7 +25,7 @@ import org.u2sa.planning.seen.SeenWorld;
  */
 public final class RightOfWayWatch {
   private static final String PLANNER = "RIGHT OF WAY";
-  private static final double AHEAD_S = 900.0; // distance of the place to go to
+  private static final double AHEAD_S = 900.0; // distance of the position to go to
   private static final double NEAR_SHARE = 0.5; // fraction left when a new point is set
   private static final double ON_MAP = 0.35; // fraction of the map, if routes are planned on one
   private static final double OPEN = 0.2; // fraction of the map that has to be free on a course
@@ -34,11 +34,11 @@ public final class RightOfWayWatch {
   private final Supplier<AvoidanceVariables> seeing;
   private final Supplier<LineSettings> lines;
   private final SeenWorld world;
-  private final BiConsumer<String, String> remark; // part, words
+  private final BiConsumer<String, String> remark; // receives part and words
   private final RightOfWay rules;
   private PlanningPlane plane;
   private CourseOrder manoeuvre; // of the last order; null if there was none
-  private Point end; // north, east of the place to go to
+  private Point end; // position to go to: north, east
   private Optional<PlannedPath> news = Optional.empty();
 
   /**
@@ -73,7 +73,7 @@ public final class RightOfWayWatch {
     return settings.get().isOn();
   }
 
-  /** Speed to a waypoint: with right of way it is set, because others' distances depend on it. */
+  /** Speed to a waypoint; required with right of way, because distances depend on it. */
   public OptionalDouble speed(OptionalDouble wanted) {
     return isOn() && wanted.isEmpty() ? OptionalDouble.of(seeing.get().plannedSpeed()) : wanted;
   }
@@ -89,7 +89,7 @@ public final class RightOfWayWatch {
    * Decides.
    *
    * @param goal UID of the goal
-   * @param toGoal vector to the goal, or to a place on the route to it: north, east [m]
+   * @param toGoal vector to the goal, or to a position on the route to it: north, east [m]
    * @param speedMps speed at which to go there [m/s]
    * @return empty if the vehicle may go to its goal
    */

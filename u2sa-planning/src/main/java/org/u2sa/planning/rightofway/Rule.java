@@ -74,7 +74,7 @@ public enum Rule {
     if (Math.abs(bearing) > ABAFT_RAD) {
       return OVERTAKEN;
     }
-    return Math.abs(aspect) > ABAFT_RAD ? OVERTAKING : HEAD_ON; // green to green, red to red
+    return Math.abs(aspect) > ABAFT_RAD ? OVERTAKING : HEAD_ON; // green to green or red to red
   }
 
   @Override

@@ -24,7 +24,7 @@ public record Target(
     double sigmaM,
     double sigmaMps) {
 
-  /** The target as traffic is seen, extrapolated to a time [µs]. */
+  /** Converts traffic to a target, extrapolated to a time [µs]. */
   public static Target of(Mover mover, long micros) {
     double age = mover.ageS(micros);
     return new Target(

@@ -14,7 +14,7 @@ import org.u2sa.planning.route.RouteRequest.Mobility;
  */
 final class AirRoutes implements RoutePlanner {
   private static final double MIN_RADIUS_M = 0.1;
-  private static final double KEPT = 1.05; // margin on the clearance, so that grid cells agree
+  private static final double KEPT = 1.05; // margin on the clearance, to agree with grid cells
 
   private final RoutePlanner grids = new HybridRoutes();
 

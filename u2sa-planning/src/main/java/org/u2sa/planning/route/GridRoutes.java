@@ -100,7 +100,7 @@ final class GridRoutes implements RoutePlanner {
     static final String NO_WAY = "obstacles leave no way to the goal";
     static final String NONE_FOUND = "no way to the goal was found among the obstacles";
 
-    /** If the vehicle is too near to an obstacle, the path may start up to this many radii away. */
+    /** Maximum start distance of a path if the vehicle is too close to an obstacle [radii]. */
     private static final double ESCAPE_RADII = 2.0;
 
     private Entrances() {}

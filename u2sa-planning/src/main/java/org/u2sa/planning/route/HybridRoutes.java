@@ -14,7 +14,7 @@ import org.u2sa.planning.search.GridFrame;
 /**
  * The planner HYBRID, for ground vehicles and aircraft with a turning circle: drivable paths
  * through the cost grid ({@link HybridAStar}). A search that exceeds the effort of one request
- * continues with the next one while vehicle and goal do not move.
+ * continues with the next one as long as vehicle and goal do not move.
  */
 final class HybridRoutes implements RoutePlanner {
   /** Turn radius assumed for vehicles that turn in place [cells]. */

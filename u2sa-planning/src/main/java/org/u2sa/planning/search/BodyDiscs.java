@@ -6,7 +6,7 @@ package org.u2sa.planning.search;
  * Planning, IV 2010). Immutable.
  */
 public final class BodyDiscs {
-  private final double[] ahead; // of the reference point [m]
+  private final double[] ahead; // ahead of the reference point [m]
   private final double radiusM;
   private final double circleM;
   private final CloseCover close; // null if only the discs along the axis are used
@@ -33,7 +33,7 @@ public final class BodyDiscs {
   }
 
   /**
-   * Creates a cover that is exact to a few centimetres near obstacles, for passages hardly wider
+   * Creates a cover that is exact to a few centimetres near obstacles, for passages barely wider
    * than the vehicle.
    *
    * @param spacingM spacing of the small discs that cover it [m]
@@ -57,7 +57,7 @@ public final class BodyDiscs {
     return radiusM;
   }
 
-  /** Radius of the circle around the reference point that the vehicle fills as it turns [m]. */
+  /** Radius of the circle around the reference point that the vehicle sweeps as it turns [m]. */
   public double circleM() {
     return circleM;
   }
@@ -75,7 +75,7 @@ public final class BodyDiscs {
   public double clearanceM(
       CostGrid grid, double northM, double eastM, double headingRad, double enoughM) {
     if (close != null) {
-      double aroundM = grid.distanceM(northM, eastM) - circleM; // whatever the heading
+      double aroundM = grid.distanceM(northM, eastM) - circleM; // regardless of heading
       return aroundM > enoughM ? aroundM : close.clearanceM(grid, northM, eastM, headingRad);
     }
     double cos = Math.cos(headingRad);
@@ -89,7 +89,7 @@ public final class BodyDiscs {
 
   /** A rectangular vehicle covered closely by small discs: exact to a few centimetres all round. */
   static final class CloseCover {
-    private final double[] ahead; // of the reference point [m]
+    private final double[] ahead; // ahead of the reference point [m]
     private final double[] aside;
     private final double radiusM;
 
@@ -100,7 +100,7 @@ public final class BodyDiscs {
       radiusM = Math.hypot(0.5 * length / ahead.length, 0.5 * widthM / aside.length);
     }
 
-    /** Centres of equal parts that are no longer than the spacing. */
+    /** Centres of equal parts not longer than the spacing. */
     private static double[] middles(double from, double length, double spacingM) {
       int count = Math.max(1, (int) Math.ceil(length / spacingM));
       double[] middles = new double[count];

@@ -11,15 +11,15 @@ import java.util.function.IntPredicate;
  * <p>Not thread-safe.
  */
 public final class CostGrid {
-  /** Extra cost of unknown cells over cells seen free. */
+  /** Extra cost of unknown cells compared with cells seen to be free. */
   private static final float UNKNOWN_COST = 0.3f;
 
   /**
-   * Points nearer than this to the corner of cells belong to none of them unambiguously [cells].
+   * Points closer than this to a cell corner do not belong to any one cell unambiguously [cells].
    */
   private static final double CORNER = 1.0e-6;
 
-  /** Flag of a cell's state: occupied; 0: seen free. */
+  /** Flag of a cell's state: occupied; 0: seen to be free. */
   public static final byte OCCUPIED = DistanceField.OCCUPIED;
 
   /** Flag of a cell's state: never seen. May be combined with {@link #OCCUPIED}. */
@@ -214,7 +214,7 @@ public final class CostGrid {
     return FloatBuffer.wrap(cost, from, length);
   }
 
-  /** From a cell's centre to the nearest occupied cell's edge [m], up to about the reach. */
+  /** Distance of a cell's centre from the nearest occupied cell's edge [m], up to the reach. */
   public double distanceM(int index) {
     return metres(distances.cells(index));
   }
@@ -229,7 +229,7 @@ public final class CostGrid {
     return index < 0 ? inflation.reachM() : distanceM(index);
   }
 
-  /** Cost of a metre at a point; 1 outside. */
+  /** Cost per metre at a point; 1 outside. */
   public double cost(double northM, double eastM) {
     return costIn(frame.indexAt(northM, eastM));
   }
@@ -248,7 +248,7 @@ public final class CostGrid {
     for (int k = first; k < last; k++) {
       double share = (k + 0.5) / steps;
       int cell = frame.indexAt(north + share * (toNorth - north), east + share * (toEast - east));
-      if (costIn(cell) == Double.POSITIVE_INFINITY) { // on a corner, the cells before and behind it
+      if (costIn(cell) == Double.POSITIVE_INFINITY) { // on a corner
         double to = share + little;
         double from = share - little;
         before = frame.indexAt(north + from * (toNorth - north), east + from * (toEast - east));
@@ -265,7 +265,7 @@ public final class CostGrid {
     return sum * length / steps;
   }
 
-  /** Cost of a metre in a cell; 1 outside, which is -1. */
+  /** Cost per metre in a cell; 1 outside, i.e. for -1. */
   private double costIn(int cell) {
     return cell < 0 ? 1.0 : cost[cell];
   }

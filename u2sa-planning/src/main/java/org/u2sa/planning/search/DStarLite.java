@@ -19,9 +19,9 @@ import java.util.Optional;
 public final class DStarLite {
   private static final double DIAGONAL = Math.sqrt(2.0);
   private static final double NEVER = Double.POSITIVE_INFINITY;
-  private static final double ROUNDING = 1.0e-6; // sums of floats in different order
-  private static final int BLOCK = 64; // costs compared at a time
-  private static final double SAME_GOAL = 0.01; // of a cell; goals jitter
+  private static final double ROUNDING = 1.0e-6; // for float sums in a different order
+  private static final int BLOCK = 64; // costs compared at once
+  private static final double SAME_GOAL = 0.01; // fraction of a cell, because goals jitter
 
   private final CostGrid grid;
   private final GridFrame frame;
@@ -34,7 +34,7 @@ public final class DStarLite {
   private final PairHeap open;
   private final BitSet changed = new BitSet(); // cells whose cost has changed since
   private final BitSet taken = new BitSet(); // changed cells and neighbours already updated
-  private int revision; // of the grid's costs, as of the last search
+  private int revision; // revision of the grid's costs, as of the last search
   private double km;
   private int start = -1;
   private int startRow;
@@ -115,7 +115,7 @@ public final class DStarLite {
     }
   }
 
-  /** Remaining cost from a cell in which paths end; infinite for all others. */
+  /** Remaining cost from a cell in which paths may end; infinite for all others. */
   private double terminal(int cell, int row, int column) {
     if (goal >= 0) {
       return cell == goal ? 0.0 : NEVER;
@@ -188,7 +188,7 @@ public final class DStarLite {
       double least = Math.min(g[start], rhs[start]);
       boolean settled = rhs[start] == g[start] && rhs[start] < NEVER;
       if (settled && !open.isBefore(least + km + ROUNDING, NEVER)) {
-        return; // ties are expanded too, because the extracted path uses such cells
+        return; // ties are also expanded, because the extracted path uses such cells
       }
       int cell = open.first();
       int row = cell / frame.columns();

@@ -16,9 +16,9 @@ final class DistanceField {
   private final int columns;
   private final int reach;
   private final int farthest; // square of the reach
-  private final int[] square; // of the distance [cells²], at most that of the reach
+  private final int[] square; // of the distance [cells²], up to that of the reach
   private final int[] below; // rows to the nearest occupied cell of the same column, at most reach
-  private final int[] vertex; // of the lower envelope: column of the parabola
+  private final int[] vertex; // lower envelope: column of each parabola
   private final float[] boundary; // where the envelope's parabolas meet
 
   /**

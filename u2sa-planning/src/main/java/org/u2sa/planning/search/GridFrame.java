@@ -56,9 +56,7 @@ public record GridFrame(double northM, double eastM, double cellM, int rows, int
     return contains(row, column) ? index(row, column) : -1;
   }
 
-  /**
-   * Shares of a straight way between which it is inside the grid; the first is larger if it is not.
-   */
+  /** Fractions between which a straight way is inside the grid; if it never is, first > second. */
   double[] sharesInside(double northFromM, double eastFromM, double northToM, double eastToM) {
     double[] shares = {0.0, 1.0};
     clip(shares, northFromM - northM, northToM - northM, rows * cellM);

@@ -36,7 +36,7 @@ final class PairHeap {
     return first[0];
   }
 
-  /** Whether the least pair comes before another. */
+  /** Whether the smallest pair comes before another. */
   boolean isBefore(double one, double other) {
     return isBefore(first[0], second[0], one, other);
   }

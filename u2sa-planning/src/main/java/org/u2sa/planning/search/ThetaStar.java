@@ -23,8 +23,8 @@ public final class ThetaStar {
   private final boolean anyAngle;
   private double[] g = new double[0];
   private int[] parent = new int[0];
-  private int[] closed = new int[0]; // number of the search that has closed it
-  private int[] known = new int[0]; // number of the search that has given it a g
+  private int[] closed = new int[0]; // number of the search that closed the cell
+  private int[] known = new int[0]; // number of the search that assigned it a g
   private PairHeap open = new PairHeap(0);
   private int search;
 

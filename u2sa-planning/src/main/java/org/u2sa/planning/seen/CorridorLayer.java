@@ -27,7 +27,7 @@ final class CorridorLayer {
   /**
    * Draws corridors.
    *
-   * @param before previous layer, which is returned if nothing differs; null for none
+   * @param before previous layer, which is returned if nothing has changed; null for none
    */
   static CorridorLayer of(List<PlanarShape> corridors, GridFrame frame, CorridorLayer before) {
     return before != null && before.frame.equals(frame) && before.isOf(corridors)

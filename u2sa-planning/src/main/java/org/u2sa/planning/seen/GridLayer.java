@@ -8,8 +8,8 @@ import org.u2sa.planning.search.RowChange;
 import org.u2sa.planning.seen.GridPlacement.Spans;
 
 /**
- * State of the planner's cells by the World Modeler's grid: free, occupied or unknown. Not
- * thread-safe.
+ * State of the planner's cells according to the World Modeler's grid: free, occupied or unknown.
+ * Not thread-safe.
  */
 final class GridLayer {
   private static final byte FREE = 0;
@@ -20,7 +20,7 @@ final class GridLayer {
   private final GridFrame frame;
   private final double occupiedAbove;
   private final byte threshold;
-  private final byte[] said; // states as in CostGrid
+  private final byte[] said; // states, as in CostGrid
 
   private GridLayer(
       OccupancyGrid grid, GridPlacement placement, double occupiedAbove, byte[] said) {
@@ -185,8 +185,8 @@ final class GridLayer {
   }
 
   /**
-   * Draws columns that cover the same columns of the plan in each row: of several source cells the
-   * one with the highest occupancy counts; unknown cells have the lowest value.
+   * Draws columns that cover the same columns of the plan in each row: if there are several source
+   * cells, the highest occupancy counts; unknown cells have the lowest value.
    */
   private void redraw(int planned, int from, int to, int left, byte[] fullest) {
     Spans eastward = placement.eastward;
@@ -209,7 +209,7 @@ final class GridLayer {
     for (int row = firstRow; row <= lastRow; row++) {
       int end = frame.index(row, lastColumn);
       for (int i = frame.index(row, firstColumn); i <= end; i++) {
-        if (said[i] == CostGrid.UNKNOWN || what == CostGrid.OCCUPIED) { // it overrides free
+        if (said[i] == CostGrid.UNKNOWN || what == CostGrid.OCCUPIED) { // occupied overrides free
           said[i] = what;
         }
       }

@@ -11,8 +11,8 @@ import org.u2sa.planning.search.GridFrame;
  * Maps cells of a World Modeler's grid to cells of a plan. Immutable.
  *
  * <p>Both have about the same axes, so the cells of a row of the World Modeler's grid nearly always
- * lie in the same rows of the plan, and those of a column in the same columns. The mapping is
- * computed once per row and column rather than for each of some hundred thousand cells.
+ * lie in the same rows of the plan, and the cells of a column in the same columns. The mapping is
+ * computed once per row and column rather than for each of about a hundred thousand cells.
  */
 final class GridPlacement {
   private static final double SHRUNK_M = 1.0e-6; // a cell that only touches another covers none

@@ -13,7 +13,7 @@ final class GridRaster {
     states = new byte[frame.cells()];
   }
 
-  /** Creates a raster with the cells of the World Modeler: free, occupied or unknown. */
+  /** Creates a raster with the World Modeler's cells: free, occupied or unknown. */
   GridRaster(GridFrame frame, GridLayer seen) {
     this.frame = frame;
     states = seen.states().clone();
@@ -86,7 +86,7 @@ final class GridRaster {
     }
   }
 
-  /** East coordinate of a segment at a given north coordinate, or nearest to it. */
+  /** East coordinate of a segment at a given north coordinate, or the nearest one. */
   private static double eastAt(double north, double n1, double e1, double n2, double e2) {
     if (n1 == n2) {
       return north < n1 ? Math.min(e1, e2) : Math.max(e1, e2);

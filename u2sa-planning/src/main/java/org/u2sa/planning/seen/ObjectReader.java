@@ -26,7 +26,7 @@ import org.u2sa.messages.shape.Sphere;
  * @param vehicle state of the vehicle, for objects in its own axes
  */
 record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
-  /** Radius of an object that is only a point [m]. */
+  /** Radius of a point object [m]. */
   private static final double POINT_RADIUS_M = 0.1;
 
   private static final int HOOP_SIDES = 16;
@@ -40,8 +40,8 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
   }
 
   /**
-   * Object as traffic, even if stationary; empty if neither its velocity nor its way is known. A
-   * trajectory without velocity is extrapolated from its last step.
+   * Object as traffic, even if stationary; empty if neither its velocity nor its trajectory is
+   * known. A trajectory without velocity is extrapolated from its last step.
    */
   Optional<Mover> mover(ObjectDescription raw, long micros) {
     ObjectDescription object = placed(raw);
@@ -151,7 +151,7 @@ record ObjectReader(PlanningPlane plane, StateInformation vehicle) {
             centre);
   }
 
-  /** The walls of a dock; of a dock of which only the width was seen, all that may be wall. */
+  /** The walls of a dock; if only its width was seen, everything that may be wall. */
   private PlanarShape dock(Dock dock, Point centre) {
     double radius = 0.5 * dock.thickness();
     return dock.length() == 0.0

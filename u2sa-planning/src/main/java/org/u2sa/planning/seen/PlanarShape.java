@@ -115,7 +115,7 @@ public final class PlanarShape {
         && bottomDownM + marginM >= Math.min(oneDownM, otherDownM);
   }
 
-  /** Whether another shape covers the same points, whatever its name and heights. */
+  /** Whether another shape covers the same points, regardless of name and heights. */
   boolean isOfSameOutline(PlanarShape other) {
     return kind == other.kind
         && radiusM == other.radiusM

@@ -39,7 +39,7 @@ public final class PlanningPlane {
   /**
    * Converts a point to the plane: north, east, down [m].
    *
-   * @throws IllegalArgumentException if the frame has no place on it
+   * @throws IllegalArgumentException if the frame cannot be mapped to it
    */
   public Point ned(ReferenceFrame frame, Point point) {
     if (origin != null && frame.equals(ReferenceFrame.GLOBAL)) {

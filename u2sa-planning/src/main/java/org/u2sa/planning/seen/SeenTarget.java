@@ -14,8 +14,8 @@ import org.u2sa.messages.frame.Point;
 public record SeenTarget(Point ned, double topM, double bottomM, double distanceM, double radiusM) {
 
   /**
-   * Where to go in order to come within a distance of it: above or below its centre by at most half
-   * of the distance, or else at the vehicle's own altitude, so that an aircraft does not dive at an
+   * Where to go in order to come within a distance of it: up to half of the distance above or below
+   * its centre, or else at the vehicle's own altitude, so that an aircraft does not dive at an
    * object on the ground.
    */
   public Point approach(double withinM) {

@@ -23,7 +23,7 @@ import org.u2sa.planning.search.Inflation;
  * known per cell.
  */
 public final class SeenWorld {
-  /** The window moves when the vehicle is nearer to its edge than this fraction of its span. */
+  /** The window moves when the vehicle is closer to its edge than this fraction of its span. */
   private static final double EDGE_SHARE = 0.2;
 
   private static final double SURE = 0.6; // minimum confidence of observed (not inferred) objects
@@ -38,8 +38,8 @@ public final class SeenWorld {
    *     occupied
    * @param corridorType objects of this type are areas to stay inside
    * @param ignoredTypes objects of these types are not obstacles
-   * @param heightMarginM objects this far above or below are passed over or under [m]; 0: heights
-   *     do not matter
+   * @param heightMarginM objects this far above or below may be passed over or under [m]; 0:
+   *     heights do not matter
    */
   public record Reading(
       double cellM,
@@ -59,7 +59,7 @@ public final class SeenWorld {
   private List<PlanarShape> shapes = List.of();
   private List<PlanarShape> corridors = List.of();
   private List<Mover> movers = List.of();
-  private List<PlanarShape> otherShapes = List.of(); // at other heights
+  private List<PlanarShape> otherShapes = List.of(); // shapes at other heights
   private List<Mover> otherMovers = List.of(); // likewise
   private boolean bodyOnly;
   private boolean changed = true;
@@ -89,7 +89,7 @@ public final class SeenWorld {
     guessed = List.copyOf(closed);
   }
 
-  /** Updates the objects, which arrive now [µs]. */
+  /** Updates the objects, which have just arrived [µs]. */
   public void see(ObjectList list, long nowMicros) {
     objects = list;
     age.see(list, nowMicros);
@@ -120,7 +120,7 @@ public final class SeenWorld {
     return objects().stream().map(reader::shape).collect(Collectors.toList());
   }
 
-  /** Newest objects; in vehicle axes only, while the vehicle's position is unknown. */
+  /** Newest objects; only those in vehicle axes while the vehicle's position is unknown. */
   public List<ObjectDescription> objects() {
     List<ObjectDescription> all = objects == null ? List.of() : objects.objects();
     return bodyOnly
@@ -162,7 +162,7 @@ public final class SeenWorld {
     return movers;
   }
 
-  /** Static obstacles that are left out because of their heights. */
+  /** Static obstacles omitted because of their heights. */
   public List<PlanarShape> shapesElsewhere() {
     return otherShapes;
   }
@@ -174,9 +174,7 @@ public final class SeenWorld {
     return all;
   }
 
-  /**
-   * Objects in motion now, whether or not {@link #update} has seen them; ignored types excepted.
-   */
+  /** Objects currently in motion, even before {@link #update}, except ignored types. */
   public List<Mover> traffic(StateInformation state) {
     List<Mover> moving = new ArrayList<>();
     ObjectReader reader = new ObjectReader(plane(state), state);
@@ -286,7 +284,7 @@ public final class SeenWorld {
     changed = false;
   }
 
-  /** Cell states of the window by the World Modeler's grid, with all objects. */
+  /** Cell states of the window according to the World Modeler's grid and all objects. */
   private byte[] states(Reading now) {
     OccupancyGrid grid = grid();
     if (grid != null) {

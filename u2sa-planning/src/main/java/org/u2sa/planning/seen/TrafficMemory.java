@@ -6,8 +6,8 @@ import java.util.Map;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Remembers moving objects: one that has stopped may start again, onward or back. Confined to the
- * planner's thread.
+ * Remembers moving objects: one that has stopped may start again, forward or backward. Confined to
+ * the planner's thread.
  */
 final class TrafficMemory {
   /** Objects stationary for longer count as parked [µs]. */
@@ -21,7 +21,7 @@ final class TrafficMemory {
       return Math.hypot(northMps, eastMps);
     }
 
-    /** Updates with an observation; the velocity only if it is faster or the old one expired. */
+    /** Adds an observation; its velocity counts only if faster or if the old one has expired. */
     Motion and(Motion now) {
       boolean isOld = now.micros - micros > PARKED_AFTER_MICROS;
       return isOld || now.mps() >= mps()
@@ -39,7 +39,7 @@ final class TrafficMemory {
       moved.values().removeIf(each -> Math.abs(seen - each.lastMicros()) > PARKED_AFTER_MICROS);
     }
     if (moved.size() >= MAX_MOVERS && !moved.containsKey(mover.name())) {
-      return; // more than any real traffic: invented names
+      return; // more than any real traffic: spoofed names
     }
     moved.merge(
         mover.name(), new Motion(seen, mover.northMps(), mover.eastMps(), seen), Motion::and);

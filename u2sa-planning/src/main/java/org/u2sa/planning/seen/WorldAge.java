@@ -9,7 +9,7 @@ import org.u2sa.messages.OccupancyGrid;
 
 /** Age of the planner's world data, and the sensors missing in it. */
 public final class WorldAge {
-  private long newestMicros = Long.MIN_VALUE; // of the newest list or grid
+  private long newestMicros = Long.MIN_VALUE; // time of the newest list or grid
   private List<String> awaited = List.of();
 
   void see(ObjectList list, long nowMicros) {
@@ -21,7 +21,7 @@ public final class WorldAge {
     seen(grid.timestamp().orElse(nowMicros), nowMicros);
   }
 
-  /** A retained message's age follows from its timestamp; no message is newer than its arrival. */
+  /** Retained messages are dated by their timestamps, and none is newer than its arrival. */
   private void seen(long micros, long nowMicros) {
     newestMicros = Math.max(newestMicros, Math.min(micros, nowMicros));
   }

@@ -9,7 +9,7 @@ import org.u2sa.planning.curve.Pose;
  * @param eastM start: east [m]
  * @param courseRad direction [rad, clockwise from north]
  * @param lengthM length [m]
- * @param cells the cells that it is for
+ * @param cells the cells that it covers
  */
 record Lane(double northM, double eastM, double courseRad, double lengthM, int[] cells) {
   /** The same lane in the other direction. */
@@ -17,7 +17,7 @@ record Lane(double northM, double eastM, double courseRad, double lengthM, int[]
     return new Lane(northAt(lengthM), eastAt(lengthM), courseRad + Math.PI, lengthM, cells);
   }
 
-  /** Where the straight way before it begins. */
+  /** Start of the straight way before it. */
   Pose entry(double leadInM) {
     return new Pose(northAt(-leadInM), eastAt(-leadInM), courseRad);
   }

@@ -8,8 +8,8 @@ import java.util.List;
 /**
  * Lays parallel lanes over cells: strips as wide as an image shows, split where cells are missing
  * (boustrophedon decomposition, Choset and Pignon, Coverage Path Planning: The Boustrophedon
- * Cellular Decomposition, FSR 1997; here by cells, so that concave areas and gaps are alike). The
- * direction with the least time of flight in the wind is chosen.
+ * Cellular Decomposition, FSR 1997; here by cells, so that concave areas and gaps are treated
+ * alike). The direction with the least time of flight in the wind is chosen.
  */
 final class LaneLayout {
   private static final int DIRECTIONS = 18;
@@ -31,8 +31,8 @@ final class LaneLayout {
    * @param swathM width on the ground that a lane covers, in calm air [m]
    * @param radiusM radius of turns [m]
    * @param speedMps airspeed
-   * @param windNorthMps where the wind blows to, north
-   * @param windEastMps east
+   * @param windNorthMps northward velocity of the wind
+   * @param windEastMps eastward velocity of the wind
    */
   record Flight(
       double swathM, double radiusM, double speedMps, double windNorthMps, double windEastMps) {
@@ -48,7 +48,7 @@ final class LaneLayout {
       return Math.max(CRAWLS * speedMps, speedMps * Math.sqrt(1.0 - crab * crab) + along);
     }
 
-    /** Mean time for a metre of lanes flown in both directions [s]. */
+    /** Mean time per metre of lanes flown in both directions [s]. */
     private double secondsPerMetre(double courseRad) {
       return 0.5 / groundMps(courseRad) + 0.5 / groundMps(courseRad + Math.PI);
     }

@@ -12,9 +12,9 @@ import org.u2sa.planning.seen.PlanningPlane;
 
 /** The lanes over a search area in the order of flight, each with a straight way before it. */
 public final class LaneLegs {
-  private static final int MAX_LANES = 120; // of a pass; the rest is flown in the next
-  private static final double ACROSS_M = 10.0; // off its line where a lane may begin
-  private static final double TURNED_RAD = Math.toRadians(30.0); // likewise of the course
+  private static final int MAX_LANES = 120; // per pass; the rest is flown in the next one
+  private static final double ACROSS_M = 10.0; // distance from its line at which a lane may begin
+  private static final double TURNED_RAD = Math.toRadians(30.0); // likewise, course error
 
   private LaneLegs() {}
 
@@ -23,8 +23,8 @@ public final class LaneLegs {
    *
    * @param airspeedMps airspeed
    * @param radiusM radius of turns [m]
-   * @param northMps where the wind blows to, north
-   * @param eastMps east
+   * @param northMps northward velocity of the wind
+   * @param eastMps eastward velocity of the wind
    */
   public record Wind(double airspeedMps, double radiusM, double northMps, double eastMps) {}
 
@@ -38,7 +38,7 @@ public final class LaneLegs {
       this.leadInM = leadInM;
     }
 
-    /** Where the way before the lane begins. */
+    /** Start of the way before the lane. */
     public Pose entry() {
       return lane.entry(leadInM);
     }
@@ -66,13 +66,13 @@ public final class LaneLegs {
       return lane.alongM(northM, eastM) >= lane.lengthM();
     }
 
-    /** A point on the lane's line ahead of the vehicle, perhaps beyond its end. */
+    /** A point on the lane's line ahead of the vehicle, possibly beyond its end. */
     public Pose ahead(double northM, double eastM, double aheadM) {
       double along = lane.alongM(northM, eastM) + aheadM;
       return new Pose(lane.northAt(along), lane.eastAt(along), lane.courseRad());
     }
 
-    /** Whether all cells that the lane is for have been seen. */
+    /** Whether all of the lane's cells have been seen. */
     public boolean isSeen(CoverageLedger ledger, double resolutionM) {
       for (int cell : lane.cells()) {
         if (!ledger.isSeen(cell, resolutionM)) {
@@ -96,7 +96,7 @@ public final class LaneLegs {
     return Math.max(lowest, Math.min(highest, area.ground() + height));
   }
 
-  /** Why the camera cannot see an area at its resolution; empty if it can. */
+  /** Why the camera cannot image an area at its resolution; empty if it can. */
   public static Optional<String> fault(
       SearchArea area, CoverageLedger ledger, SurveyVariables survey) {
     double height = altitudeM(area, survey) - area.ground();
@@ -106,7 +106,7 @@ public final class LaneLegs {
       return Optional.of(
           String.format(
               Locale.ROOT,
-              "from %.0f m above the ground a pixel covers %.3f m; expected %.3f m at most",
+              "from %.0f m above the ground a pixel covers %.3f m; expected up to %.3f m",
               height,
               pixelM,
               area.resolution()));
@@ -122,7 +122,7 @@ public final class LaneLegs {
                 shownM));
   }
 
-  /** Lanes over what the record lacks. */
+  /** Lanes over the cells missing in the record. */
   public static List<Leg> over(
       SearchArea area,
       CoverageLedger ledger,

@@ -15,7 +15,7 @@ final class LaneOrder {
   private static final int MAX_ROUNDS = 20;
   private static final double MIN_M = 0.1;
 
-  private final List<Lane> both = new ArrayList<>(); // lane i in its directions: 2 i, 2 i + 1
+  private final List<Lane> both = new ArrayList<>(); // lane i in both directions: 2 i, 2 i + 1
   private final double[][] wayM; // from the end of one to the entry of another
   private final double[] firstM; // measured from the vehicle
 
@@ -75,7 +75,7 @@ final class LaneOrder {
     return index == 0 ? firstM[lane] : wayM[sequence[index - 1]][lane];
   }
 
-  /** Length of the ways within and around a part, flown as it is or in reverse [m]. */
+  /** Length of the ways within and around a part, flown as is or in reverse [m]. */
   private double partM(int[] sequence, int first, int last, boolean reverse) {
     double sum = before(sequence, first, reverse ? sequence[last] ^ 1 : sequence[first]);
     for (int i = first; i < last; i++) {

@@ -9,8 +9,8 @@ import org.u2sa.planning.curve.Pose;
 import org.u2sa.planning.seen.PlanningPlane;
 
 /**
- * Altitudes at which an area is flown over: constant, or above the ground of a height map, no
- * steeper than the vehicle climbs.
+ * Altitudes at which an area is flown over: constant, or following a height map, no steeper than
+ * the vehicle can climb.
  */
 public final class SurveyHeights {
   private static final double REACH_M = 400.0; // ahead and behind
@@ -19,13 +19,13 @@ public final class SurveyHeights {
   private final Optional<HeightGrid> terrain;
 
   /**
-   * @param terrain the ground; empty: level, at the altitude that an area says
+   * @param terrain the ground; empty: level, at the altitude given by the area
    */
   public SurveyHeights(Optional<HeightGrid> terrain) {
     this.terrain = terrain;
   }
 
-  /** A point at the altitude of flight, in the frame of the plane. */
+  /** A point at flight altitude, in the frame of the plane. */
   public Point point(SearchArea area, SurveyVariables survey, PlanningPlane plane, Pose pose) {
     double altitude = altitudeM(area, survey, plane, pose);
     Point at = plane.point(pose.northM(), pose.eastM(), -altitude);
@@ -33,8 +33,8 @@ public final class SurveyHeights {
   }
 
   /**
-   * Altitude of flight [m above mean sea level]: the highest of those from which the climb leads
-   * here, and to which it leads from here, along a straight line.
+   * Flight altitude [m above mean sea level]: high enough for the limited climb from here, and
+   * descent to here, along a straight line.
    */
   double altitudeM(SearchArea area, SurveyVariables survey, PlanningPlane plane, Pose pose) {
     double level = LaneLegs.altitudeM(area, survey);

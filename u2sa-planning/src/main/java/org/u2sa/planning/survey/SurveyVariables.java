@@ -3,10 +3,10 @@ package org.u2sa.planning.survey;
 import org.u2sa.interfaces.configuration.Description;
 import org.u2sa.interfaces.configuration.Variable;
 
-/** The camera as the planner of search areas knows it, and how lanes are laid. */
+/** Camera parameters used by the planner of search areas, and settings for laying lanes. */
 public record SurveyVariables(
     @Variable(min = 10, max = 100_000, ifAbsent = 1000)
-        @Description("Focal length of the camera that looks down, in pixels.")
+        @Description("Focal length of the downward-looking camera, in pixels.")
         double surveyFocalLength,
     @Variable(min = 10, max = 100_000, ifAbsent = 1000)
         @Description("Pixels across the direction of flight.")
@@ -22,11 +22,10 @@ public record SurveyVariables(
         @Description("Straight way before each lane, to become level and settle on its line.")
         double surveyLeadIn,
     @Variable(min = 1, max = 50, ifAbsent = 8)
-        @Description(
-            "Number of times that what is missing is flown over before the goal is given up.")
+        @Description("Number of passes over missing parts before the goal is given up.")
         int surveyPasses,
     @Variable(min = 0.01, max = 1, ifAbsent = 0.1)
-        @Description("Slope that the vehicle climbs and descends to follow TERRAIN.")
+        @Description("Slope of climbs and descents that follow TERRAIN.")
         double surveyClimb,
     @Variable(ifAbsentText = "")
         @Description(

@@ -60,6 +60,6 @@ class FollowingTest {
 
     assertThat(following.givesUp(bench.at(allowedS))).isEmpty();
     assertThat(following.givesUp(bench.at(allowedS + 1.0)).orElseThrow())
-        .startsWith("no nearer to the goal for ");
+        .startsWith("no closer to the goal for ");
   }
 }

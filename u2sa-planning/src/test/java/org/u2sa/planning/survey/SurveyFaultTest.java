@@ -45,7 +45,7 @@ class SurveyFaultTest {
   void fault_lowestTooHigh_saysWhatAPixelCovers() {
     SearchArea area = area(0.05).lowest(200.0);
     assertThat(LaneLegs.fault(area, ledger(5.0, 10, 10), CAMERA))
-        .hasValue("from 160 m above the ground a pixel covers 0.117 m; expected 0.050 m at most");
+        .hasValue("from 160 m above the ground a pixel covers 0.117 m; expected up to 0.050 m");
   }
 
   @Test

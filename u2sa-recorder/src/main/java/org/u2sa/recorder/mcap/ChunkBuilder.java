@@ -149,7 +149,7 @@ final class ChunkBuilder {
 
   /** Starts the next chunk after this one was written. */
   void next() {
-    if (count.messages() > 0) { // definitions are in it
+    if (count.messages() > 0) { // it contains definitions
       schemasBefore.clear();
       channelsBefore.clear();
     }

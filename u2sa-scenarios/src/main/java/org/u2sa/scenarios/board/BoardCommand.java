@@ -49,7 +49,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Serve a simulated vehicle as an IOIO board, to a phone or a program on the network.",
       "",
-      "In real time, until Ctrl-C. Connect the application by menu, Settings, Network, or a system by CONNECTION = tcp:HOST:PORT of IoioService "
+      "In real time, until Ctrl-C. Connect the application via menu, Settings, Network, or a system via CONNECTION = tcp:HOST:PORT of IoioService "
           + "(docs/android.md). One host at a time; without one the motors get no pulses."
     })
 final class BoardCommand implements Callable<Integer> {
@@ -74,14 +74,14 @@ final class BoardCommand implements Callable<Integer> {
       paramLabel = "ADDRESS[:PORT]",
       defaultValue = "127.0.0.1:4545",
       description =
-          "Where to listen (default: ${DEFAULT-VALUE}); port 0: any. Other addresses than this host's own need --security.")
+          "Where to listen (default: ${DEFAULT-VALUE}); port 0: any. Addresses other than this host's own need --security.")
   private String listen;
 
   @Option(
       names = "--security",
       paramLabel = "FOLDER",
       description =
-          "Folder made by ./u2sa security init: only its users with the role control are served, over TLS.")
+          "Folder created by ./u2sa security init: only its users with the role control are served, over TLS.")
   private Path security; // null for none
 
   @Option(
@@ -106,7 +106,7 @@ final class BoardCommand implements Callable<Integer> {
       paramLabel = "LONGITUDE,LATITUDE[,HEADING]",
       split = ",",
       description =
-          "Where the vehicle starts [deg]. Default: the mission's home, else 0, 0 to the north.")
+          "Where the vehicle starts [deg]. Default: the mission's home, else 0, 0 heading north.")
   private double[] start; // null if not given
 
   @Option(
@@ -149,8 +149,8 @@ final class BoardCommand implements Callable<Integer> {
           "--listen "
               + listen
               + " opens the board to a network, but it has neither users nor encryption: "
-              + "./u2sa security init makes both in the folder security; name it with --security; "
-              + "or say --allow-insecure-network");
+              + "./u2sa security init creates both in the folder security; pass it with --security, "
+              + "or use --allow-insecure-network");
     }
     VehicleFile vehicle = changes.load(vehicleFile);
     Place place = place();

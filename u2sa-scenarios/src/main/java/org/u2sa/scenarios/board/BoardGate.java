@@ -20,8 +20,8 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.sim.ioio.Hosts;
 
 /**
- * Admits hosts to a served board, one at a time: the others are refused at once. Log-ins run on a
- * few threads of their own and time out whatever the host sends.
+ * Admits hosts to a served board, one at a time: others are refused immediately. Log-ins run on a
+ * few separate threads and time out whatever the host sends.
  */
 final class BoardGate implements Hosts {
   private static final int BACKLOG = 16;
@@ -38,11 +38,11 @@ final class BoardGate implements Hosts {
   private final Consumer<String> log;
   private final Consumer<RuntimeException> end;
   private final Refusals refusals;
-  private final Map<Socket, Long> candidates = new ConcurrentHashMap<>(); // to their deadlines
+  private final Map<Socket, Long> candidates = new ConcurrentHashMap<>(); // deadlines
   private final Thread door = new Thread(this::await, "u2sa-board-gate");
-  private Host admitted; // waits for next(), or null; guarded by this
+  private Host admitted; // waiting for next(), or null; guarded by this
   private Host host; // in session, or null; guarded by this
-  private User user; // of the host, or null; guarded by this
+  private User user; // the host's user, or null; guarded by this
   private boolean closed; // guarded by this
 
   /**
@@ -104,7 +104,7 @@ final class BoardGate implements Hosts {
     try {
       if (!closed) {
         refusals.add("connection not accepted", String.valueOf(why.getMessage()));
-        wait(LOOK_EVERY_MS); // such as without a free file descriptor
+        wait(LOOK_EVERY_MS); // e.g. for lack of file descriptors
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -125,7 +125,7 @@ final class BoardGate implements Hosts {
     Host leaving = null;
     synchronized (this) {
       if (user != null && !users.orElseThrow().isStillAdmitted(user)) {
-        log.accept("host " + host.name() + ": its user is not admitted any more");
+        log.accept("host " + host.name() + ": its user is no longer admitted");
         leaving = host;
       }
     }
@@ -187,7 +187,7 @@ final class BoardGate implements Hosts {
     } catch (IOException | RuntimeException e) {
       boolean isOverdue = users.isPresent() && !candidates.containsKey(socket);
       String why = isOverdue ? "log-in took too long" : String.valueOf(e.getMessage());
-      refusals.add("host refused at its log-in", name + ": " + OneLine.of(why));
+      refusals.add("host refused during log-in", name + ": " + OneLine.of(why));
       closeQuietly(socket);
     } finally {
       candidates.remove(socket);

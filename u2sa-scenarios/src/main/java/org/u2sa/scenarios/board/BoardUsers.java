@@ -42,8 +42,7 @@ import org.u2sa.interfaces.time.Clock;
  */
 final class BoardUsers implements AutoCloseable {
   private static final int LONGEST_LINE = 512;
-  private static final long ANSWER_WITHIN_S =
-      20; // the first check waits for a thread that warms up
+  private static final long ANSWER_WITHIN_S = 20; // the first check waits for a warm-up
   private static final String COMMAND = "LOGIN ";
 
   private final SSLContext tls;
@@ -104,7 +103,7 @@ final class BoardUsers implements AutoCloseable {
   /**
    * Encrypts a connection and logs its host in; blocks as long as the host does.
    *
-   * @throws IOException if the host is not admitted; says why
+   * @throws IOException if the host is not admitted; gives the reason
    */
   LoggedIn admit(Socket plain) throws IOException {
     SSLSocket socket =
@@ -128,7 +127,7 @@ final class BoardUsers implements AutoCloseable {
     return user.roles().contains(AccessRole.CONTROL);
   }
 
-  /** Tells a host whether its log-in succeeded. */
+  /** Informs a host whether its log-in succeeded. */
   static void tell(SSLSocket socket, String answer) throws IOException {
     OutputStream out = socket.getOutputStream();
     out.write((answer + '\n').getBytes(StandardCharsets.UTF_8));

@@ -30,7 +30,7 @@ record BoardedVehicle(
   /** Duration for which the vehicle does not advance after a start [µs]. */
   static final long BEFORE_THE_START = 0;
 
-  /** Places a vehicle at the origin of its world, behind the board of its file or the usual one. */
+  /** Places a vehicle at the origin of its world, behind its file's board or the default one. */
   static BoardedVehicle of(VehicleFile file, World world, double headingRad, long seed) {
     List<String> names = file.model().actuators();
     if (file.hasBoard()) {

@@ -11,7 +11,7 @@ final class PacedLog implements Consumer<String> {
   private final Clock clock;
   private final Consumer<String> lines;
   private long spentMicros; // time up to which the allowance has been used
-  private int left; // number of lines left out since the last one
+  private int left; // lines omitted since the last one
 
   PacedLog(Clock clock, Consumer<String> lines) {
     this.clock = clock;
@@ -27,7 +27,7 @@ final class PacedLog implements Consumer<String> {
       return;
     }
     spentMicros += MICROS_A_LINE;
-    lines.accept(left == 0 ? line : line + " (" + left + " lines left out before)");
+    lines.accept(left == 0 ? line : line + " (" + left + " lines omitted before)");
     left = 0;
   }
 }

@@ -21,7 +21,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.sim.device.SerialInstrument;
 
 /**
- * A vehicle's serial devices as pseudo terminals in a folder, made by socat, because Java cannot
+ * A vehicle's serial devices as pseudo terminals in a folder, created by socat because Java cannot
  * create them. A program that opens one is connected to the device through a Unix socket that only
  * this account can open; data that it does not read in time are lost, as on a serial port. The baud
  * rate does not matter. Uses one thread.
@@ -74,7 +74,7 @@ final class SerialPorts implements AutoCloseable {
       device.advance(micros, beforeMicros);
       beforeMicros = micros;
       if ((socat == null || !socat.isAlive()) && micros >= retryMicros) {
-        retryMicros = micros + AGAIN_AFTER_MICROS; // it ends when the port is closed
+        retryMicros = micros + AGAIN_AFTER_MICROS; // socat ends when the port is closed
         start();
       }
       SocketChannel next = server.accept();

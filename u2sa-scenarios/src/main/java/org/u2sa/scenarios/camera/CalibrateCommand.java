@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Measure a camera's geometry with pictures of a printed chessboard.",
       "",
-      "Take 10 to 20 pictures with the board tilted differently in each, also near the corners. "
+      "Take 10 to 20 pictures with the board tilted differently in each, and near the corners in some. "
           + "Exit code 1: the pictures do not determine the camera."
     })
 final class CalibrateCommand implements Callable<Integer> {
@@ -106,7 +106,7 @@ final class CalibrateCommand implements Callable<Integer> {
 
   private static void told(String name, boolean isThere, PrintWriter text) {
     if (!isThere) {
-      text.println(name + ": no whole board found");
+      text.println(name + ": no complete board found");
     }
   }
 

@@ -59,7 +59,7 @@ final class CampaignCommand implements Callable<Integer> {
       RunReport.deleteSummary(directory);
       run(backend, experiments, outcomes, journal, interruption);
       if (outcomes.isEmpty()) {
-        throw new RunFailedException("interrupted before the first run was done");
+        throw new RunFailedException("interrupted before the first run was complete");
       }
       return report(campaign, outcomes, experiments.size(), directory);
     }
@@ -79,7 +79,7 @@ final class CampaignCommand implements Callable<Integer> {
     if (!outcomes.isEmpty()) {
       terminal
           .out()
-          .printf("%d of %d runs were done before.%n", outcomes.size(), experiments.size());
+          .printf("%d of %d runs were already complete.%n", outcomes.size(), experiments.size());
     }
     terminal.out().printf("%d runs on %s; files: %s%n", left.size(), backend.inWords(), directory);
     terminal.out().flush();
@@ -134,7 +134,7 @@ final class CampaignCommand implements Callable<Integer> {
   }
 
   private static void spreads(Terminal terminal, Map<String, Distribution> spreads) {
-    TextTable table = new TextTable("figure", "least", "median", "95 %", "greatest");
+    TextTable table = new TextTable("figure", "minimum", "median", "95 %", "maximum");
     spreads.forEach(
         (name, spread) -> {
           if (!spread.isConstant()) {

@@ -59,7 +59,7 @@ final class CampaignOptions {
       names = "--rank",
       paramLabel = "FIGURE",
       description =
-          "Figure of summary.json that ranks the worst runs; larger is worse. Default: ${DEFAULT-VALUE}.")
+          "Figure in summary.json that ranks the worst runs; larger is worse. Default: ${DEFAULT-VALUE}.")
   private String ranking = "worstMissM";
 
   @Option(
@@ -189,7 +189,7 @@ final class CampaignOptions {
                 refused(
                     "--master \""
                         + master
-                        + "\": needs the module u2sa-spark, which is not on the class path"))
+                        + "\": requires the module u2sa-spark, which is not on the class path"))
         .at(master, directory());
   }
 

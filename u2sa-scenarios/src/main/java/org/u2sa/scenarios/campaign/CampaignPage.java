@@ -63,8 +63,8 @@ final class CampaignPage {
   }
 
   private void figures() {
-    page.append("<h2>Figures</h2>\n<table><tr><th>figure</th><th>runs</th><th>least</th>")
-        .append("<th>median</th><th>mean</th><th>95 %</th><th>greatest</th></tr>\n");
+    page.append("<h2>Figures</h2>\n<table><tr><th>figure</th><th>runs</th><th>minimum</th>")
+        .append("<th>median</th><th>mean</th><th>95 %</th><th>maximum</th></tr>\n");
     spreads.forEach(
         (name, spread) ->
             row(
@@ -79,7 +79,7 @@ final class CampaignPage {
   }
 
   private void worst(int most) {
-    page.append("<h2>Worst runs</h2>\n<p>Those that failed, then by <code>")
+    page.append("<h2>Worst runs</h2>\n<p>Failed runs first, then by <code>")
         .append(EscapedXml.of(results.ranking()))
         .append("</code>. The command repeats the run, with pictures.</p>\n<table>")
         .append("<tr><th>run</th><th>")
@@ -111,7 +111,7 @@ final class CampaignPage {
     page.append("<h2>By ")
         .append(EscapedXml.of(sweep.name()))
         .append("</h2>\n<table><tr><th>value</th>")
-        .append("<th>runs</th><th>succeeded</th><th>median</th><th>greatest</th></tr>\n");
+        .append("<th>runs</th><th>succeeded</th><th>median</th><th>maximum</th></tr>\n");
     Map<String, double[]> byValue = new LinkedHashMap<>();
     for (String value : sweep.values()) {
       List<Outcome> runs = new ArrayList<>();

@@ -54,7 +54,7 @@ record Experiment(int number, long seed, Map<String, String> factors, List<Strin
     }
   }
 
-  /** The command line that repeats this run alone, including pictures. */
+  /** The command line that repeats only this run, including pictures. */
   String command() {
     return arguments.stream()
         .map(Experiment::quoted)

@@ -73,7 +73,7 @@ final class Journal implements AutoCloseable {
     if (!said.equals(campaign)) {
       throw new BadInputException(
           file
-              + ": holds the campaign \""
+              + ": contains the campaign \""
               + said
               + "\", not \""
               + campaign
@@ -133,7 +133,7 @@ final class Journal implements AutoCloseable {
           where
               + ": "
               + e.getOriginalMessage()
-              + "; expected JSON; delete the line to run it again",
+              + "; expected JSON; delete the line to repeat its run",
           e);
     }
     return fields;

@@ -52,7 +52,7 @@ record Results(List<Outcome> outcomes, String ranking) {
     return spreads;
   }
 
-  /** The worst runs: failed runs first, then by the ranking figure. */
+  /** The worst runs: failed runs first, then by the ranking metric. */
   List<Outcome> worst(int most) {
     return outcomes.stream()
         .sorted(

@@ -128,7 +128,7 @@ final class WorkerPool implements RunBackend {
       try {
         done.accept(request, answer);
       } catch (RuntimeException | Error e) {
-        stop(); // before another thread gets the lock: a failed listener gets no further events
+        stop(); // before another thread gets the lock: a failed listener receives no further events
         throw e;
       }
     }

@@ -39,11 +39,11 @@ import picocli.CommandLine.Spec;
     description = {
       "Fly a Cessna 172 over ten waypoints, take-off included.",
       "",
-      "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows what "
-          + "happens. Wind and gusts depend on the seed. Control uses the simulator's true "
+      "Starts the Communication Manager, the services of config/cessna/system.xml and the embedded simulator, and shows the "
+          + "flight. Wind and gusts depend on the seed. Control uses the simulator's true "
           + "state or, with --estimator fusing, noisy GPS, barometer, airspeed, IMU and compass.",
       "",
-      "Other MQTT clients can listen meanwhile, for example:",
+      "Other MQTT clients can listen during the flight, for example:",
       "  mosquitto_sub -t 'u2sa/cessna/#' -F '%%t %%l bytes'"
     })
 final class CessnaDemo implements Callable<Integer>, Demo {
@@ -122,7 +122,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
     return around;
   }
 
-  /** Profile with a minimum ground speed of 25 m/s, and ten minutes to get ready. */
+  /** Profile with a minimum ground speed of 25 m/s, and ten minutes to become ready. */
   static Profile flying(String directory) {
     return new Profile("cessna", directory, "mission.xml", Domain.AIR, 600.0, 25.0);
   }
@@ -165,7 +165,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
             seed,
             demoWind.speedMps(),
             Math.toDegrees(demoWind.fromRad()),
-            shear ? " near the ground, more above" : "");
+            shear ? " near the ground, increasing with height" : "");
     return new Trial(
         mission,
         FlightObserver::new,
@@ -182,7 +182,7 @@ final class CessnaDemo implements Callable<Integer>, Demo {
         launch -> StandInSimulation.of(mission, demoWind.wind(seed), launch));
   }
 
-  /** The aircraft of its vehicle file on the runway. */
+  /** The aircraft, read from its vehicle file, on the runway. */
   static VehicleTrial placed(RunPlan.Start start, Wind wind, long seed) {
     String folder = "config/cessna";
     return VehicleTrial.of(

@@ -25,7 +25,7 @@ import org.u2sa.service.U2SAService;
  */
 final class FlightObserver extends EventDrivenService implements RunObserver {
   /**
-   * Angle of attack beyond which the wing of the Cessna 172 is stalled; clean, power off about 16°.
+   * Angle of attack beyond which the Cessna 172's wing is stalled: about 16° clean and power off.
    */
   private static final double STALL_ANGLE_RAD = Math.toRadians(17.0);
 

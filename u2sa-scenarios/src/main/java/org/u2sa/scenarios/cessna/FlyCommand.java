@@ -50,7 +50,7 @@ final class FlyCommand implements Callable<Integer>, Demo {
 
   @Option(
       names = "--no-start",
-      description = "Do not start FlightGear; start it by hand on this machine.")
+      description = "Do not start FlightGear; the user starts it on this machine.")
   private boolean noStart;
 
   @Option(

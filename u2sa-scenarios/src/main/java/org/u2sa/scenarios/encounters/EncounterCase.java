@@ -46,7 +46,7 @@ record EncounterCase(String name, List<Vessel> vessels) {
    * @param eastM east of the boat's start [m]
    * @param courseRad clockwise from north [rad]
    * @param speedMps speed [m/s]
-   * @param expected the boat's rule, or those possible within the accuracy of courses
+   * @param expected the rule for the boat, or those possible within the accuracy of courses
    */
   record Vessel(
       String uid,
@@ -71,7 +71,7 @@ record EncounterCase(String name, List<Vessel> vessels) {
       return eastM + eastMps() * timeS;
     }
 
-    /** Time of the closest point of approach if the boat did nothing [s]. */
+    /** Time of the closest point of approach if the boat does nothing [s]. */
     double closestS() {
       double north = northMps() - OWN_MPS;
       double east = eastMps();
@@ -125,15 +125,15 @@ record EncounterCase(String name, List<Vessel> vessels) {
         Set.of(Rule.valueOf(fields[6])));
   }
 
-  /** Latest closest point of approach if the boat did nothing [s]. */
+  /** Latest closest point of approach if the boat does nothing [s]. */
   double lastClosestS() {
     return vessels.stream().mapToDouble(Vessel::closestS).max().orElse(0.0);
   }
 
   /**
    * A variation: speeds ±20 % and bearings ±10°, such that each vessel still meets the boat at the
-   * time of the original, and starts at least {@link #MIN_RANGE_M} away. The expected rules are
-   * those of the sectors within 5°.
+   * original time and starts at least {@link #MIN_RANGE_M} away. The expected rules are those of
+   * the sectors within 5°.
    */
   EncounterCase varied(long seed) {
     Random random = new Random(seed);

@@ -43,7 +43,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa demo encounters}: a boat among other vessels, judged by the rules at sea. */
+/** {@code u2sa demo encounters}: a boat among other vessels, judged by the COLREGs. */
 @Command(
     name = "encounters",
     description = {
@@ -55,7 +55,7 @@ import picocli.CommandLine.Spec;
           + "one after another and end with a table."
     })
 final class EncounterDemo implements Callable<Integer>, Demo {
-  /** Delay with which the boat gets under way [s]: cases begin then. */
+  /** Delay until the boat gets under way [s], when the case begins. */
   static final double START_S = 3.5;
 
   private static final String VEHICLE = "config/vehicles/otter.xml";
@@ -76,14 +76,14 @@ final class EncounterDemo implements Callable<Integer>, Demo {
       split = ",",
       defaultValue = "all",
       description =
-          "Cases, or the beginnings of their names, separated by commas: all, dnv, imazu-1, dnv-07 "
+          "Cases, or prefixes of their names, separated by commas: all, dnv, imazu-1, dnv-07 "
               + "(default: ${DEFAULT-VALUE}).")
   private List<String> names;
 
   @Option(
       names = "--vary",
       description =
-          "Change each case by the seed: speeds by up to 20 %%, courses by up to 10 degrees, a "
+          "Vary each case by the seed: speeds by up to 20 %%, courses by up to 10 degrees, a "
               + "current of up to 0.3 m/s, a wind of up to 6 m/s with gusts, and up to twice the "
               + "radar's noise.")
   private boolean vary;
@@ -171,7 +171,7 @@ final class EncounterDemo implements Callable<Integer>, Demo {
         launch -> {});
   }
 
-  /** Straight on, until all vessels are past. */
+  /** A straight route that ends when all vessels are past. */
   private Mission mission(Mission given, Path directory) {
     RunPlan.Start start = start(given);
     double way = EncounterCase.OWN_MPS * (encounter.lastClosestS() + RUN_ON_S);
@@ -202,8 +202,8 @@ final class EncounterDemo implements Callable<Integer>, Demo {
       changes.put("radar/sigma", "" + RANGE_SIGMA_M * (1.0 + random.nextDouble()));
       changes.put("radar/angleSigma", "" + ANGLE_SIGMA_DEG * (1.0 + random.nextDouble()));
       changes.put("vessel/windage", "");
-      changes.put("vessel/windage/ahead", "0.2"); // ½ ρ C A of 0.4 m² from ahead
-      changes.put("vessel/windage/aside", "0.4"); // and 0.65 m² from the side
+      changes.put("vessel/windage/ahead", "0.2"); // ½ ρ C A for 0.4 m² seen from ahead
+      changes.put("vessel/windage/aside", "0.4"); // and 0.65 m² seen from the side
       changes.put("vessel/windage/turning", "0.1");
     }
     return changes;

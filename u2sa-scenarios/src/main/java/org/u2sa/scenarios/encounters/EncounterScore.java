@@ -12,7 +12,7 @@ import org.u2sa.scenarios.encounters.EncounterCase.Vessel;
 
 /**
  * Judges a case by ground truth: distance, rule, early and clear action. The ideas and the form of
- * the score are those of Woerner, Benjamin, Novitzky, Leonard: Quantifying protocol evaluation for
+ * the score follow Woerner, Benjamin, Novitzky, Leonard: Quantifying protocol evaluation for
  * autonomous collision avoidance, Autonomous Robots 43, 2019; its formulas are in
  * docs/right-of-way.md.
  */
@@ -25,7 +25,7 @@ final class EncounterScore {
   static final double REQUIRED_M = PASSING_M + VESSEL_M + BOAT_M;
 
   private static final double NEAR =
-      3.0; // multiple of the required distance within which the side of passing matters
+      3.0; // multiple of the required distance within which the passing side matters
   private static final double GIVE_WAY_S = 120.0;
   private static final double EARLY_S = 60.0; // minimum time before the closest point
   private static final double STAND_ON_S = 60.0;
@@ -43,14 +43,14 @@ final class EncounterScore {
   private boolean actsToPort;
   private double
       turnRad; // largest course change in the direction of the first action, positive to starboard
-  private double slowest = 1.0; // share of the speed
+  private double slowest = 1.0; // lowest fraction of the speed
 
   /** Record of passing one vessel. */
   private static final class Passage {
     private final Vessel vessel;
     private String applied = "";
     private double nearestM = Double.POSITIVE_INFINITY;
-    private boolean isToStarboard; // when nearest
+    private boolean isToStarboard; // at the closest point
     private double lastAcrossM = Double.NaN;
     private boolean crossedAhead;
     private double actionM = Double.NaN; // range at the boat's action
@@ -104,7 +104,7 @@ final class EncounterScore {
     }
   }
 
-  /** Processes the planner's remark on all encounters, from its health report. */
+  /** Processes the planner's remark about all encounters, from its health report. */
   void hear(String remark) {
     for (Passage each : passages.values()) {
       for (Rule rule : Rule.values()) {
@@ -183,7 +183,7 @@ final class EncounterScore {
                     && each.actionM > 1.2 * STAND_ON_RANGES * REQUIRED_M);
   }
 
-  /** Time from the first action to the closest point of approach without one [s]. */
+  /** Time from the first action to the closest point of approach without action [s]. */
   private double beforeS(Vessel vessel) {
     return vessel.closestS() - actionS;
   }

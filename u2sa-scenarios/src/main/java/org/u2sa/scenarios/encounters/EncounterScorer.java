@@ -15,7 +15,7 @@ import org.u2sa.report.score.RunOutcome;
 import org.u2sa.scenarios.run.TruthObserver;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** Feeds a run to its score, and writes that to {@code encounters.txt}. */
+/** Feeds a run to its score, and writes the score to {@code encounters.txt}. */
 final class EncounterScorer implements TruthObserver.Scorer {
   static final String FILE = "encounters.txt";
 

@@ -21,7 +21,7 @@ import org.u2sa.sim.world.World;
 
 /**
  * A course on a lawn: objects of a world XML file, east and north of its origin [m]. Object types
- * are those that {@link Scenery} draws, and invisible ones: {@code lane boundary} (PolyLine: where
+ * are those drawn by {@link Scenery}, and invisible ones: {@code lane boundary} (PolyLine: where
  * the judge counts a crossing, including gaps in the paint), {@code course end} (PolyLine: behind
  * the start and beyond the finish, not to be passed), {@code waypoint} (Circle with its radius, in
  * course order), {@code start} (Line: from the vehicle's position to a point ahead), {@code fence}
@@ -160,7 +160,7 @@ record Course(String origin, List<ObjectDescription> objects) {
   }
 
   /**
-   * The world: a lawn with the ramps, and all objects that a level laser sees, which paint is not.
+   * The world: a lawn with the ramps, and everything visible to a level laser, i.e. not paint.
    *
    * @param origin place of the course's origin on the earth
    */

@@ -11,10 +11,10 @@ import org.u2sa.messages.shape.PolyLine;
 import org.u2sa.sim.camera.Scenery;
 
 /**
- * Checks a course against the rules by its objects alone, regardless of its source: lanes of 10 to
- * 20 ft, turn radii of at least 5 ft, everything on the field, nothing on the wrong side of a line,
- * and a passage of 5 ft from the start past every waypoint. Distances are computed by the objects'
- * own shapes.
+ * Checks a course against the rules, using only its objects, regardless of its source: lanes of 10
+ * to 20 ft, turn radii of at least 5 ft, everything on the field, nothing on the wrong side of a
+ * line, and a passage of 5 ft from the start past every waypoint. Distances are computed from the
+ * objects' exact shapes.
  */
 final class CourseChecker {
   static final double PASSAGE_M = 1.524; // 5 ft

@@ -7,15 +7,15 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.sensor.NoiseStreams;
 
 /**
- * Generates random courses by the competition's rules until one passes the {@link CourseChecker}:
- * lanes of 10 to 20 ft with curves and switchbacks, dashed and worn paint, barrels, sawhorses,
- * potholes, flags, gaps too narrow to pass beside passable ones, a dead end, and no-man's land with
- * waypoints.
+ * Generates random courses according to the competition's rules until one passes the {@link
+ * CourseChecker}: lanes of 10 to 20 ft with curves and switchbacks, dashed and worn paint, barrels,
+ * sawhorses, potholes, flags, gaps too narrow to pass beside passable ones, a dead end, and
+ * no-man's land with waypoints.
  */
 final class CourseGenerator {
   private static final int REDRAWS = 10;
   private static final int TRIES = 40;
-  private static final double CALMER = 8.0; // drafts until the sway is halved
+  private static final double CALMER = 8.0; // number of drafts until the sway is halved
   private static final double START_M = 1.2; // distance from the start of the lines to the vehicle
   private static final double CLEAR_M = 16.0; // no obstacles on the timed 44 ft
   private static final double PASSAGE_M = 1.65; // the rules require 5 ft
@@ -43,8 +43,7 @@ final class CourseGenerator {
   }
 
   /**
-   * Same with ramps. They use a separate random stream, so that everything else is the same as
-   * without.
+   * Same, with ramps. They use a separate random stream, so that everything else remains the same.
    */
   static Course course(long seed, Ramps ramps) {
     String faults = "";
@@ -53,7 +52,7 @@ final class CourseGenerator {
       Random random = new NoiseStreams(seed).of(stream);
       String name = "course " + seed + (redraw == 0 ? "" : ", redraw " + redraw);
       for (int i = 0; i < TRIES; i++) {
-        double sway = CALMER / (CALMER + i); // strong curves are too tight for a wide lane
+        double sway = CALMER / (CALMER + i); // strong curves are too tight for wide lanes
         CourseGenerator generator = new CourseGenerator(random);
         Course course = generator.draft(name, sway);
         List<String> found = CourseChecker.faults(course);

@@ -11,8 +11,8 @@ import org.u2sa.report.ReportFile;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Information that a team gets about a course: start, waypoints, the box around the start and the
- * fences around the field.
+ * Information that a team receives about a course: start, waypoints, the box around the start and
+ * the fences around the field.
  */
 final class CourseMission {
   /**

@@ -8,8 +8,8 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Checks on which side flags are passed: red flags must be to the right of the path, blue flags to
- * its left. The side is taken at the closest approach, once the vehicle moves away again.
+ * Checks on which side flags are passed: red flags must be to the right of the path and blue flags
+ * to its left. The side is taken at the closest approach, once the vehicle moves away again.
  */
 final class FlagSides {
   /** Distance beyond which flags are ignored: too far to pass between the flag and a line. */
@@ -24,7 +24,7 @@ final class FlagSides {
     final ObjectDescription object;
     final boolean isRed;
     double nearestM = REACH_M;
-    boolean isWrong; // at the closest approach
+    boolean isWrong; // side at the closest approach
     boolean isPassed; // until it is out of reach
 
     Flag(ObjectDescription object) {

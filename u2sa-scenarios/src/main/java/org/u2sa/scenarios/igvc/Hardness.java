@@ -46,7 +46,7 @@ enum Hardness {
     }
   },
 
-  /** Cables and iron in the ground that disturb the compass by some ten degrees. */
+  /** Cables and iron in the ground that disturb the compass by about ten degrees. */
   COMPASS {
     @Override
     Hazards with(Hazards hazards, Course course, Random random) {

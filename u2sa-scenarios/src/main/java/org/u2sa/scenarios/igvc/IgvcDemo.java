@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Drive an Intelligent Ground Vehicle Competition course with lidar, camera and GPS.",
       "",
-      "The course, its light and all noise depend on the seed, unless --course names one. A "
+      "The course (unless --course gives one), its light and all noise depend on the seed. A "
           + "simulated judge with ground truth counts line crossings, contacts, speed and stops by "
           + "the competition's rules; its log is judge.log."
     })
@@ -63,7 +63,7 @@ final class IgvcDemo implements Callable<Integer>, Demo {
       names = "--ramps",
       paramLabel = "WHICH",
       description =
-          "For which seeds the course has a ramp, if there is room: ${COMPLETION-CANDIDATES} "
+          "Seeds for which the course has a ramp, if there is room: ${COMPLETION-CANDIDATES} "
               + "(default:"
               + " ${DEFAULT-VALUE}).",
       defaultValue = "SOME")

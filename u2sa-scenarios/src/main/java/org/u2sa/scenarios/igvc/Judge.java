@@ -19,8 +19,8 @@ import org.u2sa.sim.world.World;
  * Judges a run by the competition's rules and ground truth: no part of the vehicle on a line
  * (including gaps in its paint and the ends of the course) or an obstacle; more than 1 mph on
  * average over the first 44 ft, never more than 5 mph; at most a minute at rest; six minutes in
- * all. A continuous touch counts once. Flags passed on the wrong side are counted, but do not fail
- * a run.
+ * all. A continuous touch counts once. Flags passed on the wrong side are counted but do not fail a
+ * run.
  */
 final class Judge {
   static final double SLOWEST_MPS = 0.44704; // 1 mph

@@ -10,8 +10,8 @@ import org.u2sa.sim.camera.Scenery;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * Checks a course's ramps against the rules: at most 15 % steep, at least 8 ft wide, both lines of
- * one lane run straight over it and are solid, and nothing else is on it or just before it.
+ * Checks a course's ramps against the rules: up to 15 % steep, at least 8 ft wide, crossed straight
+ * by both lines of one lane, which are solid, with nothing else on it or just before it.
  */
 final class RampRules {
   private static final double STEEPEST = 0.15;
@@ -50,7 +50,7 @@ final class RampRules {
 
   private void look() {
     if (ramp.steepest() > STEEPEST + ROUNDING) {
-      fault(" rises by %.3f m a metre", ramp.steepest());
+      fault(" rises by %.3f m per metre", ramp.steepest());
     }
     if (ramp.widthM() < MIN_WIDTH_M) {
       fault(" is %.2f m wide", ramp.widthM());

@@ -21,7 +21,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
 /**
- * Samples the run every second and writes pictures: {@code course.png}, the whole run from above,
+ * Samples the run every second and writes pictures: {@code course.png}, the entire run from above,
  * and {@code run.gif}, an animation. Not thread-safe.
  */
 final class RunFilm {

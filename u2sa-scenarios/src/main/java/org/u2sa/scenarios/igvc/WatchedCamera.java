@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.u2sa.device.port.Camera;
 import org.u2sa.device.port.CameraFrame;
 
-/** Wraps a camera and also gives others its latest image. */
+/** Wraps a camera and makes its latest image available to others. */
 final class WatchedCamera implements Camera {
   private final Camera camera;
   private volatile Optional<CameraFrame> newest = Optional.empty();
@@ -13,7 +13,7 @@ final class WatchedCamera implements Camera {
     this.camera = camera;
   }
 
-  /** Image read last. Thread-safe. */
+  /** Most recently read image. Thread-safe. */
   Optional<CameraFrame> newest() {
     return newest;
   }

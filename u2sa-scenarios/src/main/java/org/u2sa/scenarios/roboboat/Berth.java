@@ -3,7 +3,7 @@ package org.u2sa.scenarios.roboboat;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** The bay of a dock, by ground truth. Lengths are along the direction of entry and across it. */
+/** The bay of a dock according to ground truth, along and across the direction of entry. */
 final class Berth {
   /** Distance from the centre of a docked boat to the back wall [m]. */
   static final double WALL_M = 0.75;
@@ -15,7 +15,7 @@ final class Berth {
   static final double WIDTH_M = 2.8;
 
   private static final double BOW_M = 0.6; // ahead of the boat's centre
-  private static final double CLOSE_M = 0.2; // bow from the wall
+  private static final double CLOSE_M = 0.2; // distance of the bow from the wall
   private static final double GONE_M = 0.5; // likewise
 
   private final Point wall; // north, east [m]
@@ -27,7 +27,7 @@ final class Berth {
     wall = TaskSite.at(dock.station(), headingRad, TaskSite.DOCK_WAY_M + WALL_M, 0.0);
   }
 
-  /** Whether the boat is docked: its bow has come close to the wall and not left since. */
+  /** Whether the boat is docked: its bow has come close to the wall and has not left since. */
   boolean isDocked(VehicleTruth boat) {
     Point bow = bow(boat);
     isDocked = isInside(bow) && bow.x() > (isDocked ? -GONE_M : -CLOSE_M);

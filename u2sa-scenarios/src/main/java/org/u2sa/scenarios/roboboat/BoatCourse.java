@@ -36,7 +36,7 @@ record BoatCourse(
     Point end,
     List<TaskSite> sites,
     Weather weather) {
-  /** Place of the competition: Nathan Benderson Park, Florida. */
+  /** Site of the competition: Nathan Benderson Park, Florida. */
   static final Geodetic ORIGIN = new Geodetic(-82.4507, 27.3767, 0.0);
 
   private static final double HOME_BEHIND_M = 2.0; // the start
@@ -54,7 +54,7 @@ record BoatCourse(
   private static final double END_RADIUS_M = 0.4;
   private static final double FLOATS_M = 0.1; // centre above the water
   private static final double SPREAD_RAD = 0.3;
-  private static final double TASKS_FROM_M = 5.0; // start of the tasks alone, before the gate
+  private static final double TASKS_FROM_M = 5.0; // start of a tasks-only run, before the gate
 
   /**
    * Weather of a run.
@@ -76,7 +76,7 @@ record BoatCourse(
       double wavePeriodS,
       long seed) {}
 
-  /** The same course with the last gate only and the boat in front of it. */
+  /** The same course with only the last gate and the boat in front of it. */
   BoatCourse tasksOnly() {
     Gate last = channel.get(channel.size() - 1);
     double heading = Math.atan2(last.way().y(), last.way().x());

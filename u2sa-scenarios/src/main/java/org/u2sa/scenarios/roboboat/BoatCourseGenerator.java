@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.scenarios.roboboat.gate.Gate;
 
 /**
- * Draws courses by the rules: gates 2.2 to 3 m wide, the speed gates 8 to 25 m apart, 10 to 15
+ * Generates courses by the rules: gates 2.2 to 3 m wide, the speed gates 8 to 25 m apart, 10 to 15
  * gates in a winding channel, 4 to 7 m apart; wind up to 6 m/s, current up to 0.5 m/s, small waves.
  */
 final class BoatCourseGenerator {
@@ -28,7 +28,7 @@ final class BoatCourseGenerator {
 
   private BoatCourseGenerator(long seed) {
     random = new Random(seed * 0x9E3779B97F4A7C15L);
-    random.nextLong(); // the first numbers of neighbouring seeds are alike
+    random.nextLong(); // neighbouring seeds have similar first numbers
   }
 
   static BoatCourse course(long seed) {

@@ -21,15 +21,15 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores a run by ground truth: speed gates, channel out and back in order, each in its direction;
- * contacts; the optional tasks; and the time limit.
+ * Scores a run by ground truth: speed gates, and the channel out and back, in order and each in its
+ * direction; contacts; the optional tasks; and the time limit.
  */
 final class BoatJudge implements TruthObserver.Scorer {
   /** Time limit of a run [s]. */
   static final double RUN_S = 20.0 * 60.0;
 
   private static final double FIRES_PERCENT = 50.0;
-  private static final double HOME_M = 2.5; // the mission's 2 m, and the errors of the boat
+  private static final double HOME_M = 2.5; // the mission's 2 m plus the boat's errors
 
   private final RunningVehicle run;
   private final DoubleSupplier gunPercent;

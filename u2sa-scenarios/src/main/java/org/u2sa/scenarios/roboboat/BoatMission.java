@@ -14,8 +14,8 @@ import org.u2sa.sim.world.LocalPlane;
 
 /**
  * Information given to a team: the approximate position of each task, and the colours. After the
- * channel and after each task, all other tasks and the return are current; the planner chooses
- * (OPTIONS is ANY).
+ * channel and after each task, all other tasks and the return are current goals; the planner
+ * chooses (OPTIONS is ANY).
  */
 final class BoatMission {
   /** Name of the sub-vehicle's goal. */

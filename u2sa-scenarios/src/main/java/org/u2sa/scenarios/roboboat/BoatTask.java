@@ -9,7 +9,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
-/** A task near an approximately known position, and the objects that it needs (thesis 4.2.1.3). */
+/** A task near an approximately known position, with the objects that it needs (thesis 4.2.1.3). */
 public class BoatTask extends GoalInformation {
   private static final Schema<BoatTask> SCHEMA =
       Schema.of(BoatTask.class, BoatTask::new, GoalInformation.TYPE);

@@ -36,24 +36,24 @@ final class ChannelState extends TaskState {
   private static final double AT_ENTRANCE_M = 3.0;
   private static final double LOOK_S = 30.0; // time to search for the first gate at the entrance
   private static final double BLIND_M =
-      10.0; // straight on without a gate in sight, which is farther than the next gate
+      10.0; // distance straight on without a gate in sight, more than to the next gate
   private static final double AT_END_M = 8.0; // distance from the buoy at the end
   private static final double SEARCH_MPS = 0.7;
   private static final double APPROACH_MPS = 1.2; // speed to a gate's axis and the end buoy
   private static final double MOVED_M = 0.8; // shift of the start of the run that causes replanning
   private static final double OFF_M = 1.2; // deviation from the planned path that causes replanning
-  private static final double RETRY_M = 0.5; // between two attempts to plan
+  private static final double RETRY_M = 0.5; // distance between two attempts to plan
   private static final double ARRIVED_M = 1.5; // distance from the point in front of the gate
-  private static final int DIRECTIONS = 8; // tried there
+  private static final int DIRECTIONS = 8; // number of directions tried there
   private static final double DECIDE_M = 3.0; // last point in front of a gate at which to break off
   private static final double STEEPEST = 0.25; // slope of the way back to the line
-  private static final double TWICE_M = 2.5; // between buoys of a colour: the same one
+  private static final double TWICE_M = 2.5; // closer buoys of one colour are the same
   private static final double UNKNOWN_SIGMA_M = 10.0;
   private static final int MAX_BREAK_OFFS = 3;
 
   private final GateSequence gates = new GateSequence();
   private Optional<Point> lineFrom = Optional.empty(); // start of the line to the next gate
-  private Optional<GateApproach> approach = Optional.empty(); // while not on that line
+  private Optional<GateApproach> approach = Optional.empty(); // set while not on that line
   private Optional<Point> triedAt = Optional.empty(); // position at the last planning
   private OptionalDouble arrivedS = OptionalDouble.empty(); // arrival at the entrance
   private double turnsS; // time of the next plan starting with a turn
@@ -160,7 +160,7 @@ final class ChannelState extends TaskState {
     return object.motion().sigma().map(Point::distance).orElse(UNKNOWN_SIGMA_M);
   }
 
-  /** The gate to be passed next: on a way to one, that one. */
+  /** The gate to be passed next: while on the way to a gate, that gate. */
   private Optional<Gate> target(Point here, BuoyChannel goal, StateInformation state) {
     if (approach.isPresent()) {
       return gates.again(approach.get().gate());
@@ -232,7 +232,7 @@ final class ChannelState extends TaskState {
     return steer(pursuit, here, path.ahead(AHEAD_M), APPROACH_MPS, now);
   }
 
-  /** Plans once a second, starting in any direction, because there is room to turn on the spot. */
+  /** Plans once a second, starting in any direction, because there is room to turn in place. */
   private boolean planTurning(Gate gate, Point here, Pursuit pursuit) {
     if (pursuit.missionS() < turnsS) {
       return false;
@@ -260,7 +260,7 @@ final class ChannelState extends TaskState {
     return Plan.underWay(List.of(point.speed(speedMps))).changing(now);
   }
 
-  /** Goes to the entrance; from there, or from the last gate, straight on until a gate is seen. */
+  /** Goes to the entrance, then, or from the last gate, straight on until a gate is in sight. */
   private Plan search(Pursuit pursuit, Point here, BuoyChannel now) {
     if (gates.last().isEmpty()) {
       Point entrance = station(now, pursuit.state());

@@ -12,13 +12,13 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * @param velocity east, north, up [m/s]
  */
 public record Dart(Point from, Point velocity) {
-  private static final Point MUZZLE = Point.of(0.5, 0.0, -0.5); // forward, right, down of the boat
+  private static final Point MUZZLE = Point.of(0.5, 0.0, -0.5); // forward, right, down
   private static final double SPEED_MPS = 15.0;
   private static final double ELEVATION_RAD = Math.toRadians(13.0);
   private static final double SPREAD_RAD = Math.toRadians(1.0); // standard deviation, each axis
   private static final double G_MPS2 = 9.81;
 
-  /** A shot of a boat in this state. */
+  /** A shot from a boat in this state. */
   public static Dart shot(VehicleTruth boat, Random random) {
     double up = ELEVATION_RAD + SPREAD_RAD * random.nextGaussian();
     double right = SPREAD_RAD * random.nextGaussian();

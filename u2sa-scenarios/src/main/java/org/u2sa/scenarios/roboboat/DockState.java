@@ -19,8 +19,8 @@ final class DockState extends StationTaskState {
   private static final double ALIGNED_RAD = Math.toRadians(30.0);
   private static final double AHEAD_M = 1.5; // look-ahead along the line
   private static final double ENTER_MPS =
-      1.1; // slower, a current from the side would turn the bow off the line too far
-  private static final double INSIDE_M = 0.9; // before the berth: the bow is between the fingers
+      1.1; // slower, the bow would be too far off the line in a cross current
+  private static final double INSIDE_M = 0.9; // bow between the fingers
   private static final double TOUCH_MPS = 0.5;
   private static final double FULL_SPEED_M = 3.0; // distance to a point passed at that speed
   private static final double ENTRANCE_M = 2.5; // last distance to break off the approach
@@ -32,7 +32,7 @@ final class DockState extends StationTaskState {
   private static final double TURNS_RAD = Math.toRadians(8.0);
   private static final double LEFT_M = 3.5; // distance from the berth
   private static final double BACK_MPS = 0.7;
-  private static final double LEAVE_MPS = 1.6; // fast, lest the current push it aside
+  private static final double LEAVE_MPS = 1.6; // fast, so that the current does not push it aside
 
   private enum Phase {
     ALIGN,
@@ -42,8 +42,8 @@ final class DockState extends StationTaskState {
   }
 
   private Phase phase = Phase.ALIGN;
-  private long stillMicros; // at rest in the dock since; Long.MIN_VALUE: not at rest
-  private Point lay = Point.ORIGIN; // place from the station then: north, east
+  private long stillMicros; // since when at rest in the dock; Long.MIN_VALUE: not at rest
+  private Point lay = Point.ORIGIN; // position relative to the station then: north, east
   private double layPsi;
 
   DockState(PlannerView surroundings) {

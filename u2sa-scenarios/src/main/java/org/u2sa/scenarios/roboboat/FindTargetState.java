@@ -12,7 +12,7 @@ import org.u2sa.planning.Plan;
 import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
-/** {@link FindTarget}: looks at the target from the station until its place has settled. */
+/** {@link FindTarget}: observes the target from the station until its position has settled. */
 final class FindTargetState extends StationTaskState {
   private static final double LOOK_S = 8.0; // time in view, while the world model averages
   private static final double GIVE_UP_S = 45.0;

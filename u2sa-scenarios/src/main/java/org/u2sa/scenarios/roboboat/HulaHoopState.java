@@ -21,8 +21,8 @@ final class HulaHoopState extends StationTaskState {
   static final String GUN = "DART GUN";
 
   private static final double AIMED_RAD = Math.toRadians(3.0);
-  private static final double STEADY_S = 0.3; // aimed before a shot
-  private static final double ORDER_S = 0.6; // longer than the gun's interlock holds
+  private static final double STEADY_S = 0.3; // time aimed before a shot
+  private static final double ORDER_S = 0.6; // longer than the gun's interlock time
   private static final double RELOAD_S = 3.0;
   private static final double UNSEEN_S = 45.0; // time at the station before giving up
   private static final double NEAREST_M = 2.0; // range of the shots
@@ -55,7 +55,7 @@ final class HulaHoopState extends StationTaskState {
     HulaHoop now = goal.copy().fired(shots, sinceS);
     boolean isFiring = firedMicros != Long.MIN_VALUE && sinceFiredS(state) < ORDER_S;
     if (!isFiring && (shots >= goal.maxShots() || sinceS >= goal.maxSeconds())) {
-      String remark = String.format(Locale.ROOT, "over: %d shots in %.0f s", shots, sinceS);
+      String remark = String.format(Locale.ROOT, "done: %d shots in %.0f s", shots, sinceS);
       return new Plan(List.of(), Plan.Progress.COMPLETED, remark).changing(now);
     }
     Optional<Point> hoop =

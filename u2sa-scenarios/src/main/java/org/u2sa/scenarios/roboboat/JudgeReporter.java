@@ -8,7 +8,7 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Reports located targets to the judges (thesis 4.2). In: goal-reports. Out: target-reports, which
- * the judges receive from the boat's broker.
+ * the judges receive through the boat's broker.
  */
 public final class JudgeReporter extends EventDrivenService {
   public JudgeReporter(ServiceContext context) {

@@ -4,7 +4,7 @@ import org.u2sa.messages.schema.MessageType;
 import org.u2sa.messages.schema.Schema;
 
 /**
- * Presses with the bow the one of two buttons above the water that is beside a submerged buoy;
+ * Presses, with the bow, that one of two buttons above the water which is beside a submerged buoy;
  * objectTypes names the buttons, then the buoy (thesis 4.2).
  */
 public final class PressButton extends BoatTask {

@@ -10,12 +10,12 @@ import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
 /**
- * {@link PressButton}: finds the button beside the buoy from the station, runs into it bow first,
+ * {@link PressButton}: locates the button beside the buoy from the station, runs into it bow first,
  * and backs off.
  */
 final class PressButtonState extends StationTaskState {
   private static final double BESIDE_M = 1.2; // maximum distance from the button to its buoy
-  private static final double PRESSED_M = 0.55; // from the boat's centre: inside of the bow
+  private static final double PRESSED_M = 0.55; // from the boat's centre, inside the bow
   private static final double BEAM_M = 0.5; // beside the boat's centre
   private static final double PRESS_MPS = 0.8;
   private static final double BACK_MPS = 1.6;

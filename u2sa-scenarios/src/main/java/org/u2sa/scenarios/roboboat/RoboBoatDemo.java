@@ -43,7 +43,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
 
   @Option(
       names = "--tasks-only",
-      description = "Start before the last gate of the channel, and do only the optional tasks.")
+      description = "Start before the last gate of the channel and do only the optional tasks.")
   private boolean tasksOnly;
 
   @Option(
@@ -69,7 +69,7 @@ final class RoboBoatDemo implements Callable<Integer>, Demo {
   public Integer call() throws InterruptedException, IOException {
     if (camera && (holonomic || tasksOnly)) {
       throw new BadInputException(
-          "--camera: sails the gates with two thrusters; expected without --holonomic and --tasks-only");
+          "--camera: sails only the gates, with two thrusters; expected without --holonomic and --tasks-only");
     }
     return frame.run(this);
   }

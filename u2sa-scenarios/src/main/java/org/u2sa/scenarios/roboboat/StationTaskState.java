@@ -14,14 +14,14 @@ import org.u2sa.planning.PlannerView;
 import org.u2sa.planning.Pursuit;
 
 /**
- * A task at a station: goes there around obstacles, works there, and returns when wind and current
- * have carried the boat off.
+ * A task at a station: the boat goes there around obstacles, works there, and returns when wind or
+ * current has carried it off.
  */
 abstract class StationTaskState extends TaskState {
   private static final double ARRIVED_M = 1.0;
   private static final double CARRIED_OFF_M = 2.5;
   private static final double WAY_MPS = 1.2;
-  private static final double NEAR_M = 10.0; // objects of a station
+  private static final double NEAR_M = 10.0; // radius around a station for its objects
   private static final double LIMIT_S = 200.0; // timeout of a task, including the approach
 
   private long enteredMicros; // Long.MIN_VALUE: not yet
@@ -107,7 +107,7 @@ abstract class StationTaskState extends TaskState {
                 object -> surroundings.centre(object, state).flatDistanceTo(to)));
   }
 
-  /** Keeps the station as far as the boat's thrust allows, with the bow in a direction. */
+  /** Keeps station as far as the boat's thrust allows, with the given heading. */
   final NavigationPoint facing(BoatTask task, StateInformation state, double headingRad) {
     double turn = headingRad - state.psi().orElseThrow();
     return surroundings
@@ -121,7 +121,7 @@ abstract class StationTaskState extends TaskState {
     return Plan.underWay(List.of(point.backwards(true).speed(speedMps)));
   }
 
-  /** Keeps the station, facing its objects. */
+  /** Keeps station, facing the station's objects. */
   final Plan lookOut(BoatTask task, StateInformation state) {
     double heading = task.psi().orElse(state.psi().orElseThrow());
     return Plan.underWay(List.of(facing(task, state, heading)));

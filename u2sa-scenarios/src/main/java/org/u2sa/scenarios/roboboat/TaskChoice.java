@@ -1,7 +1,7 @@
 package org.u2sa.scenarios.roboboat;
 
 /**
- * Cost by which the planner chooses among the current tasks (thesis 4.2.1.3): expected duration
+ * Cost used by the planner to choose among the current tasks (thesis 4.2.1.3): expected duration
  * divided by the probability of success. A task that would leave too little time to get home has
  * infinite cost.
  */

@@ -33,7 +33,7 @@ final class TaskJudge {
   static final double TARGET_M = 2.0;
 
   private final Map<TaskSite.Task, TaskSite> sites;
-  private final BiConsumer<Double, String> log; // at a time [s]
+  private final BiConsumer<Double, String> log; // with the time [s]
   private final LocalPlane plane = new LocalPlane(BoatCourse.ORIGIN);
   private final Random random;
   private boolean wasPulled;
@@ -41,7 +41,7 @@ final class TaskJudge {
   private int hits;
   private OptionalDouble targetErrorM = OptionalDouble.empty();
   private final Berth berth;
-  private final NavigableMap<Double, Boolean> inBay = new TreeMap<>(); // from a time on [s]
+  private final NavigableMap<Double, Boolean> inBay = new TreeMap<>(); // by start time [s]
   private boolean isEntered;
   private boolean isDocked;
   private final FetchJudge fetch;
@@ -110,7 +110,7 @@ final class TaskJudge {
     return contact.object().equals(sites.get(TaskSite.Task.BUTTON).object());
   }
 
-  /** Whether a contact costs nothing: the right button, or the dock with the bow in its bay. */
+  /** Whether a contact is allowed: with the right button, or the dock while in its bay. */
   boolean isWanted(ContactWatch.Contact contact) {
     return isPress(contact) || isInBay(contact);
   }
@@ -120,7 +120,7 @@ final class TaskJudge {
     return contact.object() instanceof Dock && newest != null && newest.getValue();
   }
 
-  /** A contact as the judge's log names it. */
+  /** Name of a contact in the judge's log. */
   String words(ContactWatch.Contact contact) {
     return isInBay(contact) ? "against a wall of the bay" : "touches " + contact.object().uid();
   }

@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Point;
 /**
  * Site of an optional task (thesis 4.2) and its objects.
  *
- * @param station where a boat stops for it: north, east of the course's origin [m]
+ * @param station where a boat stops for it, north and east of the course's origin [m]
  * @param headingRad heading from the station to the objects, clockwise from north
  * @param sought type of the task's target object
  * @param objects all objects, in LOCAL_ENU of the origin
@@ -54,7 +54,7 @@ record TaskSite(
         .orElseThrow();
   }
 
-  /** Place relative to a station: ahead along its heading, and to the right [m]. */
+  /** Position relative to a station: ahead along its heading, and to the right [m]. */
   static Point at(Point station, double headingRad, double ahead, double right) {
     double cos = Math.cos(headingRad);
     double sin = Math.sin(headingRad);

@@ -33,7 +33,7 @@ final class TaskSites {
   private static final double BUTTON_ASIDE_M = 1.5;
   private static final double BUTTON_M = 0.4; // width, height
   private static final double BUTTON_HEIGHT_M = 0.3; // height of its centre above the water
-  private static final double BUOY_BEHIND_M = 0.5; // the submerged buoy, of its button
+  private static final double BUOY_BEHIND_M = 0.5; // distance of the submerged buoy from its button
   private static final double BUOY_DEPTH_M = 0.6;
   private static final double BUOY_RADIUS_M = 0.15;
   private static final double TARGET_AHEAD_M = 6.0;

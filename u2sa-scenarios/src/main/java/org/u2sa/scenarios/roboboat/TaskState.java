@@ -31,13 +31,13 @@ abstract class TaskState implements PlannerState {
     return surroundings.onPlane(ReferenceFrame.GLOBAL, goal.place(), state);
   }
 
-  /** Level distance of a place on the plane [m]. */
+  /** Horizontal distance of a position on the plane [m]. */
   double away(Point place, StateInformation state) {
     Point here = surroundings.here(state);
     return Math.hypot(place.x() - here.x(), place.y() - here.y());
   }
 
-  /** The way to a place, around obstacles. */
+  /** The way to a position, around obstacles. */
   PlannerView.Step towards(Pursuit pursuit, Point place, double thresholdM, double speedMps) {
     return surroundings.towards(pursuit, place, thresholdM, OptionalDouble.of(speedMps));
   }

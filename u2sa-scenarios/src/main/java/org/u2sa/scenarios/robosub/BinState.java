@@ -8,7 +8,7 @@ import org.u2sa.planning.Plan;
 /** {@link DropMarkers}: hovers above a bin. */
 final class BinState extends ReleaseState {
   private static final double ABOVE_M = 0.9; // height above the bin's middle
-  private static final double STEADY_M = 0.1; // distance from that place
+  private static final double STEADY_M = 0.1; // distance from that position
 
   BinState(TaskSight sight) {
     super(sight, "DROPPER");

@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
-/** {@link PassGate}: through the middle between two poles and on (thesis 4.3.1.3). */
+/** {@link PassGate}: passes midway between two poles and continues (thesis 4.3.1.3). */
 final class GateState extends SightState {
   private static final double BEFORE_M =
       2.0; // distance of the place on the gate's axis to approach first
@@ -54,7 +54,7 @@ final class GateState extends SightState {
     Point way = middle.minus(surroundings.here(state));
     Point through = Point.of(-across.y() / width, across.x() / width, 0.0);
     boolean isAhead = through.x() * way.x() + through.y() * way.y() > 0.0;
-    // Without a state the plane turns with the vehicle, so the axis is computed again each time.
+    // Without a state the plane turns with the vehicle, so the axis is recomputed each time.
     boolean isSame =
         axis.map(old -> old.x() * through.x() + old.y() * through.y() > 0.0).orElse(isAhead);
     axis = Optional.of(isSame ? through : through.times(-1.0));

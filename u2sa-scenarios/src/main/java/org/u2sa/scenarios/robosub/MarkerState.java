@@ -15,7 +15,7 @@ final class MarkerState extends SightState {
   private static final double FACING_RAD = 0.2;
   private static final double AHEAD_M = 1.0; // look-ahead along the axis
 
-  private Optional<Point> came = Optional.empty(); // level way to the marker when first seen
+  private Optional<Point> came = Optional.empty(); // horizontal, to the marker when first seen
   private Optional<Point> axis = Optional.empty(); // level unit vector, once above it
 
   MarkerState(TaskSight sight) {
@@ -40,7 +40,7 @@ final class MarkerState extends SightState {
     came = came.or(() -> Optional.of(state.referenceFrame().isLocal() ? ahead : way));
     boolean isAbove = axis.isPresent() || Math.hypot(way.x(), way.y()) < ABOVE_M;
     if (isAbove && (axis.isEmpty() || state.referenceFrame().isLocal())) {
-      Point side = axis.orElse(came.get()); // without a state, both turn with the vehicle
+      Point side = axis.orElse(came.get()); // without a state, both vectors turn with the vehicle
       axis = axis(task, state).map(along -> towards(along, side)).or(() -> axis);
     }
     if (axis.isEmpty()) {

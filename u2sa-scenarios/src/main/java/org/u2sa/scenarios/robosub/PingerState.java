@@ -9,7 +9,7 @@ import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
 /**
- * {@link HomeOnPinger}: rises a little, then moves horizontally until the pinger is straight below.
+ * {@link HomeOnPinger}: rises slightly, then moves horizontally until the pinger is directly below.
  * Only its direction is needed, not its distance.
  */
 final class PingerState extends SightState {

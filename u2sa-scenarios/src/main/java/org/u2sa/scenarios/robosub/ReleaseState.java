@@ -8,7 +8,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.Plan;
 
-/** Releases a payload twice, each time the vehicle is aimed (thesis 4.3.1.5). */
+/** Releases a payload twice, each time when the vehicle is aimed (thesis 4.3.1.5). */
 abstract class ReleaseState extends SightState {
   private static final int SHOTS = 2; // maximum number of payloads
   private static final double COMMANDED_S = 1.0; // longer than the release's hold time

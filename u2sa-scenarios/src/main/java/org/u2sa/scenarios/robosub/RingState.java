@@ -14,7 +14,7 @@ final class RingState extends SightState {
   private static final double DEPTH_M = 1.5; // below the ring on the way there
   private static final double CLIMB_M = 0.3; // climbs vertically if deeper than this
   private static final double ABOVE_M =
-      1.0; // the ring's height is known only roughly: rise until the depth stops changing
+      1.0; // roughly known ring height: rise until the depth stops changing
   private static final double STEP_M = 0.05; // smaller rises are ignored
   private static final double AT_TOP_S = 3.0; // without a rise
 

@@ -27,7 +27,7 @@ import picocli.CommandLine.Option;
       "Dive through a RoboSub layout: gate, two buoys in order, homing on a pinger, surfacing inside",
       "the ring above it.",
       "",
-      "Layout, current and all noise depend on the seed. A judge with ground truth scores."
+      "Layout, current and all noise depend on the seed. A judge with ground truth scores the run."
     })
 final class RoboSubDemo implements Callable<Integer>, Demo {
   private static final double AFLOAT_M = 0.12; // depth of the hull's middle at the start

@@ -25,13 +25,13 @@ import org.u2sa.planning.Pursuit;
  */
 abstract class SightState implements PlannerState {
   private static final double UNKNOWN_M = 1.0e6; // assumed if a task's objects are unseen
-  private static final double GIVE_UP_S = 60.0; // without sight of the objects
+  private static final double GIVE_UP_S = 60.0; // time without sight of the objects
   private static final double STRAIGHT_S = 12.0; // search straight ahead, then around, in turn
   private static final double AROUND_S = 15.0;
   private static final double BLIND_S = 40.0; // without any sighting, only looks around
   private static final double AROUND_RAD = 0.3; // heading ahead of the vehicle's, to keep turning
   private static final double FACED_M =
-      0.7; // nearer places are approached without turning toward them
+      0.7; // nearer positions are approached without turning toward them
 
   final PlannerView surroundings;
   private final TaskSight sight;
@@ -76,7 +76,7 @@ abstract class SightState implements PlannerState {
     return state.timestamp().orElseThrow();
   }
 
-  /** Objects in BODY are sufficient. */
+  /** Accepts objects in BODY. */
   @Override
   public final boolean needsNoState() {
     return true;
@@ -179,7 +179,7 @@ abstract class SightState implements PlannerState {
     return axis.x() * way.x() + axis.y() * way.y() < 0.0 ? axis.times(-1.0) : axis;
   }
 
-  /** Moves straight to a point, facing it; vector from the vehicle: north, east, down [m]. */
+  /** Moves straight to a point, facing it. The vector from the vehicle is north, east, down [m]. */
   final Plan to(SubTask task, StateInformation state, Point way) {
     Point place = surroundings.here(state).plus(way);
     NavigationPoint point = surroundings.straight(state, place).speed(task.speed());

@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
-/** A task at objects that the vehicle sees, without a position on the earth (thesis 4.3.1.3). */
+/** A task at objects in the vehicle's sight, without a position on the earth (thesis 4.3.1.3). */
 public class SubTask extends GoalInformation {
   private static final Schema<SubTask> SCHEMA =
       Schema.of(SubTask.class, SubTask::new, GoalInformation.TYPE);
@@ -22,7 +22,7 @@ public class SubTask extends GoalInformation {
     return TYPE;
   }
 
-  /** Types of the objects that the task needs, such as "red buoy"; the task names their order. */
+  /** Types of the objects that the task needs, such as "red buoy"; the task defines their order. */
   public List<String> objectTypes() {
     List<String> types = get(OBJECT_TYPES);
     return types == null ? List.of() : types;

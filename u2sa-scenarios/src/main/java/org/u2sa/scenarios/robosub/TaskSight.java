@@ -5,7 +5,7 @@ import org.u2sa.planning.PlannerView;
 /** The objects that all goal states see, and the time of the last sighting of a target. */
 final class TaskSight {
   final PlannerView surroundings;
-  private long lastMicros = Long.MIN_VALUE; // until the first step
+  private long lastMicros = Long.MIN_VALUE; // MIN_VALUE until the first step
 
   TaskSight(PlannerView surroundings) {
     this.surroundings = surroundings;

@@ -6,7 +6,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.planning.Plan;
 
-/** {@link ShootTorpedoes}: in front of a hoop, at its depth, heading through its middle. */
+/** {@link ShootTorpedoes}: moves in front of a hoop, at its depth, heading for its middle. */
 final class TorpedoState extends ReleaseState {
   private static final double BEFORE_M = 1.3; // place on the hoop's normal to shoot from
   private static final double THERE_M = 0.2;

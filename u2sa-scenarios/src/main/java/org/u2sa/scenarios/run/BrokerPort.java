@@ -29,7 +29,7 @@ final class BrokerPort {
   @Option(
       names = "--through-broker",
       description =
-          "Send all messages between the services through the broker, by MQTT; needs real time.")
+          "Send all messages between the services through the broker, by MQTT; requires real time.")
   private boolean throughBroker;
 
   @Option(
@@ -95,7 +95,7 @@ final class BrokerPort {
     }
     if (asked != null && asked == 0) {
       throw new ParameterException(
-          command.commandLine(), option + " needs a broker, and --port 0 asks for none");
+          command.commandLine(), option + " needs a broker, but --port 0 disables it");
     }
     launch.override(MANAGER, variable, port);
   }

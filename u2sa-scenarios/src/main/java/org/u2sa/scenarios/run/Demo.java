@@ -58,7 +58,7 @@ public interface Demo {
         .resolve(profile().missionFile());
   }
 
-  /** Whether fence and landing mission of the configuration hold for a {@code --mission}, too. */
+  /** Whether the configuration's fence and landing mission also apply to a {@code --mission}. */
   default boolean isConfiguredForMission() {
     return false;
   }

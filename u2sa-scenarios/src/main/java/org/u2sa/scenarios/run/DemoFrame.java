@@ -44,7 +44,7 @@ public final class DemoFrame {
     return options.seed();
   }
 
-  /** Output folder of a command that starts several runs of a demo, as of {@code --out}. */
+  /** Output folder of a command that starts several runs of a demo, as given by {@code --out}. */
   public Path directory(String demo) {
     return options.outDirectory(demo, new SystemClock().micros());
   }
@@ -157,7 +157,7 @@ public final class DemoFrame {
             .console(line -> terminal().out().println(line))
             .override("MissionManager", "MISSION", absolute(trial.mission()));
     if (!isOwnMission()
-        && !demo.isConfiguredForMission()) { // it may be far from the configured place
+        && !demo.isConfiguredForMission()) { // it may be far from the configured position
       launch.override("MissionManager", "LAND MISSION", "").override("SafetyManager", "FENCE", "");
     }
     trial.settings().accept(launch);

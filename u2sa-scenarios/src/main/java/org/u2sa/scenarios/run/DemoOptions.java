@@ -36,7 +36,7 @@ public final class DemoOptions {
       paramLabel = "DIR",
       description =
           "Output folder, empty or new. Default: out/<demo>-<time or seed>; a run with the same "
-              + "seed replaces that.")
+              + "seed replaces it.")
   private Path out;
 
   @Option(

@@ -130,7 +130,7 @@ record DemoRun(
     long began = STOPWATCH.micros();
     try (Console.Detached output = PlainLines.detach(terminal.out(), clock);
         RunScreen screen = new RunScreen(plan, terminal, STOPWATCH);
-        Simulation simulated = simulation; // closed last, so neutral commands still reach it
+        Simulation simulated = simulation; // closed last, so that neutral commands still reach it
         RunningSystem running = RunningSystem.start(system, options);
         TroubleLines troubles = plannersTroubles(running);
         LocalSystems.Announcement announced = announced(running);
@@ -164,7 +164,7 @@ record DemoRun(
     }
   }
 
-  /** The observer's, and how many waypoints the planner left out for others. */
+  /** The observer's outcome, plus the number of waypoints omitted in favour of others. */
   private RunOutcome outcome(RunObserver observer) {
     Set<String> leftOut = observer.record().leftOut();
     int waypoints =

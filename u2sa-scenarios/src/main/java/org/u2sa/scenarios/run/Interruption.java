@@ -84,7 +84,7 @@ public final class Interruption implements AutoCloseable {
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      // The JVM is already exiting, so the hook has run.
+      // The JVM is already exiting, and the hook has run.
       return;
     }
   }

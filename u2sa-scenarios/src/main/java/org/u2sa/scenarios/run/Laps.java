@@ -63,7 +63,7 @@ public final class Laps {
     for (int i = 0; i < mission.goals().size(); i++) {
       if (GoalLinksXml.hasLinks(mission.goals().get(i))) {
         throw mission.goalError(
-            i, "defines what follows it, so laps in the file's order do not apply; expected 1 lap");
+            i, "defines its successors, so laps in file order are impossible; expected 1 lap");
       }
     }
   }

@@ -47,8 +47,8 @@ public final class OutputFolder {
   private OutputFolder() {}
 
   /**
-   * Refuses a folder whose files a run would overwrite, or which another run has left: the files of
-   * two runs cannot be told apart afterwards. An absent folder, and one with other files, is fine.
+   * Refuses a folder with files that a run would overwrite, or of another run: the files of two
+   * runs cannot be told apart afterwards. An absent folder, and one with other files, is fine.
    *
    * @throws BadInputException naming the folder and such files
    */
@@ -66,8 +66,8 @@ public final class OutputFolder {
   }
 
   /**
-   * Refuses a campaign's folder that holds a run of another kind. A campaign's own folder is fine:
-   * the campaign continues there.
+   * Refuses a campaign's folder that contains a run of another kind. A campaign's own folder is
+   * fine: the campaign continues there.
    *
    * @throws BadInputException naming the folder and the files of the other run
    */
@@ -104,7 +104,7 @@ public final class OutputFolder {
     }
   }
 
-  /** Deletes what a run wrote before its start was refused, so that it can be tried again. */
+  /** Deletes what a run wrote before its start was refused, so that it can be retried. */
   static void withdraw(Path run) {
     for (String name : INPUTS) {
       try {

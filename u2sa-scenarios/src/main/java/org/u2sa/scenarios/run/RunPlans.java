@@ -89,7 +89,7 @@ public final class RunPlans {
     try {
       return Optional.of(at.in(ReferenceFrame.GLOBAL, origin));
     } catch (IllegalArgumentException e) {
-      return Optional.empty(); // relative to the vehicle or to something else that moves
+      return Optional.empty(); // relative to the vehicle or another moving object
     }
   }
 
@@ -109,7 +109,7 @@ public final class RunPlans {
                         + ": has no home in Global, which is the vehicle's starting position"));
   }
 
-  /** The same for reports. */
+  /** Likewise, for reports. */
   public static RunPlan.Start start(Mission mission) {
     Home home = home(mission);
     Geodetic place = home.geodetic().orElseThrow();

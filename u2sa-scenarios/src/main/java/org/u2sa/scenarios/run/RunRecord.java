@@ -33,8 +33,8 @@ public final class RunRecord {
   private boolean chosen; // whether one of the current goals was completed
   private int leg = -1;
   private boolean begun;
-  private boolean onLine; // whether it came from the waypoint where the leg begins
-  private boolean seen = true; // whether a sample has the current target
+  private boolean onLine; // whether the vehicle came from the waypoint at which the leg begins
+  private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
   private volatile int completed;
@@ -61,7 +61,7 @@ public final class RunRecord {
     return true;
   }
 
-  /** A report says which of several current goals the planner has pursued. */
+  /** A report names the goal that the planner pursued among several current ones. */
   private void reported(GoalInformation report) {
     boolean isCurrent = current.contains(report.uid());
     boolean isOfTheMission = !report.uid().equals(Home.NAME) || names.contains(Home.NAME);
@@ -155,7 +155,7 @@ public final class RunRecord {
     return track;
   }
 
-  /** Goals that were current and not completed, as enough others were; call as {@link #track}. */
+  /** Current goals not completed because enough others were; call like {@link #track}. */
   Set<String> leftOut() {
     return leftOut;
   }

@@ -16,7 +16,7 @@ public interface Simulation extends AutoCloseable {
   @Override
   default void close() {}
 
-  /** This simulation, with something more to end. */
+  /** This simulation, with another resource to close at its end. */
   default Simulation and(Runnable end) {
     Simulation first = this;
     return new Simulation() {

@@ -82,10 +82,7 @@ public final class SwapOperator extends PeriodicService {
     for (PlannedSwap missed : due) {
       console.accept(
           String.format(
-              Locale.ROOT,
-              "--swap %s had no effect: the run was over after %.1f s",
-              missed,
-              endedS));
+              Locale.ROOT, "--swap %s had no effect: the run ended after %.1f s", missed, endedS));
     }
   }
 
@@ -107,7 +104,7 @@ public final class SwapOperator extends PeriodicService {
     /**
      * Reads {@code SECONDS:SERVICE=CLASS}.
      *
-     * @throws IllegalArgumentException if the text is not of that form
+     * @throws IllegalArgumentException if the text does not have that form
      */
     public static PlannedSwap parse(String text) {
       Matcher form = FORM.matcher(text);
@@ -150,7 +147,7 @@ public final class SwapOperator extends PeriodicService {
                   + swap
                   + ": no service \""
                   + swap.service
-                  + "\" runs; expected one of "
+                  + "\" is running; expected one of "
                   + String.join(", ", running)
                   + NearestNames.didYouMean(swap.service, running));
         }

@@ -181,7 +181,7 @@ public final class TruthObserver extends PeriodicService implements RunObserver 
     /** Processes a report on a goal. */
     default void reported(GoalInformation report) {}
 
-    /** A goal that was left out because enough others were chosen; before the outcome. */
+    /** Processes a goal omitted because enough others were chosen; before the outcome. */
     default void leftOut(String goal) {}
 
     /** Additional channels besides goals, goal reports and arming state. */

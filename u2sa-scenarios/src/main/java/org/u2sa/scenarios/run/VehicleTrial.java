@@ -65,9 +65,9 @@ public final class VehicleTrial {
   }
 
   /**
-   * Uses a vehicle of a file that has already been placed.
+   * Uses a file's vehicle that has already been placed.
    *
-   * @param placed vehicle made by the file, or a wrapper of one
+   * @param placed vehicle created from the file, or a wrapper of one
    */
   public static VehicleTrial of(VehicleFile file, SimulatedVehicle placed, long seed) {
     return new VehicleTrial(file, placed.world(), new VehicleRun(placed), Optional.empty(), seed);

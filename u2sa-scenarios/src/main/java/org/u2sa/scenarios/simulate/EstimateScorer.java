@@ -23,8 +23,8 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Scores a run of any vehicle: goals without a place by their completion, contacts, zones, and the
- * published state against the truth.
+ * Scores a run of any vehicle: goals without a position by their completion, contacts, zones, and
+ * the published state against the truth.
  */
 final class EstimateScorer implements TruthObserver.Scorer {
   private static final double SIGMAS = 3.0;
@@ -34,7 +34,7 @@ final class EstimateScorer implements TruthObserver.Scorer {
   private final Geodetic origin;
   private final Clock clock;
   private final Set<String> unplaced;
-  private final Set<String> completed = new HashSet<>(); // or left out by choice
+  private final Set<String> completed = new HashSet<>(); // or omitted by choice
   private final ZoneWatch zones;
   private final Errors position = new Errors();
   private final Errors heading = new Errors();
@@ -121,8 +121,8 @@ final class EstimateScorer implements TruthObserver.Scorer {
   }
 
   /**
-   * Heading error [rad, -π…π]. The truth counts from the origin's north, a geographic state from
-   * north at the vehicle: near a pole they differ by degrees within metres.
+   * Heading error [rad, -π…π]. Ground truth is relative to the origin's north, a geographic state
+   * to north at the vehicle: near a pole they differ by degrees within metres.
    *
    * @param trueRad heading, clockwise from the origin's north [rad]
    */

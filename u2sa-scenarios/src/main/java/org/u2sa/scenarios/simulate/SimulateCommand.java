@@ -38,14 +38,14 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa simulate}: runs a system file, unchanged, with the vehicle of a file. */
+/** {@code u2sa simulate}: runs an unchanged system file with a vehicle from a vehicle file. */
 @Command(
     name = "simulate",
     description = {
-      "Run a system file with a simulated vehicle of your own, from a file.",
+      "Run a system file with a simulated vehicle of your own, from a vehicle file.",
       "",
       "The services are those of the system file, unchanged; their devices are the vehicle's (docs/vehicle-files.md). The vehicle starts at "
-          + "the mission's home. The command is its own operator and arms the vehicle."
+          + "the mission's home. The command acts as operator and arms the vehicle."
     })
 final class SimulateCommand implements Callable<Integer>, Demo {
   private static final double READY_WITHIN_S = 120.0;

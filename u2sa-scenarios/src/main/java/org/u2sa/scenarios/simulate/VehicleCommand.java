@@ -32,7 +32,7 @@ final class VehicleCommand implements Callable<Integer> {
       description = {
         "Check a vehicle file and print the vehicle's performance.",
         "",
-        "Every figure except the mass is measured by simulating the vehicle on level ground, in "
+        "All figures except mass are measured by simulating the vehicle on level ground, in "
             + "still water or in calm air."
       })
   static final class Check implements Callable<Integer> {

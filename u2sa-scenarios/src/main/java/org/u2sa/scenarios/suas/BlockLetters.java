@@ -7,7 +7,7 @@ final class BlockLetters {
   /** All of them. */
   static final String ALL = "ABEFHJKLPRTUXY2348";
 
-  private static final double WIDTH = 0.34; // of the target's side
+  private static final double WIDTH = 0.34; // fraction of the target's side
   private static final double HEIGHT = 0.46;
 
   private static final Map<Character, String> ROWS =
@@ -34,7 +34,7 @@ final class BlockLetters {
   private BlockLetters() {}
 
   /**
-   * Whether a place on a target belongs to its letter.
+   * Whether a point on a target belongs to its letter.
    *
    * @param right distance right of the middle, in sides of the target
    * @param up distance towards the letter's top, likewise

@@ -5,8 +5,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Where the bottle lands, from the true position and velocity at its release, in the steady wind of
- * the field: a = g − g |v| v / v∞², v through the air. Shares no code with the planner's forecast.
+ * Computes where the bottle lands from its true position and velocity, in the field's steady wind:
+ * a = g − g |v| v / v∞², v through the air. Shares no code with the planner's forecast.
  */
 final class DroppedBottle {
   /** Speed at which drag equals weight [m/s]. */
@@ -16,7 +16,7 @@ final class DroppedBottle {
 
   private DroppedBottle() {}
 
-  /** East, north of its landing [m]. */
+  /** Point of impact: east, north [m]. */
   static Point landing(SuasField field, VehicleTruth release) {
     double windEast = -field.windMps() * Math.sin(field.windFromRad());
     double windNorth = -field.windMps() * Math.cos(field.windFromRad());

@@ -8,16 +8,16 @@ import org.u2sa.sim.world.Terrain;
 /** Colours of a field's ground: patches of grass and winding paths, fixed to the ground. */
 final class FieldGround {
   private static final int[] GRASS = {92, 118, 62};
-  private static final int[] PATH = {16, -4, 14}; // difference from grass
+  private static final int[] PATH = {16, -4, 14}; // difference from the colour of grass
   private static final int PATCH = 9; // brightness
   private static final double CELL_M = 0.75;
   private static final int CELLS = 512; // a power of 2; the pattern then repeats
   private static final int PATHS = 4;
-  private static final double PATH_M = 1.5; // half the width
+  private static final double PATH_M = 1.5; // half the path width
 
   private final byte[] brightness = new byte[CELLS * CELLS];
   private final boolean[] isPath = new boolean[CELLS * CELLS];
-  private final List<Point> area; // the search area
+  private final List<Point> area; // corners of the search area
   private final List<SuasTarget> targets;
   private final Terrain terrain;
 

@@ -12,8 +12,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Paints the camera's image of the field: grass with patches and pixel noise, and the targets,
- * averaging four rays per pixel. The grass is cut from one large picture at a different row in each
- * image, so it is not fixed to the ground, unless a ground with its own colours is given.
+ * averaging four rays per pixel. The grass is taken from one large picture at a different row in
+ * each image, so it is not fixed to the ground unless a ground with its own colours is given.
  */
 final class FieldPainter {
   private static final int[] GRASS = {92, 118, 62};

@@ -11,7 +11,7 @@ import org.u2sa.sim.world.LocalPlane;
 /** Compares a mosaic with the true ground: colours, and positions of the targets. */
 final class MosaicScore {
   private static final int CHANNELS = 3;
-  private static final double TARGET_M = 4.0; // around a target's true place
+  private static final double TARGET_M = 4.0; // radius around a target's true position
   private static final int STANDS_OUT = 90; // sum of the differences of red, green and blue
 
   private final SurveyMosaic mosaic;
@@ -22,7 +22,7 @@ final class MosaicScore {
   private long pixels; // in the search area
   private long seen;
   private double errors;
-  private final double[][] shown; // of each target: sums of weight, east, north, as shown
+  private final double[][] shown; // of each target as shown: sums of weight, east, north
   private final double[][] truth; // the same in the true ground
 
   private MosaicScore(
@@ -36,7 +36,7 @@ final class MosaicScore {
   }
 
   /**
-   * Figures: share of the area that is shown, mean colour error, largest offset of a target.
+   * Metrics: fraction of the area that is shown, mean colour error, largest offset of a target.
    *
    * @param area corners of the search area, east and north of the field's middle [m]
    */

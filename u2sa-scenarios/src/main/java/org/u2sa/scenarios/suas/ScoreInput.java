@@ -11,8 +11,8 @@ import org.u2sa.scenarios.suas.score.ObjectScore;
 import org.u2sa.scenarios.suas.score.ReportedTrack;
 
 /**
- * Writes the data that a flight is scored by to {@code score-input.csv}, for scorers that share no
- * code with the judge: a line is a kind and its numbers or words.
+ * Writes the data by which a flight is scored to {@code score-input.csv}, for scorers that share no
+ * code with the judge: each line is a kind with its numbers or words.
  */
 final class ScoreInput {
   private final StringBuilder text = new StringBuilder();

@@ -8,8 +8,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Terrain;
 
 /**
- * The judge's own record of what was truly seen: 5 m cells all of whose corners were in one image
- * at the required resolution, by the true pose of the camera, which looks straight down from the
+ * The judge's record of what was actually seen: 5 m cells whose corners were all in one image at
+ * the required resolution, given the true pose of the camera, which looks straight down from the
  * aircraft's reference point.
  */
 final class SeenCells {

@@ -47,13 +47,13 @@ final class SuasDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--wind-speed",
       paramLabel = "MPS",
-      description = "Steady wind, with the matching gusts; 5 m/s if absent.")
+      description = "Steady wind, with the matching gusts; default: 5 m/s.")
   private double windMps = 5.0;
 
   @Option(
       names = "--train-targets",
       paramLabel = "FILE",
-      description = "Write a new model of shapes and letters from painted images, and end.")
+      description = "Train a new model of shapes and letters on painted images, then exit.")
   private Path model;
 
   @Option(
@@ -84,7 +84,8 @@ final class SuasDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--told-qnh",
       paramLabel = "HPA",
-      description = "Air pressure that the ground station sends instead of the true one; 0: none.")
+      description =
+          "Air pressure that the ground station sends instead of the true one; 0: no pressure.")
   private double toldHpa = Double.NaN;
 
   @Option(names = "--no-transponders", description = "Other aircraft have no transponder.")
@@ -146,7 +147,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
     return OptionalDouble.of(15.24); // 50 ft
   }
 
-  /** {@inheritDoc} Only the waypoints, which have numbers for names. */
+  /** {@inheritDoc} Only for the waypoints, whose names are numbers. */
   @Override
   public RunPlan plan(Mission mission) {
     RunPlan all = RunPlans.placed(profile().domain(), mission, start(mission), SuasField.plane());
@@ -186,7 +187,7 @@ final class SuasDemo implements Callable<Integer>, Demo {
         times[i] = Double.parseDouble(texts[i]);
       } catch (NumberFormatException e) {
         throw new BadInputException(
-            option + " " + span + ": \"" + texts[i] + "\": expected such as 300-320", e);
+            option + " " + span + ": \"" + texts[i] + "\": expected a span such as 300-320", e);
       }
     }
     return times;

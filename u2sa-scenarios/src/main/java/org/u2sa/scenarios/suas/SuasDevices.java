@@ -39,8 +39,8 @@ record SuasDevices(
     return Optional.of(port.cast(camera));
   }
 
-  /** Puts servos and motor behind the radio's multiplexer; other devices are unchanged. */
-  @SuppressWarnings("unchecked") // each is wrapped by one of the same port
+  /** Puts servos and motor behind the radio's multiplexer; leaves other devices unchanged. */
+  @SuppressWarnings("unchecked") // each wrapper is of the same port
   private <D> D behindRadio(String service, D own) {
     if (own instanceof Servo servo) {
       return (D) pilot.servo(service, servo);

@@ -18,7 +18,7 @@ import org.u2sa.sim.world.World;
  * A field of the competition. Positions are east, north and up from the middle of the runway [m].
  *
  * @param runwayRad direction of take-off and landing, clockwise from north [rad]
- * @param boundary corners of the area that must not be left
+ * @param boundary corners of the permitted area
  * @param floorM minimum height away from the runway
  * @param ceilingM maximum height
  * @param waypoints waypoints in order
@@ -61,18 +61,18 @@ record SuasField(
   static final double SEPARATION_M = 50.0;
 
   private static final double BODY_M = 2.0; // radius of other aircraft
-  private static final int CORNERS = 24; // of a pillar on the map
+  private static final int CORNERS = 24; // number of corners of a pillar on the map
 
   /** A cylinder from the ground up [m]. */
   record Pillar(double eastM, double northM, double radiusM, double heightM) {}
 
-  /** An aircraft with a transponder, to and fro. */
+  /** An aircraft with a transponder that flies to and fro. */
   record Traffic(String name, Point from, Point to, double speedMps) {}
 
   /**
    * The mission of 2025: the waypoints in laps, without a search area.
    *
-   * @param laps times that they are flown
+   * @param laps number of times they are flown
    */
   SuasField inLaps(int laps) {
     List<Point> all = new ArrayList<>();
@@ -198,7 +198,7 @@ record SuasField(
         .with(Wind.gusty(windFromRad, windMps, seed));
   }
 
-  /** Whether a place lies in a polygon of the field. */
+  /** Whether a position lies in a polygon of the field. */
   static boolean isInside(List<Point> polygon, double eastM, double northM) {
     boolean inside = false;
     for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
@@ -212,7 +212,7 @@ record SuasField(
     return inside;
   }
 
-  /** Distance of a place from the edges of a polygon [m]. */
+  /** Distance of a position from the edges of a polygon [m]. */
   static double edgeM(List<Point> polygon, double eastM, double northM) {
     double least = Double.POSITIVE_INFINITY;
     for (int i = 0; i < polygon.size(); i++) {

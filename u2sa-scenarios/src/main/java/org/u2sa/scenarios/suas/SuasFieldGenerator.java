@@ -7,16 +7,16 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.world.Terrain;
 
 /**
- * Draws fields by the rules: 10 to 14 waypoints, a concave search area of 7 to 11 ha with targets,
- * cylinders of 10 to 45 m radius, and other aircraft, within a boundary of about 1.4 km around a
- * runway, from which the aircraft takes off into the wind.
+ * Generates fields according to the rules: 10 to 14 waypoints, a concave search area of 7 to 11 ha
+ * with targets, cylinders of 10 to 45 m radius, and other aircraft, within a boundary of about 1.4
+ * km around a runway, from which the aircraft takes off into the wind.
  */
 final class SuasFieldGenerator {
   private static final double BOUNDARY_M = 1450.0;
   private static final double FLOOR_M = 25.0;
   private static final double CEILING_M = 200.0;
   private static final double RESOLUTION_M = 0.05;
-  private static final double INSIDE_M = 450.0; // waypoints from the boundary
+  private static final double INSIDE_M = 450.0; // distance of waypoints from the boundary
   private static final double STRIP_M = 140.0; // kept free beside the runway's axis
   private static final double STRIP_LENGTH_M = 900.0;
   private static final double MAX_TURN_RAD = Math.toRadians(115.0);
@@ -34,7 +34,7 @@ final class SuasFieldGenerator {
 
   private SuasFieldGenerator(long seed) {
     random = new Random(seed * 0x9E3779B97F4A7C15L);
-    random.nextLong(); // the first numbers of neighbouring seeds are alike
+    random.nextLong(); // neighbouring seeds have similar first numbers
     runwayRad = between(0.0, 2.0 * Math.PI);
   }
 

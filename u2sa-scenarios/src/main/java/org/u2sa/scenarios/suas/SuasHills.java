@@ -10,10 +10,10 @@ import org.u2sa.sim.world.HeightMap;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.Terrain;
 
-/** Hills at the search area of a field, level at the runway and the drop; and their map. */
+/** Hills at a field's search area, which is level at the runway and the drop; and their map. */
 final class SuasHills {
   private static final double SPAN_M = 3600.0;
-  private static final int POINTS = 361; // each way
+  private static final int POINTS = 361; // points in each direction
   private static final double AROUND_M = 180.0; // distance from the area at which they end
   private static final double STRIP_M = 90.0; // level, beside the runway's axis
   private static final double DROP_M = 60.0; // level, around the drop
@@ -77,7 +77,7 @@ final class SuasHills {
     return x * x * (3.0 - 2.0 * x);
   }
 
-  /** Writes the map that the aircraft gets, an Esri ASCII grid. */
+  /** Writes the map that the aircraft is given, an Esri ASCII grid. */
   static Path write(SuasField field, Path file) {
     LocalPlane plane = SuasField.plane();
     Geodetic corner = plane.at(-0.49 * SPAN_M, -0.49 * SPAN_M, 0.0);

@@ -46,7 +46,7 @@ final class SuasJudge implements TruthObserver.Scorer {
   private static final double MAP_SHARE = 0.99;
   private static final double RUNWAY_SIDE_M = 12.0;
   private static final double NEAR_M =
-      15.0; // maximum error of a reported position, the sixth field
+      15.0; // maximum error of a reported position (the sixth field)
   private static final int RIGHT_FIELDS = 3; // minimum number of the other five fields
   private static final double PASS_M = 15.24; // 50 ft
   private static final double LONGEST_GAP_S = 1.0; // maximum gap in the telemetry
@@ -174,7 +174,7 @@ final class SuasJudge implements TruthObserver.Scorer {
       isReleased = true;
       Point landing = DroppedBottle.landing(field, truth);
       dropM = Math.hypot(landing.x() - field.drop().x(), landing.y() - field.drop().y());
-      say(String.format(Locale.ROOT, "bottle released, lands %.1f m from its place", dropM));
+      say(String.format(Locale.ROOT, "bottle released, lands %.1f m from its target", dropM));
     }
     for (int i = 0; i < nearestM.length; i++) {
       nearestM[i] = Math.min(nearestM[i], field.waypoints().get(i).distanceTo(at));

@@ -21,8 +21,8 @@ final class SuasMission {
 
   private static final double TAKE_OFF_M = 60.0;
   private static final double DROP_M = 40.0; // height of the drop
-  private static final double KEPT_M = 100.0; // routes from the boundary
-  private static final double KEPT_UP_M = 15.0; // evasion from the ceiling
+  private static final double KEPT_M = 100.0; // distance of routes from the boundary
+  private static final double KEPT_UP_M = 15.0; // distance of evasion from the ceiling
   private static final double KEPT_DOWN_M = 5.0; // and from the floor
 
   private final SuasField field;

@@ -12,15 +12,15 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * A pilot with a radio, who takes over for a while: keeps the wings level and holds height, and
- * turns away from the boundary. The multiplexer then connects the sticks to servos and motor,
+ * A pilot with a radio who takes over for a while, keeps the wings level, holds height, and turns
+ * away from the boundary. Meanwhile the multiplexer connects the sticks to servos and motor,
  * whatever the vehicle's services command.
  */
 final class SuasPilot {
   private static final double MANUAL_S = 0.001; // pulses of the switch
   private static final double AUTOMATIC_S = 0.002;
   private static final int SWITCH = 5;
-  private static final double AHEAD_S = 10.0; // looks for the boundary
+  private static final double AHEAD_S = 10.0; // look-ahead to the boundary
   private static final double TURN_RAD = Math.toRadians(35.0);
   private static final double ROLL_GAIN = 0.8; // stick per radian
   private static final double ROLL_DAMPING = 0.12; // stick per rad/s
@@ -28,9 +28,9 @@ final class SuasPilot {
   private static final double PITCH_DAMPING = 0.2;
   private static final double CLIMB_GAIN = 0.04; // rad of pitch per m/s
   private static final double HEIGHT_GAIN = 0.2; // m/s per m
-  private static final double TRIM = 0.25; // of the elevator, up
+  private static final double TRIM = 0.25; // elevator trim, up
   private static final double THROTTLE = 0.7;
-  private static final double FULL_RAD = Math.PI / 6.0; // travel of a stick
+  private static final double FULL_RAD = Math.PI / 6.0; // stick travel
   private static final double FULL_PERCENT = 100.0;
 
   private final SuasField field;
@@ -56,7 +56,7 @@ final class SuasPilot {
     return flies;
   }
 
-  /** The receiver on board; only its switch is read. */
+  /** The on-board receiver; only its switch is read. */
   RadioReceiver receiver() {
     return nowMicros -> {
       List<Double> widths = new ArrayList<>(Collections.nCopies(SWITCH, 0.0015));
@@ -128,7 +128,7 @@ final class SuasPilot {
     };
   }
 
-  /** Deflection of an actuator's stick, −1…1, in the sense of its commands. */
+  /** Deflection of an actuator's stick, −1…1, with the sign of its commands. */
   private double stick(String actuator, VehicleTruth truth) {
     return switch (actuator) {
       case "AILERON" ->

@@ -17,16 +17,15 @@ import org.u2sa.service.ServiceContext;
 import org.u2sa.service.ServiceRole;
 
 /**
- * The ground station of the demo, with a person at it: heartbeats, air pressure, and the search
- * area, sent in flight; after a takeover it resumes the mission. While it is down, it sends nothing
- * and receives no telemetry. In: mission, goals, manual-state. Out: operator, ground-pressure,
- * mission.
+ * The demo's ground station with its operator: sends heartbeats and air pressure, and in flight the
+ * search area; resumes the mission after a takeover. While it is down, it sends nothing and
+ * receives no telemetry. In: mission, goals, manual-state. Out: operator, ground-pressure, mission.
  */
 final class SuasStation extends PeriodicService {
   private static final String NAME = "SuasStation";
   private static final String RESUME = " resume";
   private static final double PRESSURE_S = 60.0;
-  private static final double ANSWERED_S = 3.0; // else the order is sent again
+  private static final double ANSWERED_S = 3.0; // after this the order is sent again
 
   /**
    * Behaviour of the station.
@@ -43,7 +42,7 @@ final class SuasStation extends PeriodicService {
   private final Script script;
   private final Deque<String> toInsert = new ArrayDeque<>();
   private boolean flies;
-  private boolean resumes; // the mission, which a takeover has paused
+  private boolean resumes; // whether to resume the mission that a takeover has paused
   private double pressureDueS;
   private double orderDueS;
   private volatile int changes;
@@ -113,7 +112,7 @@ final class SuasStation extends PeriodicService {
     }
   }
 
-  /** Changes of the mission in flight that were acknowledged. Thread-safe. */
+  /** Acknowledged in-flight changes of the mission. Thread-safe. */
   int changes() {
     return changes;
   }

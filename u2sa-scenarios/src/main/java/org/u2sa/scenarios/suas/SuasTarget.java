@@ -42,7 +42,7 @@ record SuasTarget(
     return TargetLook.rgb(BlockLetters.isInk(letter, right, up) ? letterColour : colour);
   }
 
-  /** The letter's top as a point of the compass. */
+  /** Compass point towards the letter's top. */
   String orientation() {
     int octant = (int) Math.round(headingRad / (Math.PI / 4.0));
     return POINTS[Math.floorMod(octant, POINTS.length)];

@@ -9,9 +9,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.vision.survey.TargetTraining;
 
-/**
- * Paints images of single targets at random, from which the model of shapes and letters is made.
- */
+/** Paints images of single random targets, which train the model of shapes and letters. */
 final class TargetLessons {
   private static final int IMAGES_EACH = 15; // of a letter on a shape
   private static final int SIDE_PX = 160;

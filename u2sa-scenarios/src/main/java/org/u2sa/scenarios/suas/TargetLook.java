@@ -40,7 +40,7 @@ final class TargetLook {
     };
   }
 
-  /** Within a regular polygon with a corner at the top. */
+  /** Whether a point is within a regular polygon with a corner at the top. */
   private static boolean isRegular(int corners, double radius, double right, double up) {
     double step = 2.0 * Math.PI / corners;
     double angle = Math.IEEEremainder(Math.atan2(right, up) - 0.5 * step, step);

@@ -134,11 +134,11 @@ public final class WaypointTable {
     return List.of(
         "altitude on level legs: RMS "
             + number("%.1f m", flight.altitudeRmsM())
-            + ", at most "
+            + ", maximum "
             + number("%.1f m", flight.altitudeMaxErrorM()),
-        "bank at most "
+        "maximum bank "
             + number("%.1f deg", flight.maxBankDeg())
-            + ", airspeed at least "
+            + ", minimum airspeed "
             + number("%.1f m/s", flight.minAirspeedMps())
             + (flight.tookOff() ? "" : ", DID NOT TAKE OFF")
             + (outcome.crashed() ? ", CRASHED" : "")

@@ -45,7 +45,7 @@ final class ConditionOptions {
       names = "--mismatch",
       paramLabel = "PERCENT",
       description =
-          "Mismatch of the motors: the right one is this much stronger and the left one weaker "
+          "Mismatch of the motors: by how much the right one is stronger and the left one weaker "
               + "than commanded, -50 to 50. Default: drawn from the seed, within ±5.")
   private Double mismatch;
 
@@ -83,12 +83,12 @@ final class ConditionOptions {
     require("--slope", slopeDeg, 0.0, 20.0, "degrees");
     require("--hill", hillDeg, 0.0, 20.0, "degrees");
     if (slopeDeg > 0.0 && hillDeg > 0.0) {
-      throw wrong("--slope and --hill: expected one of them");
+      throw wrong("--slope and --hill: expected only one of them");
     }
     if (mismatch != null) {
       require("--mismatch", mismatch, -50.0, 50.0, "percent");
       if (vehicle == UgvDemo.VehicleKind.ACKERMANN) {
-        throw wrong("--mismatch: applies to two motors; expected none with --vehicle ackermann");
+        throw wrong("--mismatch: applies to two motors; cannot be used with --vehicle ackermann");
       }
     }
   }

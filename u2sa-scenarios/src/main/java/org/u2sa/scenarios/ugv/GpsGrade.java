@@ -38,7 +38,7 @@ enum GpsGrade {
     return words;
   }
 
-  /** Its name among the presets of vehicle files. */
+  /** Its name in the presets of vehicle files. */
   String preset() {
     return preset;
   }
@@ -57,7 +57,7 @@ enum GpsGrade {
 
   /**
    * Latency from the time of validity of a fix to the arrival of its first message at the board
-   * [s]: NAV-POSLLH has 36 bytes, at 9600 baud.
+   * [s]: NAV-POSLLH takes 36 bytes at 9600 baud.
    */
   double delayS() {
     return parameters.latencyS() + FIRST_MESSAGE_S;

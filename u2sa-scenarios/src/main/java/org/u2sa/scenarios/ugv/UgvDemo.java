@@ -35,9 +35,9 @@ import picocli.CommandLine.Spec;
       "Drive a ground vehicle around a loop of waypoints, through its IOIO board.",
       "",
       "Starts the Communication Manager, the services of config/ugv/system.xml, a simulated IOIO board with GPS, compass and "
-          + "motors at its pins, an IMU and wheel encoders, and shows what happens. All noise follows from the seed.",
+          + "motors at its pins, an IMU and wheel encoders, and shows the drive. All noise depends on the seed.",
       "",
-      "Other MQTT clients can listen meanwhile, for example:",
+      "Other MQTT clients can listen during the run, for example:",
       "  mosquitto_sub -t 'u2sa/ugv/#' -F '%%t %%l bytes'"
     })
 final class UgvDemo implements Callable<Integer>, Demo {
@@ -80,7 +80,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
   enum SensorSet {
     /** GPS and compass on the board, an IMU, and encoders on two driven wheels. */
     ALL("system.xml"),
-    /** GPS and compass at the board. */
+    /** GPS and compass on the board. */
     BOARD("system-board.xml"),
     /** GPS, compass, IMU and encoders as separate services. */
     FOUR_SERVICES("system-four-sensors.xml");
@@ -132,7 +132,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
       paramLabel = "FILE",
       description = {
         "World XML file with the surroundings, such as missions/ugv/yard.xml. Adds a laser that "
-            + "sees it, and a World Modeler "
+            + "detects it, and a World Modeler "
             + "(config/ugv/system-world.xml)."
       })
   private Path worldFile; // null for an empty lawn
@@ -140,8 +140,8 @@ final class UgvDemo implements Callable<Integer>, Demo {
   @Option(
       names = "--known-start",
       description = {
-        "Tell the State Estimator that the vehicle starts at the mission's home, to 0.1 m. "
-            + "Otherwise only the GPS receiver gives its position."
+        "Let the State Estimator assume that the vehicle starts at the mission's home, to 0.1 m. "
+            + "Otherwise it knows the position only from the GPS receiver."
       })
   private boolean isStartKnown;
 
@@ -247,7 +247,7 @@ final class UgvDemo implements Callable<Integer>, Demo {
         : new Surroundings(WorldFile.load(worldFile).objects(), 0.0);
   }
 
-  /** The filter's positions are smooth even if the receiver's jump. */
+  /** The filter's positions are smooth even if the receiver's positions jump. */
   private double leastThresholdM() {
     boolean leaps = estimator == EstimatorKind.PASS_THROUGH || control == ControlKind.PROPORTIONAL;
     return leaps ? receiver.leastThresholdM() : 0.0;

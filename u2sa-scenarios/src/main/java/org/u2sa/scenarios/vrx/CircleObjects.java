@@ -7,7 +7,7 @@ import org.u2sa.messages.schema.NumberField;
 import org.u2sa.messages.schema.Schema;
 import org.u2sa.messages.schema.ValueField;
 
-/** Objects to be circled once each, and others to keep away from; all of them may move. */
+/** Objects to be circled once each, and others to be avoided; all of them may move. */
 public final class CircleObjects extends GoalInformation {
   private static final Schema<CircleObjects> SCHEMA =
       Schema.of(CircleObjects.class, CircleObjects::new, GoalInformation.TYPE);

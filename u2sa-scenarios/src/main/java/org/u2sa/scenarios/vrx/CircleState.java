@@ -23,18 +23,18 @@ import org.u2sa.planning.Pursuit;
 final class CircleState implements PlannerState {
   private static final double UNKNOWN_M =
       1.0e6; // assumed distance of objects that are still unseen
-  private static final double FULL_RAD = Math.toRadians(385.0); // of a circle
+  private static final double FULL_RAD = Math.toRadians(385.0); // a circle, with overlap
   private static final double LEAD_RAD = Math.toRadians(50.0); // look-ahead angle
   private static final double CIRCLING_MPS = 2.5;
   private static final double MARGIN_M = 0.5; // margin of the distance on a circle
-  private static final double OTHER_SHARE = 0.7; // of the radius: clearance from others
+  private static final double OTHER_SHARE = 0.7; // clearance, per radius
   private static final double BEYOND_M = 2.0; // clearance of the point beside an avoided object
   private static final double FULL_SPEED_M = 8.0; // distance to a point passed at speed
-  private static final double GIVE_UP_S = 60.0; // without any object
+  private static final double GIVE_UP_S = 60.0; // time without any object
 
   private final PlannerView surroundings;
   private final Set<String> done = new TreeSet<>();
-  private String circled = ""; // its UID
+  private String circled = ""; // UID of the object being circled
   private double bearingRad; // bearing from the object at the last state
   private double sweptRad; // angle turned in the right direction within the distance
   private long enteredMicros;

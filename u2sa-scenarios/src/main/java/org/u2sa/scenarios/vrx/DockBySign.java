@@ -12,8 +12,8 @@ import org.u2sa.messages.schema.ValueField;
 
 /**
  * Docks in the bay whose sign a light buoy encodes: enters, stays for a while, and leaves in
- * reverse. The first colour of the sequence is the colour of the sign, the last one encodes its
- * shape (osrf/vrx, issue 278, and the worlds of 2023).
+ * reverse. The first colour of the sequence is the sign's colour; the last one encodes its shape
+ * (osrf/vrx, issue 278, and the worlds of 2023).
  */
 public final class DockBySign extends GoalInformation {
   private static final Schema<DockBySign> SCHEMA =
@@ -48,7 +48,7 @@ public final class DockBySign extends GoalInformation {
         SEQUENCE, colours.stream().map(Colour::name).collect(Collectors.toUnmodifiableList()));
   }
 
-  /** Type of the sign that the sequence names, such as "red circle". */
+  /** Type of the sign encoded by the sequence, such as "red circle". */
   public String sign() {
     List<Colour> colours = sequence();
     String shape =

@@ -18,8 +18,8 @@ import org.u2sa.planning.Pursuit;
 import org.u2sa.scenarios.vrx.sight.SeenSigns;
 
 /**
- * Docks by a {@link DockBySign}: waits near the light buoy until the sequence is known, goes around
- * the dock until it sees the signs, lines up with the bay, enters, stays, and leaves in reverse.
+ * Executes a {@link DockBySign}: waits near the light buoy until the sequence is known, circles the
+ * dock until the signs are in sight, lines up with the bay, enters, stays, and reverses out.
  */
 final class DockBySignState implements PlannerState {
   private enum Phase {
@@ -34,10 +34,10 @@ final class DockBySignState implements PlannerState {
   private static final double LIGHT_M = 10.0; // distance from the light buoy while reading it
   private static final double ROUND_M = 24.0; // radius around the dock's middle
   private static final double STEP_RAD = 0.5; // step ahead on the way around the dock
-  private static final double READ_M = 16.0; // before the middle of the signs
+  private static final double READ_M = 16.0; // distance in front of the middle of the signs
   private static final double READ_WITHIN_M = 3.0;
-  private static final double READ_S = 4.0; // there, for accurate places
-  private static final double LINE_UP_M = 15.0; // before a sign
+  private static final double READ_S = 4.0; // time there, for accurate positions
+  private static final double LINE_UP_M = 15.0; // distance in front of a sign
   private static final double BERTH_M = 4.2;
   private static final double OUT_M = 9.2;
   private static final double ALIGNED_M = 0.25;
@@ -46,15 +46,15 @@ final class DockBySignState implements PlannerState {
   private static final double WITHIN_M = 0.5; // tolerance at the berth, along the axis
   private static final double SLOW_MPS = 0.8;
   private static final double NEAR_MPS = 1.5; // near the dock, so as not to overshoot
-  private static final double TURN_RAD = 0.4; // ahead of the heading, on the spot
+  private static final double TURN_RAD = 0.4; // ahead of the heading, to turn in place
   private static final int SIGNS = 3;
 
   private final PlannerView surroundings;
   private Phase phase = Phase.SCANS;
   private Optional<Point> inwards = Optional.empty(); // unit vector into the bays
-  private Optional<Point> sign = Optional.empty(); // of the bay
-  private long readMicros; // before the signs since
-  private long thereMicros; // in the bay since
+  private Optional<Point> sign = Optional.empty(); // sign of the bay
+  private long readMicros; // since when in front of the signs
+  private long thereMicros; // since when in the bay
 
   DockBySignState(PlannerView surroundings) {
     this.surroundings = surroundings;

@@ -13,8 +13,8 @@ import org.u2sa.sim.world.Footprint;
 
 /**
  * Scan and dock. Points are given for the sequence of the light buoy (first submission only), for
- * staying in a bay and leaving it by its entrance, and for the right bay; higher is better.
- * Throwing balls is left out (ScanDockScoringPlugin.cc).
+ * staying in a bay and leaving it by its entrance, and for the right bay; higher is better. Ball
+ * throwing is omitted (ScanDockScoringPlugin.cc).
  */
 final class DockJudge extends VrxJudge {
   private final Docking docking;

@@ -62,7 +62,7 @@ record Docking(
     }
   }
 
-  /** Absent dock, for other tasks. */
+  /** No dock, for other tasks. */
   static Docking none() {
     return new Docking(
         Point.ORIGIN, 0.0, List.of(), List.of(), Point.ORIGIN, new Points(0.0, 0.0, 0.0), 0.0);

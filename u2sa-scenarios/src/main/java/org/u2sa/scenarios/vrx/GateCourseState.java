@@ -17,23 +17,23 @@ import org.u2sa.planning.Pursuit;
 import org.u2sa.scenarios.vrx.sight.MarkerGate;
 
 /**
- * Passes the gates of a {@link GateCourse}: the first one, then always the nearest that lies ahead
- * of the last one, around obstacles. Without a gate in sight it continues a little, then turns on
- * the spot.
+ * Passes the gates of a {@link GateCourse}, around obstacles: first the first one, then always the
+ * nearest that lies ahead of the last one passed. Without a gate in sight it continues for a short
+ * distance, then turns in place.
  */
 final class GateCourseState implements PlannerState {
   private static final double UNKNOWN_M =
       1.0e6; // assumed distance of a course that is still unseen
-  private static final double SAME_M = 6.0; // a gate this near one that was passed is the same
+  private static final double SAME_M = 6.0; // a gate this close to a passed one is the same
   private static final double REACH_M = 75.0; // maximum distance to the next gate
   private static final double BEFORE_M =
       6.0; // distance before the gate of the place on its axis to approach first
   private static final double BEYOND_M = 4.0;
   private static final double THROUGH_SHARE =
       0.3; // fraction of the width, from the middle, that is a clear passage
-  private static final double ON_M = 25.0; // beyond the last gate, looking for the next one
+  private static final double ON_M = 25.0; // beyond the last gate, searching
   private static final double WITHIN_M = 1.5;
-  private static final double TURN_RAD = 0.4; // ahead of the heading, on the spot
+  private static final double TURN_RAD = 0.4; // ahead of the heading, to turn in place
   private static final double GIVE_UP_S = 60.0;
 
   private final PlannerView surroundings;

@@ -15,16 +15,16 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Reads the sequence of a light buoy, which shows each of three colours for one second and then
- * none for two, and enters the sequence in the current {@link DockBySign} once two consecutive
- * readings agree. In: goals. Out: goal-updates.
+ * stays dark for two, and enters the sequence in the current {@link DockBySign} once two
+ * consecutive readings agree. In: goals. Out: goal-updates.
  */
 final class LightReader extends PeriodicService {
   private static final double LOOKS_PER_S = 10.0;
   private static final int COLOURS = 3;
-  private static final double DARK_S = 1.5; // before a sequence
+  private static final double DARK_S = 1.5; // dark time before a sequence
   private static final double COLOUR_S = 1.0;
 
-  /** A camera that names the colour of a light. */
+  /** A camera that recognises the colour of a light. */
   @FunctionalInterface
   interface Sight {
     /** Colour at a time of the run [s]; empty: dark, or out of sight. */
@@ -33,10 +33,10 @@ final class LightReader extends PeriodicService {
 
   private final Sight sight;
   private final List<Map<Colour, Integer>> counts = new ArrayList<>(); // of each second
-  private Optional<DockBySign> goal = Optional.empty(); // without a sequence
+  private Optional<DockBySign> goal = Optional.empty(); // current goal without a sequence
   private List<Colour> lastRead = List.of();
   private double litS; // when the newest light was seen
-  private double startS = Double.NaN; // of the sequence being read
+  private double startS = Double.NaN; // start of the sequence being read
 
   LightReader(ServiceContext context, Sight sight) {
     super(context, ServiceRole.OBSERVER, "LightReader", LOOKS_PER_S);

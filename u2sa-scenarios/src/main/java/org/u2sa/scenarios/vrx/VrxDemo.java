@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
           + "log is judge.log."
     })
 final class VrxDemo implements Callable<Integer>, Demo {
-  private static final double READY_S = 30.0; // until the services have armed
+  private static final double READY_S = 30.0; // time for the services to arm
 
   @Mixin private DemoFrame frame;
   @Spec private CommandSpec command;
@@ -54,7 +54,7 @@ final class VrxDemo implements Callable<Integer>, Demo {
       names = "--task",
       description =
           "Expected task of the world: one of ${COMPLETION-CANDIDATES}. Default: the world's.")
-  private VrxTask task; // null: whichever
+  private VrxTask task; // null: any
 
   private VrxWorld world;
 
@@ -102,7 +102,7 @@ final class VrxDemo implements Callable<Integer>, Demo {
     return READY_S + world.times().readyS() + world.times().runningS();
   }
 
-  /** {@inheritDoc} Of gates, half the width of the narrowest. */
+  /** {@inheritDoc} For gates, half the width of the narrowest. */
   @Override
   public OptionalDouble captureRadiusM() {
     return world.gates().stream().mapToDouble(gate -> gate.widthM() / 2.0).min();

@@ -14,8 +14,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 
 /**
- * Times a task and scores it by ground truth. The ready state begins when the vehicle is armed: the
- * initial state of VRX, in which it is moored, is left out.
+ * Times a task and scores it by ground truth. The ready state begins when the vehicle is armed:
+ * VRX's initial state, in which it is moored, is omitted.
  */
 abstract class VrxJudge implements TruthObserver.Scorer {
   private static final double NEVER = Double.POSITIVE_INFINITY;
@@ -81,7 +81,7 @@ abstract class VrxJudge implements TruthObserver.Scorer {
   /** The task's score so far. */
   abstract double score();
 
-  /** Further figures of the summary. */
+  /** Further metrics for the summary. */
   abstract Map<String, Double> figures();
 
   /** Number of collisions. */

@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
 
-/** The mission that a world's task gives the vehicle. */
+/** Writes the mission for a world's task. */
 final class VrxMission {
   private static final double WITHIN_M = 0.15; // radius in which the best error counts
   private static final double START_WITHIN_M = 1.0;
@@ -64,8 +64,8 @@ final class VrxMission {
   }
 
   /**
-   * Waits at the start until the running state has begun: nothing counts before. VRX publishes the
-   * state of the task; here the wait replaces it.
+   * Waits at the start until the running state begins, because nothing counts before. VRX publishes
+   * the state of the task; here the wait replaces it.
    */
   private static String start(VrxWorld world) {
     Geodetic start = world.plane().at(VrxWorld.START.x(), VrxWorld.START.y(), 0.0);
@@ -95,7 +95,7 @@ final class VrxMission {
         docking.stayS() + 1.0);
   }
 
-  /** Shortest order of the goals from the start, by trying all: VRX has five at most. */
+  /** Shortest order of the goals from the start, by trying all: VRX has up to five. */
   private static List<Integer> order(VrxWorld world) {
     List<Point> places = new ArrayList<>();
     for (VrxWorld.Goal goal : world.goals()) {

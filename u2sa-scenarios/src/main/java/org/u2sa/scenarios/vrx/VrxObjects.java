@@ -17,13 +17,13 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.Cylinder;
 
-/** Buoys and other models that a world includes, and those that these include. */
+/** Buoys and other models included by a world, directly or through other models. */
 final class VrxObjects {
   // mb_marker_buoy and mb_round_buoy of the models that the courses include
   private static final double MARKER_RADIUS_M = 0.325;
   private static final double ROUND_RADIUS_M = 0.25;
   private static final double MARKER_HEIGHT_M = 1.1;
-  private static final double LIGHT_RADIUS_M = 0.75; // of the float, 1.5 m square
+  private static final double LIGHT_RADIUS_M = 0.75; // of the float, a 1.5 m square
   private static final double LIGHT_HEIGHT_M = 1.75;
 
   /**
@@ -35,8 +35,8 @@ final class VrxObjects {
    */
   record Included(String model, Point place, double yawRad, XmlElement element) {}
 
-  private static final int DEEPEST = 4; // models within models
-  private static final int MOST = 2_000; // includes; a course has some ten
+  private static final int DEEPEST = 4; // maximum nesting of models
+  private static final int MOST = 2_000; // maximum includes; a course has about ten
 
   private final Path file;
   private final Map<Path, XmlElement> models = new HashMap<>();

@@ -30,7 +30,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Do the VRX tasks of all worlds in a folder, and print the scores beside the published ones.",
       "",
-      "Worlds of other tasks are left out. The files of each run are in a folder of --out."
+      "Worlds of other tasks are omitted. The files of each run are in a subfolder of --out."
     })
 final class VrxTable implements Callable<Integer> {
   private static final Pattern SCORE = Pattern.compile("\"score\"\\s*:\\s*([-+.0-9eE]+)");
@@ -55,7 +55,7 @@ final class VrxTable implements Callable<Integer> {
       description = "Only this task: one of ${COMPLETION-CANDIDATES}. Default: all.")
   private VrxTask only; // null: all
 
-  @Option(names = "--runs", paramLabel = "N", description = "Runs of each world. Default: 1.")
+  @Option(names = "--runs", paramLabel = "N", description = "Runs per world. Default: 1.")
   private int runs = 1;
 
   @Option(names = "--seed", paramLabel = "N", description = "Seed of the first run. Default: 1.")

@@ -2,9 +2,9 @@ package org.u2sa.scenarios.vrx;
 
 /** Tasks of VRX that the demo runs, each with the scoring plugin that names it in a world. */
 enum VrxTask {
-  /** Keep a place and a heading. */
+  /** Keep a position and a heading. */
   STATIONKEEPING("StationkeepingScoringPlugin", false),
-  /** Visit places with headings. */
+  /** Visit positions with headings. */
   WAYFINDING("WayfindingScoringPlugin", false),
   /** Pass gates in order, among obstacles. */
   PATH("NavigationScoringPlugin", true),

@@ -17,7 +17,7 @@ import org.u2sa.sim.world.Waves;
 import org.u2sa.sim.world.World;
 
 /**
- * A task as a VRX world describes it.
+ * A task as described by a VRX world.
  *
  * @param file the world file
  * @param origin origin of the coordinates east, north, up
@@ -71,7 +71,7 @@ record VrxWorld(
    *
    * @param heightM significant height [m]
    * @param periodS of the peak [s]
-   * @param towardsRad where they run, clockwise from north [rad]
+   * @param towardsRad direction of travel, clockwise from north [rad]
    */
   record Sea(double heightM, double periodS, double towardsRad) {}
 
@@ -84,15 +84,15 @@ record VrxWorld(
   record Times(double readyS, double runningS) {}
 
   /**
-   * A pose to take.
+   * A pose to assume.
    *
    * @param headingRad clockwise from north [rad]
    */
   record Goal(double longitudeDeg, double latitudeDeg, double headingRad) {}
 
   /**
-   * Two markers to pass between: east, north, up [m]. What VRX calls the left marker is passed to
-   * starboard (NavigationScoringPlugin.cc: the way is up × (left − right)).
+   * Two markers to pass between: east, north, up [m]. VRX's left marker is passed to starboard
+   * (NavigationScoringPlugin.cc: the way is up × (left − right)).
    */
   record Gate(Point left, Point right) {
     Point centre() {
@@ -139,7 +139,7 @@ record VrxWorld(
   }
 
   /**
-   * The simulated world. Gusts have the strength of the file's and the spectrum of MIL-F-8785C
+   * The simulated world. Gusts have the strength given in the file and the spectrum of MIL-F-8785C
    * along and across the vehicle; waves have a Pierson-Moskowitz spectrum, as in VRX, with more
    * than its three components.
    *

@@ -26,7 +26,7 @@ import org.u2sa.messages.shape.Cylinder;
 import org.u2sa.sim.world.LocalPlane;
 import org.u2sa.sim.world.ScriptedMover;
 
-/** Reads the plugins of a world of VRX: task, goals, gates, wind, waves, and the buoys around. */
+/** Reads the plugins of a VRX world: task, goals, gates, wind, waves, and the surrounding buoys. */
 final class VrxWorldReader {
   private static final Pattern PARAMETER =
       Pattern.compile("key: \"(\\w+)\".*?double_value: ([-+.0-9eE]+)", Pattern.DOTALL);
@@ -224,7 +224,7 @@ final class VrxWorldReader {
         animals, number(scoring, "engagement_distance", 10.0), number(scoring, "time_bonus", 30.0));
   }
 
-  /** To and fro between the waypoints of the model's TrajectoryFollower. */
+  /** Moves to and fro between the waypoints of the model's TrajectoryFollower. */
   private static ScriptedMover mover(
       VrxObjects.Included model, String name, Wildlife.Part part, LocalPlane plane) {
     Cylinder animal = new Cylinder().radius(ANIMAL_RADIUS_M).height(ANIMAL_HEIGHT_M);

@@ -8,7 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** Wayfinding: of each waypoint the smallest pose error, and their mean; lower is better. */
+/** Wayfinding: the mean of the waypoints' smallest pose errors; lower is better. */
 final class WayfindingJudge extends VrxJudge {
   private static final double NEAR = 0.1; // logged when first below
 

@@ -32,9 +32,9 @@ record Wildlife(List<Animal> animals, double engagementM, double bonusS) {
   }
 
   /**
-   * One of them.
+   * One animal.
    *
-   * @param mover its way
+   * @param mover its motion
    */
   record Animal(String name, Part part, ScriptedMover mover) {}
 

@@ -10,8 +10,8 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.Footprint;
 
 /**
- * Wildlife: the time until all circles are completed, at most that of the running state, less a
- * bonus for each circle and for each animal that was successfully avoided; lower is better.
+ * Wildlife: the time until all circles are completed, up to that of the running state, less a bonus
+ * for each circle and each animal successfully avoided; lower is better.
  *
  * <p>A circle consists of eight gates from the animal outwards, crossed in the right direction
  * without leaving the engagement distance; a gate crossed the other way, and a collision, restart

@@ -23,7 +23,7 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code u2sa world check}: lists what a simulation uses of a world file, and what it ignores. */
+/** {@code u2sa world check}: lists what a simulation uses from a world file and what it ignores. */
 @Command(
     name = "check",
     description = {

@@ -114,7 +114,7 @@ class BoardCommandTest {
           awaitEnd(socket);
         }
         int count = i + 1;
-        await().until(() -> board.lines("has left: the board refused") == count);
+        await().until(() -> board.lines("has left: the board rejected") == count);
       }
       assertThat(board.said()).doesNotContain("Exception");
       assertGreeted(board);
@@ -224,7 +224,7 @@ class BoardCommandTest {
       Process client = python(board.port(), 1, authority, "pilot", pilot.toString());
       assertThat(driven(client).path("metres").asDouble()).isPositive();
       command("security", "user", "remove", "pilot", "--dir", security.toString());
-      board.awaitSaid("its user is not admitted any more");
+      board.awaitSaid("its user is no longer admitted");
       board.awaitSaid("no signal; contacts 0; host none");
       ProcessTree.end(client);
     }

@@ -100,8 +100,8 @@ class CameraCommandTest {
     int code =
         u2sa("camera", "calibrate", one.toString(), two.toString(), "--out", file.toString());
     assertThat(code).isEqualTo(ExitCode.FAILED);
-    assertThat(out.toString()).contains("one.png: no whole board found");
-    assertThat(err.toString()).contains("0 of 2 pictures show a whole board of 9x6 corners");
+    assertThat(out.toString()).contains("one.png: no complete board found");
+    assertThat(err.toString()).contains("0 of 2 pictures show a complete board of 9x6 corners");
     assertThat(file).doesNotExist();
   }
 

@@ -67,7 +67,7 @@ class CampaignCommandTest {
         directory.resolve("one/runs.jsonl"),
         journal.lines().limit(2).reduce("", (all, line) -> all + line + "\n"));
     assertThat(campaign("one", withJobs(1, runs))).as(err + "\n" + out).isEqualTo(ExitCode.DONE);
-    assertThat(out.toString()).contains("1 of 4 runs were done before");
+    assertThat(out.toString()).contains("1 of 4 runs were already complete");
     assertThat(summary("one").get("sha256")).isEqualTo(two.get("sha256"));
   }
 

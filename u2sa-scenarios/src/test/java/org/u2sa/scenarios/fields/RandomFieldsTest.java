@@ -38,7 +38,7 @@ class RandomFieldsTest {
     try (AircraftRun run = new AircraftRun(new RandomField(AircraftRun.KIND, 1105), "AIR", false)) {
       FieldResult result = run.run();
       assertThat(result.reached()).isFalse();
-      assertThat(result.reason()).contains("no nearer to the goal for");
+      assertThat(result.reason()).contains("no closer to the goal for");
       assertThat(result.contacts()).isEmpty();
     }
   }

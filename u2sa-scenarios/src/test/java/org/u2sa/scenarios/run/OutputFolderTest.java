@@ -64,7 +64,7 @@ class OutputFolderTest {
     CommandLineRun run = campaign(directory);
 
     assertThat(run.exitCode()).isEqualTo(ExitCode.BAD_INPUT);
-    assertThat(run.err()).contains("holds the campaign \"another\"");
+    assertThat(run.err()).contains("contains the campaign \"another\"");
     assertThat(directory.resolve("summary.json")).hasContent("mine");
   }
 

@@ -84,8 +84,8 @@ class WaypointTableTest {
                  N101             3.5      1:01  TOUCHED
 
             cross-track RMS 8.3 m (whole legs 31.0 m)
-            altitude on level legs: RMS -, at most -
-            bank at most 27.5 deg, airspeed at least 33.3 m/s
+            altitude on level legs: RMS -, maximum -
+            maximum bank 27.5 deg, minimum airspeed 33.3 m/s
             simulated 10:00
             1 of 2 waypoints captured
             violation: geofence left at 12.0 s

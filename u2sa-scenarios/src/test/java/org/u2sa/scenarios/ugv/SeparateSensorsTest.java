@@ -137,6 +137,6 @@ class SeparateSensorsTest {
       assertThat(vehicle.board().state().eastM()).isEqualTo(began.eastM());
     }
     assertThat(log("StateEstimator"))
-        .contains("state lacks psi: no source of heading on sensed-state (heard: GpsSensor)");
+        .contains("state lacks psi: no source of heading on sensed-state (received: GpsSensor)");
   }
 }

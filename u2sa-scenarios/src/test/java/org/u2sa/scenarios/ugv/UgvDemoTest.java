@@ -113,7 +113,7 @@ class UgvDemoTest {
           --set  | Contrl:RATE=50 | expected one of
           --set  | UgvPlanner:RATE=50 | lists no service of class
           --set  | IoioService:NOPE=1 | variable "NOPE": no service declares it
-          --swap | 5:x=org.u2sa.planning.PathPlanner | no service "x" runs; expected one of
+          --swap | 5:x=org.u2sa.planning.PathPlanner | no service "x" is running; expected one of
           --swap | 5:Contrl=org.u2sa.planning.PathPlanner | did you mean "Control"?
           """)
   void demo_whatWouldHaveNoEffect_isRefused(String option, String value, String expected) {

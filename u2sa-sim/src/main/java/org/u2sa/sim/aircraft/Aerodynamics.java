@@ -51,7 +51,7 @@ final class Aerodynamics {
   private static final double BREAK_SHARPNESS = 50.0; // Beard and McLain, table E.2
   private static final double PLATE_NORMAL = 2.0; // normal force of the separated wing, per sine
   private static final double STALL_NOSE_DROP = -0.10; // the wing's centre of pressure moves aft
-  private static final double AUTOROTATION = 0.10; // roll damping becomes this beyond the stall …
+  private static final double AUTOROTATION = 0.10; // roll damping beyond the stall …
   private static final double ROLL_DAMPING_2 =
       -1.5; // … and is limited by a term quadratic in roll rate
 

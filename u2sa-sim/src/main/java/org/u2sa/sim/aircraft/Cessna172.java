@@ -50,7 +50,7 @@ public final class Cessna172 implements SimulatedVehicle {
           -LandingGear.STANDING_M,
           1.45);
 
-  private static final double FLAP_TRAVEL_S = 7.0; // for the whole 30°
+  private static final double FLAP_TRAVEL_S = 7.0; // for the full 30°
   private static final double FLYING_MPS = 10.0; // below this airspeed no stall is reported
   private static final double STALL_MIDDLE = 0.5;
   private static final double HALTS_RAD_PER_S =
@@ -190,7 +190,7 @@ public final class Cessna172 implements SimulatedVehicle {
     }
   }
 
-  /** {@inheritDoc} The work of the engine's shaft. */
+  /** {@inheritDoc} Counts the work of the engine's shaft. */
   @Override
   public OptionalDouble energyJ() {
     return OptionalDouble.of(energyJ);
@@ -327,7 +327,7 @@ public final class Cessna172 implements SimulatedVehicle {
     return truth.velocity().minus(Point.of(ned.y(), ned.x(), -ned.z()));
   }
 
-  /** {@inheritDoc} So it does from a crash on. */
+  /** {@inheritDoc} Also true after a crash. */
   @Override
   public boolean isAground() {
     return crashed;

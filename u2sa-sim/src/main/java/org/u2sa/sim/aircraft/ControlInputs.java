@@ -80,7 +80,7 @@ public record ControlInputs(
         limit("brakeRight", brakeRight, 0.0));
   }
 
-  /** Copy with one of {@link #NAMES} set to a new value; NaN, no signal, is {@link #neutral}. */
+  /** Copy with one of {@link #NAMES} set; NaN, i.e. no signal, gives {@link #neutral}'s. */
   ControlInputs with(String name, double value) {
     if (Double.isNaN(value)) {
       return with(name, name.equals("MIXTURE") ? neutral().mixture : 0.0);

@@ -13,7 +13,7 @@ import org.u2sa.sim.motion.Arguments;
 public record RunwayStart(
     double longitudeDeg, double latitudeDeg, double elevationM, double headingRad) {
 
-  /** Highest start latitude, north or south [deg]. */
+  /** Maximum start latitude, north or south [deg]. */
   public static final double NORTHERNMOST_DEG = 85.0;
 
   /** Lowest ground elevation [m]. */

@@ -109,10 +109,10 @@ final class TrimSolver {
             + " rad, flaps "
             + flaps
             + (Double.isNaN(givenThrottle) ? "" : ", throttle " + givenThrottle)
-            + ": too slow, too fast or not enough power");
+            + ": too slow, too fast, or not enough power");
   }
 
-  /** Moves x by Newton's step, limiting each component's; false if there is none. */
+  /** Moves x by a Newton step with limited components; false if no step exists. */
   private static boolean move(double[] x, DMatrixRMaj slopes, double[] f) {
     DMatrixRMaj step = new DMatrixRMaj(SIZE, 1);
     if (!CommonOps_DDRM.solve(slopes, DMatrixRMaj.wrap(SIZE, 1, f), step)

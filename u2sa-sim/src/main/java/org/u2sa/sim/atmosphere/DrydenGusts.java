@@ -5,9 +5,9 @@ import java.util.Random;
 /**
  * Continuous gusts with the Dryden spectra of MIL-F-8785C, 3.7.1.2 and 3.7.3, as shaping filters
  * driven by white noise. Signs of the rotary gusts follow MIL-HDBK-1797. Up to 1000 ft the
- * intensities and scales of the low-altitude model hold, from 2000 ft the scale of 1750 ft, linear
- * in between; above 1000 ft the intensity stays constant (the specification uses a table of
- * exceedance probabilities instead).
+ * intensities and scales of the low-altitude model apply, and from 2000 ft a scale of 1750 ft, with
+ * linear interpolation in between; above 1000 ft the intensity stays constant (the specification
+ * uses a table of exceedance probabilities instead).
  *
  * <p>The filters are discretised exactly, so variance and spectrum do not depend on the step.
  */

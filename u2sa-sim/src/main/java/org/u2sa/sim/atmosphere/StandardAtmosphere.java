@@ -19,7 +19,7 @@ public final class StandardAtmosphere {
   /** Speed of sound at sea level [m/s]. */
   public static final double SEA_LEVEL_SOUND_SPEED_MPS = 340.294;
 
-  /** Altitude range of the model [m]: includes the Dead Sea shore, excludes the stratosphere. */
+  /** Altitude range of the model [m], from the Dead Sea to the top of the troposphere. */
   public static final double LOWEST_M = -1_000.0;
 
   /** Top of the troposphere [m geopotential]. */

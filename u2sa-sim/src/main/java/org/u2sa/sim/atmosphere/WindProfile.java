@@ -8,7 +8,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param law its formula
  * @param parameter roughness length of the logarithmic law [m], or exponent of the power law
  * @param referenceM height of the stated speed [m]
- * @param lowestM below it the wind is that of this height [m]
+ * @param lowestM lower limit [m], below which the wind no longer changes
  */
 public record WindProfile(Law law, double parameter, double referenceM, double lowestM) {
   private static final double FOOT_M = 0.3048;
@@ -58,7 +58,7 @@ public record WindProfile(Law law, double parameter, double referenceM, double l
     return new WindProfile(Law.POWER, exponent, referenceM, 0.1);
   }
 
-  /** Wind at a height above ground, as a share of the stated speed; constant above 1000 ft. */
+  /** Wind at a height above ground, as a fraction of the stated speed; constant above 1000 ft. */
   public double share(double heightM) {
     double height = Math.min(HIGHEST_M, Math.max(lowestM, heightM));
     return switch (law) {

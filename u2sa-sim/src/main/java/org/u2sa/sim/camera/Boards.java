@@ -4,8 +4,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.world.Ramp;
 
 /**
- * A {@link Ramp} for the renderer. Paint on the lawn map below it is projected onto it vertically,
- * which stretches it by 1 % at 15 % slope. It casts no shadow.
+ * A {@link Ramp} for the renderer. Paint on the lawn map below is projected vertically onto the
+ * ramp, which stretches it by 1 % at 15 % slope. It casts no shadow.
  */
 final class Boards implements Solid {
   private static final double[] NO_SHADOW = {};

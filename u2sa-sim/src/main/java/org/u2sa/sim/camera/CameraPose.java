@@ -25,7 +25,7 @@ final class CameraPose {
     mounted = Point.of(lens.forwardM(), -lens.leftM(), -lens.upM());
   }
 
-  /** Sets the pose extrapolated from the vehicle's motion. */
+  /** Sets the pose, extrapolated with the vehicle's motion. */
   void at(VehicleTruth truth, double laterS) {
     Attitude now = truth.attitude();
     Point turning = now.eulerRates(truth.rates());

@@ -18,7 +18,7 @@ import org.u2sa.messages.shape.Sphere;
 final class MarineShapes {
   private static final float MISS = Float.POSITIVE_INFINITY;
   private static final double[] NO_SHADOW = {};
-  private static final double SHEET_M = 0.01; // thickness of flat things
+  private static final double SHEET_M = 0.01; // thickness of flat objects
   private static final double RIM = 0.7; // inner part of a bin, as a fraction of its size
 
   private MarineShapes() {}
@@ -200,7 +200,7 @@ final class MarineShapes {
   }
 
   /**
-   * A hoop, as straight tubes. A tube thinner than a pixel covers only a part of it, {@link
+   * A hoop, as straight tubes. A tube thinner than a pixel covers only part of it, see {@link
    * Solid.Touch#cover}.
    */
   record Rim(Point centre, float radius, float half, List<Point> corners, int colour)

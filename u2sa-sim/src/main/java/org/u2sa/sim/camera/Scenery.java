@@ -21,7 +21,7 @@ public final class Scenery {
   /** Freshly painted. */
   public static final String LINE = "white line";
 
-  /** Half washed away. */
+  /** Paint half worn away. */
   public static final String WORN_LINE = "worn line";
 
   /** A white disc on the ground, as IGVC marks potholes. */

@@ -10,9 +10,9 @@ import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Renders what a long-wave infrared camera above water sees: grey values are apparent temperatures
- * between two limits. Water reflects the cold sky at grazing angles, objects have the temperature
- * of the air and hot targets their excess above it. Not thread-safe.
+ * Renders the image of a long-wave infrared camera above water: grey values are apparent
+ * temperatures between two limits. Water reflects the cold sky at grazing angles, objects have the
+ * air's temperature, and hot targets exceed it by their own value. Not thread-safe.
  */
 public final class ThermalRenderer {
   private static final double AIR_C = 22.0;

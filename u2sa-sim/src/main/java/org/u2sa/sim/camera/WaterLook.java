@@ -9,7 +9,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param depthM depth of its floor below the surface [m]
  * @param scattering scattering coefficient, the same for all channels [1/m]; 0.05 in a pool
  * @param windMps wind that roughens the surface [m/s]
- * @param particles suspended particles in a picture
+ * @param particles suspended particles per image
  */
 public record WaterLook(
     double surfaceM,
@@ -54,7 +54,7 @@ public record WaterLook(
     return (float) (0.35 * FORWARD * scattering / beam(channel));
   }
 
-  /** Brightness that returns from below the surface, relative to a white level surface. */
+  /** Brightness of light returned from below the surface, relative to a white level surface. */
   float upwelling(int channel) {
     // R = 0.33 b_b / a (Morel and Prieur, Limnol. Oceanogr. 22, 1977), b_b = 0.018 b (Petzold 1972)
     return (float) (0.33 * 0.018 * scattering / type.diffuse(channel)) + 0.004f;

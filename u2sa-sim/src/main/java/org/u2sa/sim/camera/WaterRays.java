@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Point;
  */
 final class WaterRays {
   private static final float INDEX = 1.34f; // refractive index of water
-  private static final float GRAZING = 0.02f; // reflectance of water seen from straight above
+  private static final float GRAZING = 0.02f; // reflectance at vertical incidence
   private static final float REACH = 80.0f; // distance up to which reflections show objects [m]
   private static final float BRIGHTEST = 30.0f;
   private static final float SUN_COSINE = 0.99995f;
@@ -133,7 +133,7 @@ final class WaterRays {
     }
   }
 
-  /** Stores the object seen through the surface in {@link #found}; false if nothing but water. */
+  /** Stores the object seen through the surface in {@link #found}; false if there is only water. */
   private boolean through(float x, float y, float dx, float dy, float dz, float sx, float sy) {
     float rx = dx / INDEX - 0.25f * sx;
     float ry = dy / INDEX - 0.25f * sy;
@@ -202,7 +202,7 @@ final class WaterRays {
   /**
    * Radiance under water.
    *
-   * @param loss 1 for rays that entered from the air, whose path up is not attenuated by the
+   * @param loss 1 for rays that entered from the air, whose upward path is not attenuated by the
    *     camera's own depth
    */
   private void water(
@@ -280,7 +280,7 @@ final class WaterRays {
     return sine >= 1.0f ? 0.0f : 1.0f - fresnel((float) Math.sqrt(1.0f - sine));
   }
 
-  /** Distance to the nearest solid, whose hit is in {@link #touch}. */
+  /** Distance to the nearest solid; stores the hit in {@link #touch}. */
   private float nearest(float x, float y, float z, float dx, float dy, float dz, float farthest) {
     float best = farthest;
     int colour = 0;

@@ -71,7 +71,7 @@ public final class WaterRenderer {
     return picture;
   }
 
-  /** Lit particles close to the lens, blurred discs at new places in every picture. */
+  /** Draws lit particles close to the lens, as blurred discs at new positions in every image. */
   private void particles(WaterRays rays) {
     for (int k = 0; k < scenery.look.particles(); k++) {
       int hash = ValueNoise.mix(seed + pictures * 7919 + k * 104_729);

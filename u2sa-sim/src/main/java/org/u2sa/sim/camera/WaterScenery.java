@@ -13,7 +13,7 @@ public final class WaterScenery {
   final List<Solid> solids;
   final WaterLook look;
   final Light light;
-  final float[] sun; // unit vector towards it: east, north, up
+  final float[] sun; // unit vector towards the sun: east, north, up
   final WaveSlopes waves;
   final ValueNoise noise;
 

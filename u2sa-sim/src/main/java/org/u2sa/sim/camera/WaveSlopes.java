@@ -3,7 +3,7 @@ package org.u2sa.sim.camera;
 import java.util.Random;
 
 /**
- * Slopes of the ripples that reflections show: sinusoids in random directions with the mean square
+ * Slopes of the ripples visible in reflections: sinusoids in random directions with the mean square
  * slope of Cox and Munk, each with the phase speed of deep water. Immutable.
  */
 final class WaveSlopes {
@@ -37,7 +37,7 @@ final class WaveSlopes {
   }
 
   /**
-   * Slope at a place.
+   * Slope at a position.
    *
    * @param pixelM extent of a pixel there; shorter waves only add variance [m]
    * @param into receives the slopes to the east and north and the variance within the pixel

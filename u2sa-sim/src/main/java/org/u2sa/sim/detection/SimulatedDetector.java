@@ -24,8 +24,8 @@ import org.u2sa.sim.world.Terrain;
 import org.u2sa.sim.world.World;
 
 /**
- * A detector that recognises the typed objects of a world within its field of view, unless other
- * objects hide them, with errors of bearing, elevation and range, and with misses.
+ * A detector that recognises typed objects of a world within its field of view unless other objects
+ * hide them, with errors of bearing, elevation and range, and with misses.
  */
 public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detections>
     implements ObjectDetector {
@@ -33,8 +33,7 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
    * Properties.
    *
    * @param reachM maximum range [m]
-   * @param waterReachM maximum range of objects on the other side of the water's surface, or under
-   *     water [m]
+   * @param waterReachM maximum range of objects under water or on the other side of its surface [m]
    * @param viewRad horizontal field of view [rad]
    * @param heightRad vertical field of view [rad]
    * @param angleSigmaRad standard deviation of bearing and elevation [rad]
@@ -59,7 +58,7 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
   /**
    * Uses the random stream {@code detector}.
    *
-   * @param errors rate, latency and lost pictures; its sigma is not used
+   * @param errors rate, latency and image loss; its sigma is not used
    * @param sensor current state of the sensor
    */
   public SimulatedDetector(
@@ -155,7 +154,7 @@ public final class SimulatedDetector extends NoisyDevice<ObjectDetector.Detectio
     if (hit.isEmpty()) {
       return false;
     }
-    if (hit.get().object().isEmpty()) { // the flat ground of a world with water is its surface
+    if (hit.get().object().isEmpty()) { // with water, its surface
       return scene.water().isEmpty() || scene.terrain() != Terrain.flat();
     }
     return !hit.get().object().get().equals(object);

@@ -6,7 +6,7 @@ import org.u2sa.sim.sensor.UartTransmitter;
 import org.u2sa.sim.sensor.UtcTime;
 
 /**
- * The device side of a serial line. Times are those since the start [µs], non-decreasing. Not
+ * The device side of a serial line. Times are since the start [µs], non-decreasing. Not
  * thread-safe.
  */
 public final class SerialInstrument {
@@ -41,7 +41,7 @@ public final class SerialInstrument {
   }
 
   /**
-   * Reads what has arrived at the host.
+   * Reads the bytes that have arrived at the host.
    *
    * @param baud the host's baud rate; on a mismatch bytes are lost
    * @return number of bytes

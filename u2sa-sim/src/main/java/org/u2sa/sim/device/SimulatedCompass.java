@@ -42,7 +42,7 @@ public final class SimulatedCompass extends SimulatedDevice<Heading> implements 
     return new Heading(measuredAtMicros, model.sample(truth.get(), field.get()), false);
   }
 
-  /** {@inheritDoc} That of a Sparton compass at 9600 baud. */
+  /** {@inheritDoc} Speaks the protocol of a Sparton compass at 9600 baud. */
   @Override
   public Optional<SerialInstrument> serial() {
     SpartonDevice device = new SpartonDevice(BAUD, parameters, streams);

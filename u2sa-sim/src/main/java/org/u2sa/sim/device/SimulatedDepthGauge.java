@@ -21,7 +21,7 @@ public final class SimulatedDepthGauge extends NoisyDevice<Pressure> implements 
    *
    * @param errors in Pa
    * @param densityKgPerM3 water density [kg/m³]
-   * @param depthM current depth below the surface [m]; negative is in air
+   * @param depthM current depth below the surface [m]; negative in air
    */
   public SimulatedDepthGauge(
       SensorErrors errors, double densityKgPerM3, NoiseStreams streams, DoubleSupplier depthM) {

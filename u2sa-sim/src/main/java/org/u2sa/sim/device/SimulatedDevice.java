@@ -31,8 +31,8 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   private volatile int connections = 1;
 
   /**
-   * @param latencyS from a measurement to its arrival [s]; as with real devices, the reading
-   *     carries its arrival time
+   * @param latencyS from a measurement to its arrival [s]; as with real devices, the reading is
+   *     stamped with its arrival time
    */
   protected SimulatedDevice(double rateHz, double latencyS) {
     Arguments.requireInside("rate of a device", rateHz, 0.1, 10_000.0);
@@ -49,7 +49,7 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   protected abstract R measure(double timeS, long measuredAtMicros);
 
   /**
-   * Adds delay and loss to a device whose model has none; before the first reading.
+   * Adds delay and loss to a device whose model has none; call before the first reading.
    *
    * @param latencyS from a measurement to its arrival [s]
    * @param share fraction of lost measurements, 0…1
@@ -62,7 +62,7 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   }
 
   /**
-   * Unplugs the device for good at a time.
+   * Unplugs the device permanently at the given time.
    *
    * @param timeS time of the vehicle [s]; infinite for never
    * @param vehicleS current time of the vehicle [s]
@@ -78,8 +78,8 @@ public abstract class SimulatedDevice<R extends Device.Reading> implements Devic
   }
 
   /**
-   * The device side of its serial line, in place of {@link #read}; empty if it has no protocol. A
-   * new one on each call.
+   * The device side of its serial line, to be used instead of {@link #read}; empty if it has no
+   * protocol. Returns a new one on each call.
    */
   public Optional<SerialInstrument> serial() {
     return Optional.empty();

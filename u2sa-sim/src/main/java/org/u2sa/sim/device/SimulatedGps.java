@@ -62,7 +62,7 @@ public final class SimulatedGps extends SimulatedDevice<GpsFix> implements GpsRe
         : GpsFix.none(measuredAtMicros, sample.satellites());
   }
 
-  /** {@inheritDoc} That of a u-blox receiver in its factory setting: NMEA at 9600 baud. */
+  /** {@inheritDoc} Speaks that of a u-blox receiver with factory settings: NMEA at 9600 baud. */
   @Override
   public Optional<SerialInstrument> serial() {
     UbloxReceiver receiver =

@@ -7,7 +7,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.sensor.NoiseStreams;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
-/** A hydrophone array that hears one pinger in open water, without echoes, at any distance. */
+/** A hydrophone array that receives one pinger in open water, without echoes, at any distance. */
 public final class SimulatedHydrophones extends NoisyDevice<HydrophoneArray.Heard>
     implements HydrophoneArray {
   private final double frequencyHz;

@@ -30,7 +30,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
   /** The motors behind the controller. */
   @FunctionalInterface
   public interface Outputs {
-    /** Both commands, from now until their time-out [µs of the run's clock]. */
+    /** Applies both commands from now until their time-out [µs of the run's clock]. */
     void drive(DriveCommand command, long nowMicros, long untilMicros);
   }
 
@@ -65,7 +65,7 @@ public final class SimulatedMotors extends SimulatedDevice<MotorController.Count
     timeoutMicros = Math.round(timeoutS * 1e6);
   }
 
-  /** Motor commands in effect at a time of the run's clock [µs]. Thread-safe. */
+  /** Motor commands in effect at the given time of the run's clock [µs]. Thread-safe. */
   public DriveCommand command(long nowMicros) {
     Told now = told;
     return nowMicros <= now.untilMicros ? now.command : DriveCommand.neutral();

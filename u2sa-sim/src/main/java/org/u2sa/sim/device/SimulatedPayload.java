@@ -9,10 +9,10 @@ public abstract class SimulatedPayload<R extends Device.Reading> extends Simulat
     super(rateHz, latencyS);
   }
 
-  /** Moves on to a time; called at each read while the device is plugged in. */
+  /** Advances to a time; called at each read while the device is plugged in. */
   protected void advance(long nowMicros) {}
 
-  /** The reading at a time [µs, run's clock]; it is stamped with the time given. */
+  /** The reading at the given time [µs, run's clock], which is also its timestamp. */
   protected abstract R sense(long stampMicros);
 
   @Override

@@ -25,8 +25,8 @@ public final class SimulatedPitotTube extends NoisyDevice<PitotTube.Impact> impl
    * @param truth current state of the vehicle
    * @param wind current air velocity: east, north, up [m/s]
    * @param altitudeM current altitude above mean sea level [m]
-   * @param blockedAtS time of the vehicle at which its opening is blocked [s]: it holds the total
-   *     pressure of that moment, so that the reading follows the altitude instead of the speed
+   * @param blockedAtS time of the vehicle at which its opening is blocked [s]: the total pressure
+   *     of that moment is trapped, so that the reading follows altitude instead of speed
    */
   public SimulatedPitotTube(
       SensorErrors errors,

@@ -81,7 +81,7 @@ public final class SimulatedThruster extends SimulatedDevice<Thruster.Turning> i
     timeoutMicros = Math.round(propeller.timeoutS() * MICROS_PER_S);
   }
 
-  /** Thrust at a time of the run's clock, forward positive [N]. Thread-safe. */
+  /** Thrust at the given time of the run's clock, forward positive [N]. Thread-safe. */
   public synchronized double thrustN(long nowMicros) {
     advance(nowMicros);
     return pushN();

@@ -17,7 +17,7 @@ public final class VehicleServo extends SimulatedDevice<Servo.Position> implemen
   /**
    * @param actuator name of the vehicle's actuator
    * @param travelRad angle at full command [rad]
-   * @param lowest minimum command: −1, or 0 if it turns one way only
+   * @param lowest minimum command: −1, or 0 if it turns only one way
    */
   public VehicleServo(VehicleRun run, String actuator, double travelRad, double lowest) {
     super(RATE_HZ, 0.0);

@@ -33,11 +33,11 @@ final class AircraftCheck {
     return lines;
   }
 
-  /** By simulations with all rotors at one command. */
+  /** Measured in simulations with all rotors at the same command. */
   private static List<String> hover(VehicleFile file, MultirotorModel model) {
     double most = climbMps2(file, model, 1.0);
     if (most <= 0.0) {
-      return List.of(text("does not lift itself: sinks with %.3g m/s^2 at full thrust", -most));
+      return List.of(text("cannot lift its weight: sinks with %.3g m/s^2 at full thrust", -most));
     }
     double low = 0.0;
     double high = 1.0;
@@ -52,7 +52,7 @@ final class AircraftCheck {
     double ratio = (most + Gravity.STANDARD_MPS2) / Gravity.STANDARD_MPS2;
     return List.of(
         text("hovers with all rotors at %.1f %%", FULL_PERCENT * high),
-        text("full thrust: %.2f times its weight, climbs with %.3g m/s^2 at first", ratio, most));
+        text("full thrust: %.2f times its weight, initially climbs with %.3g m/s^2", ratio, most));
   }
 
   /** Acceleration along the vehicle's up axis, because unequal rotors tilt the vehicle. */

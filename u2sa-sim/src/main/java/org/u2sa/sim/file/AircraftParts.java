@@ -9,13 +9,11 @@ import org.u2sa.sim.flight.Catapult;
 import org.u2sa.sim.flight.LandingLeg;
 import org.u2sa.sim.flight.MassProperties;
 
-/**
- * Common elements of small aircraft in vehicle files: a body about its centre of gravity, and legs.
- */
+/** Common elements of small aircraft in vehicle files: body (about its centre of gravity), legs. */
 final class AircraftParts {
   private static final double FAR_M = 100.0;
   private static final int MAX_LEGS = 32;
-  private static final double STEEPEST = 2.0; // angle of a wheel per angle of the rudder
+  private static final double STEEPEST = 2.0; // wheel angle per rudder angle
 
   private AircraftParts() {}
 

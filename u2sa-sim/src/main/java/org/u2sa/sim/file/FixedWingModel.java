@@ -19,7 +19,7 @@ import org.u2sa.sim.vehicle.SimulatedVehicle;
 import org.u2sa.sim.world.Footprint;
 import org.u2sa.sim.world.World;
 
-/** A small aeroplane by its coefficients, after Beard and McLain, with one propeller. */
+/** A small aeroplane defined by its coefficients, after Beard and McLain, with one propeller. */
 record FixedWingModel(
     MassProperties mass,
     WingCoefficients wing,

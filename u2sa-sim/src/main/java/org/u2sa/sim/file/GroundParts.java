@@ -7,7 +7,7 @@ import org.u2sa.sim.ground.MotorParameters;
 import org.u2sa.sim.ground.Payload;
 import org.u2sa.sim.ground.TyreParameters;
 
-/** Parts that ground vehicles have in common. */
+/** Parts common to ground vehicles. */
 final class GroundParts {
   private GroundParts() {}
 
@@ -54,11 +54,11 @@ final class GroundParts {
   /**
    * Mismatch: how much stronger the right motor is than the left.
    *
-   * @param exact its value; NaN: by the seed of the run
-   * @param largest its maximum by the seed, 0…0.5
+   * @param exact its value; NaN: drawn with the run's seed
+   * @param largest limit of the drawn value, 0…0.5
    */
   record Mismatch(double exact, double largest) {
-    /** Uniformly distributed over the seeds, unless exact. */
+    /** Uniformly distributed over seeds unless exact. */
     double of(long seed) {
       return Double.isNaN(exact)
           ? new SplittableRandom(seed).nextDouble() * 2.0 * largest - largest

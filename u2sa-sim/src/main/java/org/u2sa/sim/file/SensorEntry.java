@@ -10,12 +10,12 @@ import org.u2sa.sim.device.SimulatedDevice;
  *
  * @param kind its element
  * @param port kind of device that services see
- * @param service name of the only service that gets it; empty: every service of the port without a
- *     dedicated sensor, each with separate noise
+ * @param service name of the only service that receives it; empty: every service of the port
+ *     without a dedicated sensor, each with separate noise
  * @param delayS extra delay [s]
  * @param lost fraction of lost readings, 0…1
- * @param failsAtS time of the vehicle at which it fails for good [s]; infinite for never
- * @param variables values of the services' variables that follow from the sensor
+ * @param failsAtS time of the vehicle at which it fails permanently [s]; infinite for never
+ * @param variables values of the services' variables that the sensor determines
  * @param maker creates the device
  */
 record SensorEntry(

@@ -36,7 +36,7 @@ final class SensorKinds {
   /**
    * A sensor as read by its kind.
    *
-   * @param variables values of the services' variables that follow from it
+   * @param variables values of the services' variables that it determines
    */
   record Reader(Map<String, Double> variables, SensorEntry.Maker maker) {
     Reader(SensorEntry.Maker maker) {
@@ -98,7 +98,7 @@ final class SensorKinds {
                   .xml()
                   .error(
                       entry.service().isPresent()
-                          ? "service \"" + entry.service().get() + "\" already has another one"
+                          ? "service \"" + entry.service().get() + "\" already has one"
                           : "is the second one without a service; expected service=\"NAME\"");
             }
             all.add(entry);
@@ -118,7 +118,7 @@ final class SensorKinds {
       VehicleModel.Wheels wheels =
           model
               .wheels()
-              .orElseThrow(() -> sensor.xml().error("this vehicle has no wheels to count"));
+              .orElseThrow(() -> sensor.xml().error("this vehicle has no wheels with encoders"));
       variables.put("WHEEL DIAMETER", 2.0 * wheels.radiusM());
       variables.put("TRACK", wheels.trackM());
     }

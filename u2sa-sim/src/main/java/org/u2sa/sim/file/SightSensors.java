@@ -31,7 +31,7 @@ final class SightSensors {
   private static final int MAX_HYDROPHONES = 32;
   private static final int MAX_BEAMS = 20_000;
   private static final int MAX_PIXELS = 4_000;
-  private static final double RADAR_TIP_M = 1.0; // ends before the ground on which a target stands
+  private static final double RADAR_TIP_M = 1.0; // ends before the ground under a target
 
   private SightSensors() {}
 
@@ -89,7 +89,7 @@ final class SightSensors {
   }
 
   /**
-   * Ranges of light along unit vectors ahead, left and down. Open water gives no echo: it reflects
+   * Optical ranges along unit vectors ahead, left and down. Open water returns no echo: it reflects
    * a beam away at a grazing angle and absorbs it otherwise.
    */
   private static Supplier<ToDoubleFunction<Point>> light(
@@ -260,7 +260,7 @@ final class SightSensors {
         mover.uid(), mover.objectType(), state.position(), state.velocity());
   }
 
-  /** Movers that neither ground nor obstacles hide. */
+  /** Movers not hidden by ground or obstacles. */
   private static List<SimulatedTraffic.Other> inSight(World world, VehicleTruth sensor) {
     Point from = sensor.position();
     return world.movers().stream()

@@ -25,7 +25,7 @@ record SkidSteerModel(
     DoubleFunction<SkidSteerParameters> parameters, Wheels measures, GroundParts.Mismatch mismatch)
     implements GroundModel {
   private static final int MAX_AXLES = 20;
-  private static final double TURNING = 0.5; // command on the spot
+  private static final double TURNING = 0.5; // command of a turn in place
   private static final double TURN_S = 3.0; // until the turn is steady
   private static final double MIN_TURN_RATE = 0.05; // [rad/s]
 
@@ -62,9 +62,9 @@ record SkidSteerModel(
   }
 
   /**
-   * Track by the wheels' speeds and the turn rate on the spot, as one calibrates it: the tyres drag
-   * sideways, so the vehicle turns more slowly than its wheels' distance implies. The geometric
-   * track if it cannot turn at this power.
+   * Effective track from wheel speeds and turn rate in place, as in a calibration: the tyres drag
+   * sideways, so the vehicle turns more slowly than its wheels' distance implies. Falls back to the
+   * geometric track if it cannot turn at this power.
    */
   private static double turningTrackM(SkidSteerVehicle vehicle, double track, double radius) {
     vehicle.step(new DriveCommand(TURNING, -TURNING), TURN_S);

@@ -14,7 +14,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Measures a vehicle's performance by simulating it on level ground, in still water or in calm air:
- * first each actuator alone, then those that act in the same direction together.
+ * first each actuator alone, then all that act in the same direction together.
  */
 public final class VehicleCheck {
   private static final double TICK_S = 0.05;
@@ -120,12 +120,12 @@ public final class VehicleCheck {
     return Optional.of(
         axis == Axis.YAW
             ? text(
-                "%s: %.1f deg/s, at most %.3g deg/s^2, on a circle of %.2f m radius",
+                "%s: %.1f deg/s, up to %.3g deg/s^2, on a circle of %.2f m radius",
                 name,
                 Math.toDegrees(motion.fastest()),
                 Math.toDegrees(motion.peak()),
                 motion.radiusM())
-            : text("%s: %.3g m/s, at most %.3g m/s^2", name, motion.fastest(), motion.peak()));
+            : text("%s: %.3g m/s, up to %.3g m/s^2", name, motion.fastest(), motion.peak()));
   }
 
   private Optional<String> turningCircle() {
@@ -171,7 +171,7 @@ public final class VehicleCheck {
     return Arrays.stream(commands).allMatch(each -> each == 0.0);
   }
 
-  /** Full commands of those actuators that alone push along the axis. */
+  /** Full commands of the actuators that push along the axis on their own. */
   private double[] towards(Axis axis, double sign) {
     double[] commands = new double[actuators.size()];
     for (int i = 0; i < commands.length; i++) {
@@ -195,7 +195,7 @@ public final class VehicleCheck {
         Math.max(Math.abs(effect[Axis.SWAY.ordinal()]), Math.abs(effect[Axis.HEAVE.ordinal()])));
   }
 
-  /** Mean accelerations by one actuator's full commands, along each axis. */
+  /** Mean accelerations due to one actuator's full commands, along each axis. */
   private Map<Double, double[]> effects(int actuator) {
     double[] idle = speeds(new double[actuators.size()]);
     Map<Double, double[]> effects = new LinkedHashMap<>();

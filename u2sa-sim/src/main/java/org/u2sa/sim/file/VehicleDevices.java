@@ -29,10 +29,10 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
- * Supplies the services of a system file with a simulated vehicle's devices, whatever drivers their
- * configurations name. Sensors are found by port and service name, actuators by their names. Each
- * service has its own noise. Variables that the device determines, such as a receiver's DELAY, are
- * set unless the service's file sets them.
+ * Supplies the services of a system file with a simulated vehicle's devices, regardless of the
+ * drivers that their configurations name. Sensors are found by port and service name, actuators by
+ * their names. Each service has its own noise. Variables that the device determines, such as a
+ * receiver's DELAY, are set unless the service's file sets them.
  */
 public final class VehicleDevices implements ServiceContext.DeviceSource {
   private static final String ACTUATOR_NAME = "ACTUATOR NAME";

@@ -50,7 +50,7 @@ public final class VehicleFile {
 
   private BoardEntry board(FileElement file) {
     if (!(model instanceof GroundModel)) {
-      throw file.xml().error("is for vehicles on the ground only");
+      throw file.xml().error("is for ground vehicles only");
     }
     return BoardEntry.read(file);
   }
@@ -92,7 +92,7 @@ public final class VehicleFile {
     }
   }
 
-  /** Refuses parameters whose motion the integration at a fixed rate cannot follow. */
+  /** Rejects parameters whose motion cannot be integrated at a fixed rate. */
   private void probe(XmlElement root) {
     for (int pattern = 0; pattern < 4; pattern++) { // all ahead, all astern, and alternating
       SimulatedVehicle vehicle = probed(root);
@@ -117,12 +117,12 @@ public final class VehicleFile {
                 + PROBE_S
                 + " s; expected less than "
                 + FASTEST_MPS
-                + ": are mass, inertia and forces in their units?");
+                + ": are mass, inertia and forces in the right units?");
       }
     }
   }
 
-  /** An empty level world in which the vehicle can move: for a vessel, deep water. */
+  /** An empty level world in which the vehicle can move, with deep water for a vessel. */
   public World emptyWorld() {
     return home(World.at(new Geodetic(0.0, 0.0, 0.0)));
   }

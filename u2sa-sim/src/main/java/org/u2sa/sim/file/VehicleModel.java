@@ -25,8 +25,8 @@ public interface VehicleModel {
   /**
    * Wheels that encoders can count.
    *
-   * @param trackM distance between the left and the right wheel of a vehicle that turns as fast
-   *     without its wheels slipping sideways [m]
+   * @param trackM distance between the left and right wheels of a vehicle that would turn at the
+   *     same rate without sideslip of its wheels [m]
    * @param radiusM [m]
    */
   record Wheels(double trackM, double radiusM) {}
@@ -47,7 +47,7 @@ public interface VehicleModel {
   /** Names of its actuators, as in commands. */
   List<String> actuators();
 
-  /** Lowest command of an actuator: −1, or 0 if it turns one way only. */
+  /** Lowest command of an actuator: −1, or 0 if it turns only one way. */
   default double lowest(String actuator) {
     return -1.0;
   }

@@ -13,9 +13,9 @@ import org.u2sa.sim.ioio.ServoInput;
 import org.u2sa.sim.vehicle.VehicleRun;
 
 /**
- * Default pins for a vehicle without an {@code <ioio>} element: actuators by servo pulses, in their
- * order, a GPS receiver and a compass at UARTs, a radio switch set to automatic, and 12 V behind a
- * 5:1 divider. Actuators without pulses get no signal.
+ * Default pins for a vehicle without an {@code <ioio>} element: actuators on servo pulses, in their
+ * order, a GPS receiver and a compass on UARTs, a radio switch set to automatic, and 12 V behind a
+ * 5:1 divider. Actuators without pulses receive no signal.
  */
 public final class VehiclePins implements Pins {
   private static final int[] ACTUATOR_PINS = {10, 11, 12, 3, 4, 5, 27, 28, 29}; // PWM modules: 9

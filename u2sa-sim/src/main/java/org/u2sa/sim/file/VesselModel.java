@@ -41,7 +41,7 @@ record VesselModel(
 
   /** Whether the hull has a Munk moment. */
   private enum MunkMoment {
-    /** As in potential theory. */
+    /** As in potential theory, i.e. with all couplings. */
     INCLUDED,
     /** Without the couplings of added mass in pitch and yaw. */
     NONE

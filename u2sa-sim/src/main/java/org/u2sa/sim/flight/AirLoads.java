@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.u2sa.sim.motion.Arguments;
 
-/** Forces and moments of the air on one aircraft, which its actuators change. */
+/** Aerodynamic forces and moments on one aircraft, influenced by its actuators. */
 public interface AirLoads {
   /** Names of the actuators; each has one state, its speed or its deflection. */
   List<String> actuators();
@@ -12,7 +12,7 @@ public interface AirLoads {
   /**
    * Sets the target of an actuator.
    *
-   * @param value −1…1, or 0…1 for actuators that turn one way only
+   * @param value −1…1, or 0…1 for actuators that turn only one way
    * @throws IllegalArgumentException if it is outside
    */
   void command(int actuator, double value);
@@ -23,7 +23,7 @@ public interface AirLoads {
   /** Whether the forward drive is commanded to run; a catapult waits for this. */
   boolean isDriven();
 
-  /** Span on which the gusts act [m]. */
+  /** Span over which the gusts act [m]. */
   double spanM();
 
   /**
@@ -53,7 +53,7 @@ public interface AirLoads {
   }
 
   /**
-   * Power that its motors take [W].
+   * Power drawn by its motors [W].
    *
    * @param s as of {@link #add}
    */

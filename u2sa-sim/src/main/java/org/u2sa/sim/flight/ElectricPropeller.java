@@ -77,7 +77,7 @@ public record ElectricPropeller(
     return StrictMath.max(0.0, speed);
   }
 
-  /** Electrical power of the motor [W]; 0 while the propeller would drive it. */
+  /** Electrical power of the motor [W]; 0 while the propeller would drive the motor. */
   double powerW(double throttle, double airspeedMps, double densityKgPerM3) {
     double volt = maxV * throttle;
     double speed = speedRadPerS(throttle, airspeedMps, densityKgPerM3);

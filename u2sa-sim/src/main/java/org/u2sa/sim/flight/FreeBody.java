@@ -49,7 +49,7 @@ final class FreeBody implements RungeKutta.Motion {
     mass = now;
   }
 
-  /** Sets attitude and motion through the air by a state. */
+  /** Sets attitude and motion through the air from a state. */
   void observe(double[] s) {
     attitude.set(
         s[BodyState.QUATERNION],

@@ -6,9 +6,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 import org.u2sa.sim.vehicle.BodyState;
 
-/**
- * Rotors that carry an aircraft, and the drag of its frame. The command 0…1 is the speed's share.
- */
+/** Rotors that carry an aircraft, and the drag of its frame. Commands 0…1 scale the speed. */
 final class Rotors implements AirLoads {
   private final List<Rotor> rotors;
   private final List<String> names;

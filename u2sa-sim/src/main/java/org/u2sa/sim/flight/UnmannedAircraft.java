@@ -43,7 +43,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private boolean crashed;
   private double energyJ;
-  private Optional<Catapult> catapult = Optional.empty(); // on which it waits
+  private Optional<Catapult> catapult = Optional.empty(); // on which it waits for launch
 
   private UnmannedAircraft(
       MassProperties mass,
@@ -117,7 +117,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
   }
 
   /**
-   * Creates an aircraft at rest whose loads know its mass, with legs that never break.
+   * Creates an aircraft at rest whose loads determine its mass, with legs that never break.
    *
    * @param wheels its landing gear, which the loads may steer and brake
    * @param start centre of gravity: east, north, up [m]
@@ -203,7 +203,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     return index;
   }
 
-  /** {@inheritDoc} For rotors, the power of the shafts; for a propeller, that of its motor. */
+  /** {@inheritDoc} For rotors, shaft power; for a propeller, the power of its motor. */
   @Override
   public OptionalDouble energyJ() {
     return OptionalDouble.of(energyJ);
@@ -214,7 +214,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     steps.step(dtS, this::tick);
   }
 
-  /** {@inheritDoc} So it does from a crash on: a leg has broken, or it has tipped over. */
+  /** {@inheritDoc} Also true after a crash: a leg has broken, or it has tipped over. */
   @Override
   public boolean isAground() {
     return crashed;
@@ -254,7 +254,7 @@ public final class UnmannedAircraft implements SimulatedVehicle {
     return true;
   }
 
-  /** One tick along the catapult, with a constant acceleration. */
+  /** Runs one tick along the catapult, at constant acceleration. */
   private void slide(Catapult how) {
     body.derivatives(state, rate);
     for (int i = FreeBody.ACTUATORS; i < FreeBody.ACTUATORS + loads.actuators().size(); i++) {

@@ -90,7 +90,7 @@ public record WingCoefficients(
     return (1.0 - stalled) * (lift.zero() + lift.alpha() * alphaRad) + stalled * plate;
   }
 
-  /** Drag coefficient without pitch rate and elevator; that of a flat plate beyond the stall. */
+  /** Drag coefficient without pitch rate and elevator; beyond the stall, that of a flat plate. */
   double dragAt(double alphaRad) {
     double attached = lift.zero() + lift.alpha() * alphaRad;
     double aspect = spanM * spanM / areaM2;

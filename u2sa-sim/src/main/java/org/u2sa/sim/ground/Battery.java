@@ -22,8 +22,8 @@ final class Battery {
   }
 
   /**
-   * Terminal voltage with two motors on it. Each draws duty · (duty · V − EMF) / R, so V solves a
-   * linear equation. An open motor counts as duty 0, because a shorted (braking) motor draws no
+   * Terminal voltage with two motors connected. Each draws duty · (duty · V − EMF) / R, so V solves
+   * a linear equation. An open motor counts as duty 0, because a shorted (braking) motor draws no
    * battery current either.
    *
    * @param perOhm 1 / R of a motor, 0 if absent [1/Ω]
@@ -48,7 +48,7 @@ final class Battery {
     return volts;
   }
 
-  /** Energy at the terminals so far, less what motors fed back [J]. */
+  /** Energy drawn at the terminals so far, less the energy fed back by motors [J]. */
   double givenJ() {
     return givenJ;
   }

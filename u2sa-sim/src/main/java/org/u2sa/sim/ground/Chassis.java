@@ -25,7 +25,7 @@ record Chassis(double massKg, double yawInertiaKgM2, double cogAheadM, double co
     return new Chassis(mass, inertia, ahead, right);
   }
 
-  /** The same for a single-track model, which ignores lateral offsets. */
+  /** Likewise for a single-track model, which ignores lateral offsets. */
   Chassis centred() {
     return new Chassis(massKg, yawInertiaKgM2, cogAheadM, 0.0);
   }

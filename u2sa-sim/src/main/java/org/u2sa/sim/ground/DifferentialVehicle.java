@@ -6,8 +6,8 @@ import org.u2sa.sim.world.Footprint;
 
 /**
  * Differential-drive vehicle with a front castor: the Mini-Molle of thesis 4.6.3. Models tyre creep
- * and slip, scrubbing in turns and battery load. Slopes transfer weight between the wheels,
- * acceleration does not; a wheel about to lift carries 1 N.
+ * and slip, scrubbing in turns and battery load. Slopes transfer weight between the wheels;
+ * acceleration does not. A wheel about to lift carries 1 N.
  */
 public final class DifferentialVehicle extends PlanarVehicle {
   private static final int LEFT = FREE;
@@ -39,7 +39,7 @@ public final class DifferentialVehicle extends PlanarVehicle {
   }
 
   /**
-   * Like the other constructor, with a collision outline other than that of the wheels.
+   * Like the other constructor, with a collision outline of its own.
    *
    * @throws IllegalArgumentException if the payload lifts a wheel
    */

@@ -94,8 +94,8 @@ public sealed interface DrivingHazard {
   }
 
   /**
-   * A magnetic anomaly (iron or a cable). The disturbance is this field at the centre [µT], half of
-   * it at the radius, and beyond falls with the cube of the distance, as a dipole.
+   * A magnetic anomaly (iron or a cable). The disturbance is this field at the centre [µT] and half
+   * of it at the radius; farther out it falls with the cube of the distance, as for a dipole.
    */
   record Magnetic(double eastM, double northM, double radiusM, double eastUt, double northUt)
       implements DrivingHazard {

@@ -16,7 +16,7 @@ package org.u2sa.sim.ground;
  * @param rightWheelRad rotation since the start [rad]
  * @param steerRad steering angle, right positive [rad]; 0 without steering
  * @param leftMotorA current through the left, or only, motor, driving forward positive [A]
- * @param rightMotorA [A]; 0 if there is one motor only
+ * @param rightMotorA [A]; 0 if there is only one motor
  * @param batteryV voltage at the battery's terminals [V]
  * @param charge battery state of charge, 0…1
  */

@@ -40,7 +40,7 @@ public final class MiniMolle implements Pins, RunningVehicle {
   private final HazardPlay hazards;
   private final ServoInput first = new ServoInput(false);
   private final ServoInput second = new ServoInput(false);
-  private long beginUs = -1; // not started; other times are relative to it
+  private long beginUs = -1; // −1: not started; other times are relative to it
   private long tickUs;
   private long nowUs;
   private final List<ContactWatch.Contact> contacts = new CopyOnWriteArrayList<>();
@@ -161,7 +161,7 @@ public final class MiniMolle implements Pins, RunningVehicle {
     return state;
   }
 
-  /** The same as the general vehicle state. */
+  /** Ground truth of the last tick, as the general vehicle state. */
   public VehicleTruth truth() {
     return truth;
   }

@@ -37,7 +37,7 @@ public final class MiniMolleBuilder {
     this.world = Objects.requireNonNull(world, "world");
   }
 
-  /** Sets the vehicle, which keeps its pose and is placed in the world on build. */
+  /** Sets the vehicle, which keeps its pose and is placed in the world by {@code build}. */
   public MiniMolleBuilder vehicle(GroundVehicle newVehicle) {
     vehicle = Objects.requireNonNull(newVehicle, "vehicle");
     return this;

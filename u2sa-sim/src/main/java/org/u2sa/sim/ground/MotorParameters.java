@@ -5,7 +5,7 @@ import org.u2sa.sim.motion.Arguments;
 /**
  * Brushed gear motor from data-sheet values at the output shaft, and its controller's dead band.
  *
- * @param ratedV voltage at which the figures below hold [V]
+ * @param ratedV voltage at which the figures below apply [V]
  * @param freeRadPerS speed without load [rad/s]
  * @param freeA current without load [A]
  * @param stallNm torque at standstill [N m]

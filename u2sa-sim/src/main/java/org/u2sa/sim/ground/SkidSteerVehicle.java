@@ -8,13 +8,13 @@ import org.u2sa.sim.world.Footprint;
  * Skid-steered vehicle with any number of driven wheels per side. It turns by dragging its tyres
  * sideways, so turns cost much more power than with a castor. The wheels' suspensions are equally
  * stiff: the load varies linearly over the ground they cover. Slopes transfer weight between the
- * wheels, acceleration does not; a wheel about to lift carries 1 N.
+ * wheels; acceleration does not. A wheel about to lift carries 1 N.
  */
 public final class SkidSteerVehicle extends PlanarVehicle {
   private final SkidSteerParameters p;
   private final DrivenWheel[] wheels; // left and right of each axle, axle by axle
   private final double meanX; // of the axles, relative to the centre of gravity [m]
-  private final double squareX; // sum over the wheels of squared distances from it [m²]
+  private final double squareX; // sum of the wheels' squared distances from it [m²]
   private final double squareY;
 
   /**

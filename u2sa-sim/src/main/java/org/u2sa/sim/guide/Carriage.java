@@ -30,7 +30,7 @@ public final class Carriage implements SimulatedVehicle {
   private final Point start;
   private final double headingRad;
   private final Point way; // unit vector east, north, up
-  private final double weightN; // along the guide, of carriage and counterweight
+  private final double weightN; // of carriage and counterweight, along the guide
   private final FixedStep steps = new FixedStep(TICKS_PER_SECOND);
   private double command = Double.NaN;
   private double forceN;
@@ -107,7 +107,7 @@ public final class Carriage implements SimulatedVehicle {
     energyJ += forceN * speedMps * TICK_S;
   }
 
-  /** {@inheritDoc} The work of the drive. */
+  /** {@inheritDoc} Counts the work of the drive. */
   @Override
   public OptionalDouble energyJ() {
     return OptionalDouble.of(energyJ);

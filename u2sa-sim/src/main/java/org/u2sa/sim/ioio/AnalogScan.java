@@ -10,7 +10,7 @@ final class AnalogScan {
   private final Pins world;
   private final ByteQueue out;
   private int wanted; // requested channels, as a bit mask
-  private int reported; // channels of the report format last sent to the host
+  private int reported; // channels in the report format last sent to the host
 
   AnalogScan(PinBank pins, Pins world, ByteQueue out) {
     this.pins = pins;

@@ -6,8 +6,8 @@ import java.util.function.IntConsumer;
 import org.u2sa.sim.ioio.MessageReader.Bits;
 
 /**
- * Executes messages to the board whose arguments are in range. After the firmware's {@code
- * protocol.c} and {@code features.c}, with exactly its checks.
+ * Executes messages to the board that have valid arguments. After the firmware's {@code protocol.c}
+ * and {@code features.c}, with exactly its checks.
  */
 final class Commands implements MessageReader.Handler {
   private static final int ENABLE_BIT = 7;

@@ -12,7 +12,7 @@ public interface Hosts extends Closeable {
    *
    * @param name for the log
    * @param input bytes to the board; its read may throw {@link java.net.SocketTimeoutException} if
-   *     the host is silent too long
+   *     the host is silent for too long
    * @param end closes both streams immediately; callable from any thread
    */
   record Host(String name, InputStream input, OutputStream output, Closeable end) {}

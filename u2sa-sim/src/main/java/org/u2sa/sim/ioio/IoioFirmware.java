@@ -69,7 +69,7 @@ public final class IoioFirmware {
     return state != State.CLOSED;
   }
 
-  /** Reason for which the board closed the last connection; empty if it did not. */
+  /** Reason why the board closed the last connection; empty if it did not. */
   public String trouble() {
     return trouble;
   }

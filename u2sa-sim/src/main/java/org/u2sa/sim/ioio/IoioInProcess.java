@@ -10,8 +10,8 @@ import java.util.function.Consumer;
  * which returns once the host has consumed every byte, so runs are deterministic.
  *
  * <p>The host's own thread reads until its first wait in an exchange. Waking it each time costs
- * more than the reading, so from then on each exchange delivers the bytes itself and the thread
- * only waits for the end of the connection.
+ * more than reading, so from then on each exchange delivers the bytes itself, and the thread only
+ * waits for the end of the connection.
  *
  * <p>The host calls {@link #connect} and then obtains the connection's streams, which end when
  * either side closes; the reader then closes its stream. Thread-safe, with a single reader.

@@ -13,8 +13,8 @@ import org.u2sa.interfaces.time.Clock;
  * Serves a simulated board over TCP in real time, to one host at a time because the board has one
  * channel. Three daemon threads: acceptor/reader, clock and sender.
  *
- * <p>A host is read no faster than 2 MB/s, so that a flood leaves time to the vehicle. If the
- * process was suspended or the machine slept, the board's clock was frozen.
+ * <p>A host is read at up to 2 MB/s, so that a flood leaves time for the vehicle. While the process
+ * is suspended or the machine sleeps, the board's clock stands still.
  */
 public final class IoioTcpServer implements AutoCloseable {
   private static final long PAUSE_MS = 2;
@@ -31,10 +31,10 @@ public final class IoioTcpServer implements AutoCloseable {
   private final Thread time = new Thread(this::passTime, "u2sa-ioio-server-time");
   private final Thread sender = new Thread(this::send, "u2sa-ioio-server-sender");
   private Hosts.Host host; // null if none is connected
-  private int credit; // bytes that may be read until it is renewed
-  private long creditMicros; // when it is renewed
+  private int credit; // bytes that may be read until the credit is renewed
+  private long creditMicros; // time of the next renewal
   private long lastMicros; // clock time of the last advance
-  private long skippedMicros; // time that the board does not count
+  private long skippedMicros; // time not counted by the board
   private boolean powered = true;
   private boolean held;
   private boolean closed;
@@ -132,7 +132,7 @@ public final class IoioTcpServer implements AutoCloseable {
       why = "the board failed at its message: " + e;
     }
     synchronized (lock) {
-      why = firmware.trouble().isEmpty() ? why : "the board refused " + firmware.trouble();
+      why = firmware.trouble().isEmpty() ? why : "the board rejected " + firmware.trouble();
       hangUp(next);
     }
     source.ended(next, why);

@@ -57,7 +57,7 @@ final class PinBank {
     becomes(pin, false, level[pin], true);
   }
 
-  /** Each of these modes disconnects any peripheral from the pin. */
+  /** Sets a mode that disconnects any peripheral from the pin. */
   private void becomes(int pin, boolean isOutput, boolean high, boolean isAnalog) {
     output[pin] = isOutput;
     level[pin] = high;

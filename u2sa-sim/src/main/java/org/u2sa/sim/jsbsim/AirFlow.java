@@ -18,7 +18,7 @@ final class AirFlow {
   private final double area;
   private final double span;
   private final double chord;
-  private final double[] reference; // of the aerodynamic moments, structural [ft]
+  private final double[] reference; // reference point of the aerodynamic moments, structural [ft]
   private double alphaRate;
   private double betaRate;
 
@@ -80,7 +80,7 @@ final class AirFlow {
   }
 
   /**
-   * Keeps the accelerations of the last tick, from which the rates of the angles follow.
+   * Stores the accelerations of the last tick, from which the angles' rates follow.
    *
    * @param rate derivative of the state
    */

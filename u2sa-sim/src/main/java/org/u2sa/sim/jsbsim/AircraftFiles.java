@@ -12,7 +12,7 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlText;
 
-/** The file of an aircraft with those of its engines, propellers and systems. Immutable. */
+/** An aircraft file and the files of its engines, propellers and systems. Immutable. */
 final class AircraftFiles {
   private static final List<String> IGNORED = List.of("autopilot", "output", "input");
   private static final List<String> KNOWN =
@@ -73,7 +73,7 @@ final class AircraftFiles {
     }
   }
 
-  /** Reads the file that an element names; its root must be one of these. */
+  /** Reads the file named by an element; its root must be one of these. */
   private XmlElement load(XmlElement element, String... roots) {
     String name = element.attribute("file");
     for (String beside : BESIDE) {

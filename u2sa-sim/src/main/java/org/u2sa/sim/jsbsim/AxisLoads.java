@@ -86,7 +86,7 @@ final class AxisLoads {
     }
   }
 
-  /** Once before each tick. */
+  /** Call once before each tick. */
   void step(AirFlow flow) {
     if (hysteresisHigh != 0.0 && flow.alpha > hysteresisHigh) {
       properties.set("aero/stall-hyst-norm", 1.0);
@@ -109,7 +109,7 @@ final class AxisLoads {
     for (Term each : terms) {
       sums[each.axis.index] += each.axis.sign * each.value.getAsDouble();
     }
-    if (isWind) { // to body axes: Stevens and Lewis, 3rd ed., eq. 2.3-2
+    if (isWind) { // wind to body axes: Stevens and Lewis, 3rd ed., eq. 2.3-2
       double ca = StrictMath.cos(flow.alpha);
       double sa = StrictMath.sin(flow.alpha);
       double cb = StrictMath.cos(flow.beta);

@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * The commands of an aircraft and the properties that they set. Signs are those of the simulated
+ * An aircraft's commands, with the properties that they set. Signs are those of the simulated
  * Cessna: ailerons roll right, the elevator pitches down, the rudder yaws right.
  */
 enum ControlLever {

@@ -148,7 +148,7 @@ final class FlightControl {
     return outputs;
   }
 
-  /** An angle of a surface has three properties: radians, degrees and magnitude. */
+  /** Each surface angle has three properties: radians, degrees and magnitude. */
   private DoubleConsumer output(String name) {
     PropertyTree.Property property = properties.define(name, 0.0);
     Matcher angle = ANGLE.matcher(name);
@@ -175,7 +175,7 @@ final class FlightControl {
     return properties.read(inputs.get(0).text(), inputs.get(0));
   }
 
-  /** A number, or the property that holds it. */
+  /** A number, or the property that contains it. */
   private DoubleSupplier parameter(XmlElement parent, String name) {
     XmlElement child = parent.requiredChild(name);
     if (child.text().contains("/")) {

@@ -8,7 +8,7 @@ import org.u2sa.sim.gear.Wheel;
 
 /**
  * Contact points as wheels: legs have the file's springs, dampers and friction; tyres are this
- * simulation's, as stiff as their legs. Places stay relative to the centre of gravity at the start.
+ * simulation's, as stiff as their legs. Positions remain relative to the initial centre of gravity.
  */
 final class GroundContacts {
   private static final double TYRE_DAMPING_RATIO = 0.7;

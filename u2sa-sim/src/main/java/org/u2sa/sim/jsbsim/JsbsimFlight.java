@@ -2,7 +2,7 @@ package org.u2sa.sim.jsbsim;
 
 import org.u2sa.sim.flight.UnmannedAircraft;
 
-/** A simulated aircraft of JSBSim's format with its properties. Not thread-safe. */
+/** A simulated aircraft in JSBSim's format with its properties. Not thread-safe. */
 public final class JsbsimFlight {
   private final UnmannedAircraft aircraft;
   private final JsbsimLoads loads;

@@ -13,7 +13,7 @@ import org.u2sa.sim.flight.MassProperties;
 import org.u2sa.sim.gear.Wheel;
 import org.u2sa.sim.motion.Arguments;
 
-/** All that acts on one aircraft of JSBSim's format. Not thread-safe. */
+/** All loads on one aircraft in JSBSim's format. Not thread-safe. */
 final class JsbsimLoads implements AirLoads {
   private static final int WEIGHED_EVERY_TICKS = 400;
   private static final double DRIVEN_ABOVE = 0.5;

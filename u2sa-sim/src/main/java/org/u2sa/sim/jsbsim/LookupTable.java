@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** A table of JSBSim over one or two variables: linear between its points, constant beyond them. */
+/** A JSBSim table over one or two variables: linear between its points, constant beyond them. */
 final class LookupTable {
   private final double[] rows;
   private final double[] columns;

@@ -35,7 +35,7 @@ final class MassBalance {
     }
     boolean isPlain =
         file.optionalAttribute("negated_crossproduct_inertia").orElse("true").equals("false");
-    base[3] *= isPlain ? 1.0 : -1.0; // else the file gives the matrix's element
+    base[3] *= isPlain ? 1.0 : -1.0; // otherwise the file gives the matrix element
     XmlElement empty =
         file.children("location").stream()
             .filter(each -> each.attribute("name").equals("CG"))
@@ -79,7 +79,7 @@ final class MassBalance {
   }
 
   /**
-   * Adds everything up.
+   * Sums up all masses and inertias.
    *
    * @throws IllegalArgumentException if no body has these values
    */

@@ -16,7 +16,7 @@ final class PistonPower {
   private static final double RICHEST = 1.3; // equivalence ratio at full mixture, sea level
   private static final double M3_PER_IN3 = 1.6387064e-5;
   private static final double PUMPING_W_MIN_PER_HP = 22_371.0; // ½ · 60 s/min · 745.7 W/hp
-  private static final double STALLS_AT_IDLE = 0.8; // of the idling speed
+  private static final double STALLS_AT_IDLE = 0.8; // fraction of the idling speed
   private static final double RUNS_ABOVE_HP = 0.125; // below this indicated power it stops
 
   /** Efficiency over the ratio of fuel to air: JSBSim's default. */
@@ -43,7 +43,7 @@ final class PistonPower {
   private final double specificConsumption; // [lb/(hp h)]
   private double manifoldPa;
   private boolean isRunning = true;
-  private double fuelLbPerS = 1e-6; // positive, so that it runs initially
+  private double fuelLbPerS = 1e-6; // positive, so that the engine initially runs
 
   PistonPower(XmlElement file) {
     file.refuseUnknownChildren(

@@ -7,10 +7,10 @@ import org.u2sa.interfaces.xml.XmlElement;
 
 /** An engine with its propeller and the tanks that feed it. */
 final class PowerPlant {
-  private static final double IDLES = 2.0; // times its idling speed, at the start
+  private static final double IDLES = 2.0; // initial speed over idling speed
 
   private final PropertyTree properties;
-  private final String prefix; // of its properties
+  private final String prefix; // prefix of its properties
   private final TabulatedPropeller propeller;
   private final Optional<PistonPower> piston; // empty: electric
   private final double electricHp;

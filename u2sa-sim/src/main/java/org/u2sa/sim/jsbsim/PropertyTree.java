@@ -17,9 +17,9 @@ final class PropertyTree {
   }
 
   private final Map<String, Property> all = new HashMap<>();
-  private final Map<String, Property> quick = new HashMap<>(); // by names as callers write them
+  private final Map<String, Property> quick = new HashMap<>(); // by name, as spelled by callers
   private final Set<String> defined = new HashSet<>();
-  private final Map<String, XmlElement> used = new LinkedHashMap<>(); // where first
+  private final Map<String, XmlElement> used = new LinkedHashMap<>(); // by name, where first used
   private final Map<String, Double> given;
 
   /**
@@ -39,9 +39,7 @@ final class PropertyTree {
     return all.computeIfAbsent(canonical(name), unseen -> new Property());
   }
 
-  /**
-   * A property that this simulation sets, initially to the vehicle file's value or else this one.
-   */
+  /** A property set by this simulation, initially from the vehicle file or else as given. */
   Property define(String name, double value) {
     Property property = find(name);
     if (defined.add(canonical(name))) {

@@ -12,11 +12,11 @@ import org.u2sa.sim.motion.BodyAttitude;
  */
 final class TabulatedPropeller {
   private static final double PITCH_PER_RPM_S = 1.0; // the governor's rate [deg/s per rpm]
-  private static final double OIL_RPM = 200.0; // below this speed, the governor has no oil pressure
+  private static final double OIL_RPM = 200.0; // no oil pressure for the governor below this
   private static final double SLOWEST_RADPS = 0.01;
 
   private final PropertyTree properties;
-  private final String prefix; // of its properties
+  private final String prefix; // prefix of its properties
   private final BodyAttitude mounting = new BodyAttitude();
   private final double[] place; // structural [ft]
   private final double inertia;
@@ -39,7 +39,7 @@ final class TabulatedPropeller {
   private double pitch;
   private double rpm;
 
-  private double requiredCoefficient; // of power, by load()
+  private double requiredCoefficient; // power coefficient, set by load()
 
   /**
    * @param prefix prefix of the engine's properties

@@ -3,7 +3,7 @@ package org.u2sa.sim.jsbsim;
 import java.util.Map;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** Numbers of JSBSim's files. Without an attribute {@code unit} they are in the unit expected. */
+/** Numbers in JSBSim's files, by default (without {@code unit}) in the expected unit. */
 final class UnitNumbers {
   static final String FT = "FT";
   static final String LBS = "LBS";
@@ -86,7 +86,7 @@ final class UnitNumbers {
     };
   }
 
-  /** Factor from an element's unit to the one expected. */
+  /** Factor from an element's unit to the expected one. */
   static double factor(XmlElement element, String expected) {
     String stated = element.optionalAttribute("unit").orElse(expected);
     if (stated.equals(expected)) {

@@ -10,14 +10,14 @@ import org.u2sa.sim.world.World;
  * The BlueROV2 with six T200 thrusters: four vectored in the plane, two vertical.
  *
  * <p>Masses and drag after Wu: 6-DoF Modelling and Control of a Remotely Operated Vehicle (master's
- * thesis, Flinders University, 2018), as widely used since; thrust of the T200 at 14 V, rounded.
+ * thesis, Flinders University, 2018), widely used since; thrust of the T200 at 14 V, rounded.
  * Slightly positive buoyancy makes it rise when idle.
  */
 public final class BlueRov2 {
   /** Thrust of one thruster at full command [N]. */
   public static final double FORWARD_N = 40.0;
 
-  /** Thrust of one thruster at full command astern [N]. */
+  /** Thrust of one thruster at full astern command [N]. */
   public static final double REVERSE_N = 30.0;
 
   private static final double AHEAD_M = 0.156;

@@ -34,7 +34,7 @@ final class Fenders {
   /** Heights are above the world's origin [m]. */
   private record Wall(ConvexOutline outline, double lowM, double highM) {}
 
-  /** Motion of a hull: place [m], clockwise heading, velocity over ground, clockwise turn rate. */
+  /** Motion of a hull: position [m], heading, velocity over ground, turn rate; clockwise. */
   record Motion(Point place, double headingRad, Point velocity, double turnRadps) {
     Point worldOf(Point body) {
       double sin = StrictMath.sin(headingRad);
@@ -45,7 +45,7 @@ final class Fenders {
           0.0);
     }
 
-    /** Velocity of the hull's material at a place. */
+    /** Velocity of a point fixed to the hull. */
     Point velocityAt(Point at) {
       return Point.of(
           velocity.x() + turnRadps * (at.y() - place.y()),
@@ -123,7 +123,7 @@ final class Fenders {
   }
 
   /**
-   * Adds the force at a place of the hull.
+   * Adds the force at a point of the hull.
    *
    * @param out displacement that would free the hull
    */

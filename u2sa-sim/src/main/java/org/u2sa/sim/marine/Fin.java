@@ -45,7 +45,7 @@ public record Fin(
     return travelRad * command;
   }
 
-  /** {@inheritDoc} Its servo's is neglected. */
+  /** {@inheritDoc} The servo's power is neglected. */
   @Override
   public OptionalDouble powerW(double level) {
     return OptionalDouble.of(0.0);

@@ -118,7 +118,7 @@ final class FossenModel implements RungeKutta.Motion {
         : OptionalDouble.empty();
   }
 
-  /** Electrical power of all actuators [W]; empty if that of any is unknown. */
+  /** Electrical power of all actuators [W]; empty if any is unknown. */
   OptionalDouble powerW(double[] s) {
     double sum = 0.0;
     for (int i = 0; i < targets.length; i++) {
@@ -204,8 +204,8 @@ final class FossenModel implements RungeKutta.Motion {
 
   /**
    * First-order wave forces on a hull that is small compared with the waves: Froude-Krylov force of
-   * the displaced water, and added mass (Newman 1977, section 2.12). The waterplane has a floating
-   * hull's vertical share.
+   * the displaced water, and added mass (Newman 1977, section 2.12). For a floating hull, the
+   * waterplane contributes the vertical part.
    */
   private void push(Sea water, double under) {
     boolean floats = hull.waterplane().isPresent();
@@ -288,7 +288,7 @@ final class FossenModel implements RungeKutta.Motion {
     act(hull.buoyancyCentre(), -buoyancy, dx, dy, dz);
   }
 
-  /** Share of a submerging hull that is under water. */
+  /** Fraction of a submerging hull that is under water. */
   private double under(double[] s) {
     double under = 0.5 + sunkM(s) / hull.heightM();
     return StrictMath.max(0.0, StrictMath.min(1.0, under));

@@ -28,7 +28,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param dragFade decay of the linear damping with the speed U through the water, exp(−fade · U),
  *     where quadratic terms take over [s/m]; 0: none
  * @param hasMunkMoment whether added mass couples linear velocity into pitch and yaw, which turns a
- *     slender hull across its motion; models without the damping that balances it leave it out
+ *     slender hull across its motion; models without the balancing damping omit this
  */
 public record Hull(
     double massKg,

@@ -3,9 +3,9 @@ package org.u2sa.sim.marine;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Lift and drag of a submerged slender hull by its angle of attack, as of a wing of low aspect
- * ratio (Fossen 2021, section 8.4.2; Beard and McLain, Small Unmanned Aircraft, section 4.2): C_L =
- * C_Lα α with C_Lα = π A / (1 + √(1 + (A/2)²)), C_D = C_D0 + C_L² / (π e A). Likewise astern.
+ * Lift and drag of a submerged slender hull by angle of attack, as a wing of low aspect ratio
+ * (Fossen 2021, section 8.4.2; Beard and McLain, Small Unmanned Aircraft, section 4.2): C_L = C_Lα
+ * α with C_Lα = π A / (1 + √(1 + (A/2)²)), C_D = C_D0 + C_L² / (π e A). Likewise astern.
  *
  * @param areaM2 reference area [m²]
  * @param spanM breadth of the hull [m]

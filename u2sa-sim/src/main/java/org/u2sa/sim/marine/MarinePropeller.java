@@ -6,8 +6,8 @@ import org.u2sa.sim.motion.Arguments;
 
 /**
  * A propeller in open water whose thrust and torque fall with its advance (Fossen 2021, section
- * 9.4): ρ D⁴ n² K_T(J) and ρ D⁵ n² K_Q(J), both linear in J; turning astern as at J = 0. Its speed
- * lags the command.
+ * 9.4): ρ D⁴ n² K_T(J) and ρ D⁵ n² K_Q(J), both linear in J; astern as at J = 0. Its speed lags the
+ * command.
  *
  * @param name name used in commands
  * @param place position relative to the reference point [m]
@@ -17,8 +17,8 @@ import org.u2sa.sim.motion.Arguments;
  * @param thrustSlope dK_T/dJ
  * @param torqueAtRest K_Q at J = 0, the part that turns the hull about the direction
  * @param torqueSlope dK_Q/dJ
- * @param wake wake fraction: share of the speed that the inflow lacks behind the hull
- * @param deduction thrust deduction fraction, lost to suction on the hull
+ * @param wake wake fraction: fraction by which the inflow behind the hull is slower
+ * @param deduction thrust deduction fraction, due to suction on the hull
  * @param fullSpeedRevPerS at full command [1/s]
  * @param densityKgPerM3 water density [kg/m³]
  * @param timeConstantS time constant of its speed [s]

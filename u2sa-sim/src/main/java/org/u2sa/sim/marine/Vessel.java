@@ -76,13 +76,13 @@ public final class Vessel implements SimulatedVehicle {
     fenders = new Fenders(world, footprint);
   }
 
-  /** Lets the wind of the world push the hull; call before any step. */
+  /** Lets the world's wind act on the hull; call before any step. */
   public Vessel inWind(Windage area) {
     windage = Optional.of(area);
     return this;
   }
 
-  /** Wind and fenders, by the motion at the beginning of a step. */
+  /** Computes wind and fender forces from the motion at the beginning of a step. */
   private void push() {
     double heading = BodyState.attitude(state).psi();
     double cos = StrictMath.cos(heading);

@@ -11,7 +11,7 @@ import org.u2sa.sim.motion.Arguments;
  * @param place position relative to the reference point [m]
  * @param direction unit vector of the thrust on the hull at a positive command
  * @param forwardN thrust at full command [N]
- * @param reverseN thrust at full command astern [N]
+ * @param reverseN thrust at full astern command [N]
  * @param deadband command magnitude below which it does not turn, 0…1
  * @param exponent exponent of the thrust curve beyond the dead band
  * @param timeConstantS time constant of the lag [s]

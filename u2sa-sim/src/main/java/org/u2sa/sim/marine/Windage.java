@@ -42,6 +42,6 @@ public record Windage(double ahead, double aside, double turning, Axes axes, dou
     return Point.of(
         north * cos + east * sin,
         east * cos - north * sin,
-        2.0 * turning * eastMps * northMps); // about up: −2 c_n; down points the other way
+        2.0 * turning * eastMps * northMps); // about up: −2 c_n; down has the opposite sign
   }
 }

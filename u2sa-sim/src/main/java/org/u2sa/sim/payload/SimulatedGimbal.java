@@ -59,11 +59,11 @@ public final class SimulatedGimbal extends SimulatedPayload<Gimbal.Pointing> imp
 
   @Override
   public void leave() {
-    // it holds its angles
+    // keeps its angles
   }
 
   @Override
   public void close() {
-    // it holds its angles
+    // keeps its angles
   }
 }

@@ -3,8 +3,8 @@ package org.u2sa.sim.payload;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * One joint with limits, a maximum rate and a first-order lag: its rate is the distance to go over
- * the time constant, at most the maximum. Not thread-safe.
+ * One joint with limits, a maximum rate and a first-order lag: its rate is the remaining distance
+ * divided by the time constant, up to the maximum. Not thread-safe.
  */
 final class SimulatedJoint {
   private static final double MICROS_PER_S = 1e6;
@@ -50,7 +50,7 @@ final class SimulatedJoint {
     return angleRad;
   }
 
-  /** Moves on to a time of the run's clock. */
+  /** Advances to a time of the run's clock. */
   void advance(long nowMicros) {
     atMicros = atMicros == Long.MIN_VALUE ? nowMicros : atMicros;
     double left = (nowMicros - atMicros) / MICROS_PER_S;

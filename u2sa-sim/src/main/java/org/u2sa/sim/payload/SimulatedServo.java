@@ -6,7 +6,7 @@ import org.u2sa.sim.device.SimulatedPayload;
 
 /**
  * A servo of a payload, such as a joint of an arm, with limits, a maximum rate and a lag. It starts
- * at its middle and measures its angle.
+ * at mid-travel and measures its angle.
  */
 public final class SimulatedServo extends SimulatedPayload<Servo.Position> implements Servo {
   private final SimulatedJoint joint;
@@ -44,11 +44,11 @@ public final class SimulatedServo extends SimulatedPayload<Servo.Position> imple
 
   @Override
   public void leave() {
-    // it holds its angle
+    // keeps its angle
   }
 
   @Override
   public void close() {
-    // it holds its angle
+    // keeps its angle
   }
 }

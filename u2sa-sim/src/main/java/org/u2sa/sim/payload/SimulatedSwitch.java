@@ -17,7 +17,7 @@ public final class SimulatedSwitch extends SimulatedPayload<SwitchOutput.Level>
 
   /**
    * @param rateHz readings per second
-   * @param timeS time from 0 to 100 % [s]; 0: at once
+   * @param timeS time from 0 to 100 % [s]; 0: immediate
    */
   public SimulatedSwitch(double rateHz, double timeS) {
     super(rateHz, 0.0);

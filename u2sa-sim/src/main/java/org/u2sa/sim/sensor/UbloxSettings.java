@@ -41,7 +41,7 @@ public record UbloxSettings(int baud, double rateHz, Set<GpsMessage> messages, i
   }
 
   /**
-   * POSLLH, STATUS and VELNED, 104 bytes per position, all that is needed from a LEA-6.
+   * POSLLH, STATUS and VELNED, 104 bytes per position: everything needed from a LEA-6.
    *
    * @param baud 9600 allows 9 positions per second
    * @throws IllegalArgumentException if the line rate is too low

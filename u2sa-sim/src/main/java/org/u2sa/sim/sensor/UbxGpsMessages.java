@@ -160,7 +160,7 @@ final class UbxGpsMessages {
     };
   }
 
-  /** Of both axes together, as the receivers give it. */
+  /** Error of both axes combined, as reported by receivers. */
   private static double horizontalM(GpsSample s) {
     return StrictMath.sqrt(2.0) * s.horizontalSigmaM();
   }

@@ -5,7 +5,7 @@ import org.u2sa.sim.motion.Arguments;
 
 /** Battery voltage at an analog input behind a divider, with resistor tolerance and noise. */
 public final class VoltmeterModel {
-  private static final double TOLERANCE = 0.01; // of common resistors, relative
+  private static final double TOLERANCE = 0.01; // relative tolerance of common resistors
 
   private final double ratio;
   private final double noiseV;

@@ -89,7 +89,7 @@ public final class BodyState {
     }
   }
 
-  /** The three values from an index on. */
+  /** The three values starting at an index. */
   public static Point at(double[] values, int index) {
     return Point.of(values[index], values[index + 1], values[index + 2]);
   }

@@ -8,7 +8,7 @@ import org.u2sa.messages.ObjectDescription;
 import org.u2sa.sim.world.World;
 
 /**
- * Counts a vehicle's contacts with obstacles and with ground that it is not made to stand on; a
+ * Counts a vehicle's contacts with obstacles and with ground on which it is not meant to stand; a
  * continuous contact counts once. Not thread-safe.
  */
 public final class ContactWatch {
@@ -26,7 +26,7 @@ public final class ContactWatch {
   private Set<String> touching = new HashSet<>();
 
   /**
-   * @param listener notified of each new contact
+   * @param listener called for each new contact
    */
   public ContactWatch(Consumer<Contact> listener) {
     this.listener = listener;

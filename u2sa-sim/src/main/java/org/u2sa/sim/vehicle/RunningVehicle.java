@@ -6,14 +6,14 @@ import java.util.function.Function;
 /** A vehicle shared by sensors, actuators and observers of a run. Thread-safe. */
 public interface RunningVehicle {
   /**
-   * State at a time; the current state if that time has passed.
+   * State at the given time; the current state if that time has passed.
    *
    * @param nowMicros of the run's clock [µs]
    */
   VehicleTruth at(long nowMicros);
 
   /**
-   * A property of the vehicle at a time, read between steps.
+   * A property of the vehicle at the given time, read between steps.
    *
    * @param nowMicros of the run's clock [µs]
    */

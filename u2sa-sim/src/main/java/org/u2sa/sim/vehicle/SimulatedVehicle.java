@@ -42,19 +42,19 @@ public interface SimulatedVehicle {
   /** The world around the vehicle. */
   World world();
 
-  /** Whether it touches ground that it is not made to stand on. */
+  /** Whether it touches ground on which it is not meant to stand. */
   default boolean isAground() {
     return false;
   }
 
-  /** Thrust of an actuator now, forward positive [N]; empty if the model computes none. */
+  /** Current thrust of an actuator, forward positive [N]; empty if the model computes none. */
   default OptionalDouble thrustN(String actuator) {
     return OptionalDouble.empty();
   }
 
   /**
-   * Energy used since the start [J], less what motors fed back; docs/vehicle-files.md states what
-   * each kind of vehicle includes. Empty if the model does not compute it.
+   * Energy used since the start [J], less the energy fed back by motors; docs/vehicle-files.md
+   * states what each kind of vehicle includes. Empty if the model does not compute it.
    */
   default OptionalDouble energyJ() {
     return OptionalDouble.empty();

@@ -110,7 +110,7 @@ public final class VehicleRun implements RunningVehicle {
   }
 
   /**
-   * The vehicle for readers that must not advance it because a single service does; they get its
+   * The vehicle for readers that must not advance it because a single service does so; they see its
    * latest state.
    */
   public Readers readers() {

@@ -4,15 +4,15 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Horizontal velocity of water that does not change with time: on a grid around the origin, north
- * up, and bilinear between its points; constant beyond its edge. At every place the velocity
- * depends on the depth by the same profile, linear between its depths. Immutable.
+ * Horizontal, time-independent velocity of water: on a grid around the origin, north up, with
+ * bilinear interpolation; constant beyond the edge. The velocity varies with depth by the same
+ * profile everywhere, with linear interpolation. Immutable.
  */
 public final class CurrentField {
   private static final int MAX_SIZE = 1 << 20;
   private static final double FASTEST_MPS = 20.0;
 
-  private final double[] east; // by rows from the north, each from the west [m/s]
+  private final double[] east; // rows from the north, each from the west [m/s]
   private final double[] north;
   private final int columns;
   private final int rows;
@@ -92,7 +92,7 @@ public final class CurrentField {
   }
 
   /**
-   * Copy with a profile over the depth.
+   * Copy with a depth profile.
    *
    * @param newDepths rising depths below still water [m]
    * @param newShares fraction of the velocity at each depth, −2…2

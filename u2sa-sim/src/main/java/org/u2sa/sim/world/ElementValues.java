@@ -59,7 +59,7 @@ final class ElementValues {
     return child.isPresent() && child.get().text().equals("true");
   }
 
-  /** A constant of an enumeration, with "-" for "_" in any case. */
+  /** A constant of an enumeration, case-insensitive, with "-" for "_". */
   static <E extends Enum<E>> E choice(XmlElement element, String name, Class<E> type, E ifAbsent) {
     Optional<XmlElement> child = element.child(name);
     if (child.isEmpty()) {

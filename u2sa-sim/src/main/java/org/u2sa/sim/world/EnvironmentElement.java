@@ -37,7 +37,7 @@ public final class EnvironmentElement {
     element.refuseText();
     element.refuseUnknownChildren("terrain", "surface", "water", "wind", "light");
     for (String name : List.of("terrain", "surface", "water", "wind", "light")) {
-      element.child(name); // refuses a second one
+      element.child(name); // rejects a second one
     }
     World with = world;
     for (XmlElement child : element.children()) {
@@ -116,7 +116,7 @@ public final class EnvironmentElement {
     double towards = number(element, "towards", "rad", "rad").orElse(0.0);
     Optional<XmlElement> grid = element.child("currents");
     if (grid.isPresent() && element.child("current").isPresent()) {
-      throw grid.get().error("is given together with <current>; expected one of them");
+      throw grid.get().error("is given together with <current>; expected only one of them");
     }
     CurrentField field =
         grid.map(EnvironmentElement::currents)

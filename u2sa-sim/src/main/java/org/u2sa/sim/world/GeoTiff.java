@@ -22,12 +22,12 @@ import org.u2sa.sim.motion.Arguments;
 
 /**
  * Reads digital elevation models in the GeoTIFF format (OGC 19-008r4): one band of altitudes above
- * sea level [m], in WGS 84 by degrees (EPSG 4326) or UTM (EPSG 326xx, 327xx), north up. Other
- * ellipsoidal or vertical datums are treated as these.
+ * sea level [m], in WGS 84 degrees (EPSG 4326) or UTM (EPSG 326xx, 327xx), north up. Other
+ * ellipsoidal or vertical datums are treated as if they were these.
  */
 final class GeoTiff {
   private static final int MAX_SIDE = 8_192;
-  private static final int MAX_POINTS = 2_048; // of the height map, in either direction
+  private static final int MAX_POINTS = 2_048; // points of the height map in either direction
   private static final int SCALE = 33_550; // ModelPixelScale: x, y, z
   private static final int TIEPOINT = 33_922; // ModelTiepoint: column, row, 0, x, y, z
   private static final int KEYS = 34_735; // GeoKeyDirectory
@@ -41,7 +41,7 @@ final class GeoTiff {
   private final Raster raster;
   private final double[] scale;
   private final double[] tie;
-  private final double shift; // of the tie point from the pixel's middle [px]
+  private final double shift; // of the tie point from the pixel's centre [px]
   private final Optional<UtmGrid> grid; // empty for degrees
   private final double noData;
 
@@ -68,7 +68,7 @@ final class GeoTiff {
     noData = noData(tags);
   }
 
-  /** Whether a file has the name of a GeoTIFF. */
+  /** Whether a file name is that of a GeoTIFF. */
   static boolean isNamed(String file) {
     return file.toLowerCase(Locale.ROOT).matches(".*\\.tiff?");
   }
@@ -125,7 +125,7 @@ final class GeoTiff {
     }
   }
 
-  /** A compressed map of a single height is a thousand times smaller. */
+  /** Checks the decoded size: a compressed map of one height is a thousand times smaller. */
   static void requireRoom(int width, int height, long heapBytes) throws IOException {
     long bytes = (long) width * height * Float.BYTES;
     if (bytes > heapBytes / 2) {

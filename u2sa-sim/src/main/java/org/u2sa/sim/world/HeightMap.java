@@ -14,14 +14,14 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * Terrain by heights on a rectangular grid around the origin, interpolated between them: rows start
+ * Terrain as heights on a rectangular grid around the origin, interpolated between them: rows start
  * in the north, as on a map. Beyond its edge, the ground continues at the edge's height. Immutable.
  */
 public final class HeightMap implements Terrain {
   private static final int MAX_SIDE = 4_096;
-  private static final double STEEPEST = 20.0; // maximum of a map that rays can search
+  private static final double STEEPEST = 20.0; // maximum slope of a map that rays can search
 
-  private final double[] heights; // by rows from the north, each from the west [m]
+  private final double[] heights; // rows from the north, each from the west [m]
   private final int columns;
   private final int rows;
   private final double spacingEastM;
@@ -102,7 +102,7 @@ public final class HeightMap implements Terrain {
     }
   }
 
-  /** Refuses a folder, and a pipe, which would be waited for. */
+  /** Rejects a folder, and a pipe, which would block. */
   static void requireRegular(Path file) {
     if (!Files.isRegularFile(file)) {
       throw new BadInputException(file + ": height map: no such regular file");

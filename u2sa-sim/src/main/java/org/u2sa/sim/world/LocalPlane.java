@@ -8,7 +8,7 @@ import org.u2sa.messages.frame.Point;
  * origin, distances are accurate to a millimetre. North is the origin's; it differs from local
  * north by easting · tan(latitude) / earth radius: 0.02° at 2 km and 50° latitude.
  *
- * @param origin the plane's east 0, north 0, up 0
+ * @param origin position of the plane's origin
  */
 public record LocalPlane(Geodetic origin) {
 

@@ -18,7 +18,7 @@ public final class MoverElement {
   /**
    * Reads a mover.
    *
-   * @param element with waypoints, speed and what follows
+   * @param element with waypoints, speed and further settings
    * @param object the object in the element, at its start
    * @throws BadInputException naming file, line, element, value and what was expected
    */

@@ -44,7 +44,7 @@ final class ObstacleTree {
         all, null, of(ordered.subList(0, half)), of(ordered.subList(half, ordered.size())));
   }
 
-  /** Both trees as one. */
+  /** Combines both trees. */
   ObstacleTree and(ObstacleTree more) {
     return new ObstacleTree(bounds.and(more.bounds), null, this, more);
   }

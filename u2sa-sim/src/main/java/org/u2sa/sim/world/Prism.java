@@ -19,7 +19,7 @@ record Prism(double[] x, double[] y, double low, double high) {
     return new Bounds(west, south, low, east, north, high);
   }
 
-  /** Whether a corner of its bottom, or the bottom at a place within, is in the ground. */
+  /** Whether the bottom is below the ground at a corner or at the given position within it. */
   boolean isBelow(Terrain ground, Point within) {
     boolean below = low < ground.heightM(within.x(), within.y());
     for (int i = 0; i < x.length && !below; i++) {

@@ -166,7 +166,7 @@ public final class Ramp {
     return part;
   }
 
-  /** Whether a ray from above passes beside the ramp all the way down to the ground. */
+  /** Whether a ray from above passes beside the ramp on its way to the ground. */
   private boolean passes(double s, double a, double z, double ds, double da, double dz) {
     if (dz >= 0.0) {
       return true;

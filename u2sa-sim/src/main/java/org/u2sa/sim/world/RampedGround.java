@@ -63,7 +63,7 @@ public final class RampedGround implements Terrain, Surface {
     return nearest <= rangeM ? nearest : Double.POSITIVE_INFINITY;
   }
 
-  /** The lawn's value everywhere, because boards get wet and dirty. */
+  /** The lawn's value everywhere, because boards become wet and dirty. */
   @Override
   public double grip(double eastM, double northM) {
     return lawn.grip(eastM, northM);

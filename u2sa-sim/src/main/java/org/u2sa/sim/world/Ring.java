@@ -5,8 +5,8 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.marine.Hoop;
 
 /**
- * A hoop: rays meet it where they cross its plane within half its thickness of the circle, and
- * footprints touch its centre line.
+ * A hoop: rays hit it where they cross its plane within half its thickness of the circle;
+ * footprints are tested against its centre line.
  *
  * @param normal unit vector
  * @param half half the thickness [m]

@@ -32,7 +32,7 @@ public final class ScriptedMover {
   private final boolean hasTransponder;
   private final boolean repeats;
   private final List<Leg> legs;
-  private final double[] ends; // time at the end of each leg's wait, from the end of the delay [s]
+  private final double[] ends; // end of each leg's wait, relative to the end of the delay [s]
 
   /** Behaviour after the last waypoint. */
   public enum End {
@@ -49,7 +49,7 @@ public final class ScriptedMover {
    *
    * @param place in the object's frame
    * @param speedMps speed on the way there [m/s]
-   * @param waitS stop there [s]
+   * @param waitS duration of the stop there [s]
    */
   public record Waypoint(Point place, double speedMps, double waitS) {
     /**
@@ -84,7 +84,7 @@ public final class ScriptedMover {
    *     start
    * @param delayS time before it starts [s]
    * @param floats whether waves lift it
-   * @param hasTransponder whether traffic receivers receive it
+   * @param hasTransponder whether traffic receivers detect it
    * @throws IllegalArgumentException if the shape or frame is not supported, or there are no
    *     waypoints or too many
    */
@@ -239,7 +239,7 @@ public final class ScriptedMover {
     return radiusM;
   }
 
-  /** Whether traffic receivers receive it. */
+  /** Whether traffic receivers detect it. */
   public boolean hasTransponder() {
     return hasTransponder;
   }

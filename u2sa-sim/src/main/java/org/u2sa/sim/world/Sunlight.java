@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.sim.motion.Arguments;
 
 /**
- * The sun for greyscale cameras: shadows, slopes that face it or not, and its disc in the sky.
+ * The sun for greyscale cameras: shadows, shading of slopes, and its disc in the sky.
  *
  * @param azimuthRad clockwise from north [rad]
  * @param elevationRad above the horizon, 0.02…π/2 [rad]
@@ -39,7 +39,7 @@ public record Sunlight(double azimuthRad, double elevationRad, double brightness
    * Brightness in this light, 0…1.
    *
    * @param even brightness in even light
-   * @param rangeM how far shadows are cast [m]
+   * @param rangeM maximum length of shadows [m]
    */
   public double lit(double even, Ray view, Optional<World.Hit> hit, World world, double rangeM) {
     Point sun = direction();

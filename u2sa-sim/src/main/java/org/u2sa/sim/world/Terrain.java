@@ -32,8 +32,8 @@ public interface Terrain {
    * Distance along a ray to the ground [m]; 0 if it starts below, infinite if there is no hit
    * within the range.
    *
-   * <p>Each step is as long as the steepest ground allows without tunnelling, so only crests cut by
-   * less than 0.1 mm are missed.
+   * <p>Each step is as long as the steepest ground allows without tunnelling, so only crests that
+   * the ray cuts by less than 0.1 mm are missed.
    */
   default double distanceM(Ray ray, double rangeM) {
     double closing =

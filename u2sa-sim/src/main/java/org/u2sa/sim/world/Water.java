@@ -46,8 +46,8 @@ public record Water(double surfaceM, CurrentField current, Optional<Waves> waves
   }
 
   /**
-   * Pressure at a point [east, north, up] as a head of water [m]: its depth, and the share of the
-   * waves that reaches it; negative in the air.
+   * Pressure at a point [east, north, up] as a head of water [m]: its depth plus the part of the
+   * wave pressure that reaches it; negative in the air.
    */
   public double headM(Point place, double timeS) {
     double depth = depthM(place.z());

@@ -121,7 +121,7 @@ public final class World {
     return new World(plane, terrain, newSurface, wind, water, obstacles, tree, newScript);
   }
 
-  /** Copy with movers, which {@link #when} places. */
+  /** Copy with movers, which {@link #when} positions. */
   public World withMovers(List<ScriptedMover> movers) {
     return with(surface, new Script(List.copyOf(movers), script.zones, script.light));
   }
@@ -137,9 +137,7 @@ public final class World {
     return with(surface, new Script(script.movers, script.zones, Optional.of(light)));
   }
 
-  /**
-   * The world at a time since the start of the run [s]: its movers are obstacles at their places.
-   */
+  /** The world at a time since the run's start [s], with its movers as obstacles. */
   public World when(double timeS) {
     if (script.movers.isEmpty()) {
       return this;
@@ -261,7 +259,7 @@ public final class World {
   }
 
   /**
-   * Whether a hull touches the bed or the shore with a corner or below its reference point.
+   * Whether a hull touches the bed or shore at a corner or below its reference point.
    *
    * @param place position of the reference point: east, north, up [m]
    * @param headingRad heading, clockwise from north [rad]

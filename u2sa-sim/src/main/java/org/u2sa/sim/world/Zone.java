@@ -105,7 +105,7 @@ public record Zone(
     return inside;
   }
 
-  /** A surface with the patches of zones; where they overlap, the last one counts. */
+  /** A surface with the patches of zones; where they overlap, the last one applies. */
   static Surface patched(Surface around, List<Zone> zones) {
     List<Zone> patches = zones.stream().filter(zone -> zone.surface.isPresent()).toList();
     return patches.isEmpty() ? around : new Patched(around, patches);

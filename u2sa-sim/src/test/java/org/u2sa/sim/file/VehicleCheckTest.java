@@ -11,7 +11,7 @@ class VehicleCheckTest {
         .contains("Six: mass 35.00 kg")
         .contains("actuators: LEFT MOTOR, RIGHT MOTOR")
         .contains("sensors: gps, compass, imu")
-        .anyMatch(line -> line.matches("ahead: 2\\.0\\d m/s, at most \\d.* m/s\\^2"))
+        .anyMatch(line -> line.matches("ahead: 2\\.0\\d m/s, up to \\d.* m/s\\^2"))
         .anyMatch(line -> line.matches("turning right: .* on a circle of 0\\.0\\d m radius"))
         .noneMatch(line -> line.startsWith("down:"));
   }

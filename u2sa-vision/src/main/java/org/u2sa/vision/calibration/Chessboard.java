@@ -46,7 +46,7 @@ public record Chessboard(int columns, int rows, double squareM) {
   }
 
   private static String wrong(String corners) {
-    return "board \"" + corners + "\": expected corners within, columns x rows, such as 9x6";
+    return "board \"" + corners + "\": expected inner corners, columns x rows, such as 9x6";
   }
 
   @Override

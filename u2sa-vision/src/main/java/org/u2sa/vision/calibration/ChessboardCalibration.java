@@ -28,9 +28,9 @@ public final class ChessboardCalibration {
   /** Minimum number of board images for a well-determined geometry. */
   public static final int FEWEST = 4;
 
-  private static final int RADIAL = 2; // k1, k2: a third is poorly determined by few images
+  private static final int RADIAL = 2; // k1 and k2: a third one is poorly determined by few images
   private static final double LARGEST_ERROR_PX = 3.0;
-  private static final double MIN_TILT = Math.toRadians(10.0); // between two images of the board
+  private static final double MIN_TILT = Math.toRadians(10.0); // between two images
   private static final double HALF = 0.5; // BoofCV's 0 is a pixel's edge, ours its centre
 
   private final Chessboard board;
@@ -111,7 +111,7 @@ public final class ChessboardCalibration {
     if (boards() < FEWEST) {
       throw new BadInputException(
           String.format(
-              "%d of %d pictures show a whole board of %s: expected at least %d, the board tilted "
+              "%d of %d pictures show a complete board of %s: expected at least %d, with the board tilted "
                   + "differently in each",
               boards(), names.size(), board, FEWEST));
     }

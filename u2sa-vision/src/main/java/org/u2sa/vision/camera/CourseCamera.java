@@ -25,7 +25,7 @@ public final class CourseCamera extends CameraSensor {
   private record Showing(
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
           @Description(
-              "Interval of JPEG pictures published on images, for recordings and displays; 0: none are published.")
+              "Interval of JPEG pictures published on images, for recordings and displays; 0: none.")
           double imageEvery) {}
 
   private final AttitudeHistory attitudes = new AttitudeHistory();

@@ -11,7 +11,7 @@ public record CourseVariables(
         String calibration,
     @Variable(unit = "rad", min = 0.17, max = 2.8, ifAbsent = 1.05)
         @Description(
-            "Horizontal angle of view, for a camera that neither is calibrated nor reports its geometry.")
+            "Horizontal angle of view, for a camera that is neither calibrated nor reports its geometry.")
         double angleOfView,
     @Variable(unit = "m", min = -10, max = 10, ifAbsent = 0)
         @Description("Height of the vehicle's reference point above the ground.")

@@ -102,8 +102,7 @@ public final class PictureReading {
     if (frame.format() != PixelFormat.JPEG) {
       return frame;
     }
-    return jpeg.orElseThrow(
-            () -> new BadInputException("nothing on the class path unpacks JPEG pictures"))
+    return jpeg.orElseThrow(() -> new BadInputException("no JPEG decoder on the class path"))
         .decode(frame);
   }
 

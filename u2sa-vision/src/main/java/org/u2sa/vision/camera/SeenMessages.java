@@ -37,8 +37,8 @@ public record SeenMessages(String sensorName, double lineWidthM) {
 
   /**
    * All detections, with the image's time [µs]. An image without detections yields one object of
-   * type {@link #NOTHING} that is no obstacle: it is negative evidence for maps and a sign of life
-   * for monitoring.
+   * type {@link #NOTHING} that is not an obstacle: it is negative evidence for maps and a sign of
+   * life for monitoring.
    */
   public List<ObjectDescription> of(Seen seen, GroundSigma sigma, long micros) {
     List<ObjectDescription> messages = new ArrayList<>();

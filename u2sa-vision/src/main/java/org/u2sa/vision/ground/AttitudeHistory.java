@@ -15,8 +15,8 @@ public final class AttitudeHistory {
   private long count; // an int would overflow after eight months at 100 Hz
 
   /**
-   * Adds a state; ignored if it lacks time, roll or pitch, or is older than the last. One older by
-   * more than a second means that the clock was set back: the history starts over.
+   * Adds a state; ignored if it lacks time, roll or pitch, or is older than the last. If a state is
+   * older by more than a second, the clock was set back, and the history starts over.
    */
   public void add(StateInformation state) {
     if (!state.timestamp().isPresent()

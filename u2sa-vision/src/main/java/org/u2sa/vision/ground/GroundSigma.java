@@ -73,8 +73,8 @@ public record GroundSigma(
     /**
      * RMS tilt of the ground ahead [rad]; 0 on level ground.
      *
-     * @param slopeAboveRad tilt below which the vehicle is taken to sway on level ground; counts
-     *     fully from twice this value
+     * @param slopeAboveRad tilt below which the vehicle is assumed to sway on level ground; the
+     *     tilt counts fully from twice this value
      */
     public static double rad(double slopeAboveRad, double rollRad, double pitchRad) {
       double tilt = Math.hypot(rollRad, pitchRad);

@@ -29,7 +29,7 @@ final class DrivenLane {
   private static final double BEHIND_M = 6.0; // path kept open for backing out
   private static final long HELD_UP_MICROS = 25 * Clock.MICROS_PER_SECOND;
   private static final double HOLE_M = 1.5; // longest step along an inferred side
-  private static final double BARRIER_M = 2.0; // minimum length of a line that a side is not behind
+  private static final double BARRIER_M = 2.0; // minimum length of a blocking line
 
   /** A candidate line, and whether it is certain. */
   record Known(List<Point> line, boolean sure) {}

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Set;
 import org.u2sa.messages.frame.Point;
 
-/** Links samples to lines. Coordinates in metres from the map's anchor. */
+/** Links samples into lines. Coordinates in metres from the map's anchor. */
 record LineChains(List<List<Point>> lines, Set<List<Point>> sure) {
   private static final double LINK_M = 0.5; // maximum step between samples
   private static final double ASIDE = 0.7; // sine of the maximum angle between step and line

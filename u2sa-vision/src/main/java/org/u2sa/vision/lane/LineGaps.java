@@ -59,8 +59,8 @@ final class LineGaps {
   /**
    * Closes gaps between ends that face each other and extends lines beyond other ends, except where
    * the ground beyond was observed up to the gap length: there the line ends. A line of the
-   * vehicle's own lane does not end before the lane's other line, because a lane is open at its end
-   * but not at its sides.
+   * vehicle's own lane does not end before the lane's other line does, because a lane is open at
+   * its end but not at its sides.
    */
   LineGaps(List<List<Point>> lines, Reach reach, Looked looked, Driven driven) {
     this.lines = lines;
@@ -176,7 +176,7 @@ final class LineGaps {
     return places > 0 && gone >= KNOWN * reach.gapM() && known >= KNOWN * places;
   }
 
-  /** Whether an end belongs to a longer line that was seen twice, slightly apart. */
+  /** Whether an end belongs to a longer line that was seen twice, slightly offset. */
   private boolean isBesideLonger(LineEnd end) {
     for (List<Point> line : lines) {
       boolean longer = line != end.line() && line.size() > end.line().size();

@@ -59,7 +59,7 @@ record LineModelVariables(
         double hiddenBehind,
     @Variable(unit = "m", min = 0, max = 100, ifAbsent = 0)
         @Description(
-            "LINES: range within which a camera sees all paint. Where a line ends and the ground beyond was seen as far as JOIN GAP, no continuation is assumed; 0: it is always assumed.")
+            "LINES: range within which a camera sees all paint. Where a line ends and the ground beyond has been seen as far as JOIN GAP, no continuation is assumed; 0: always assumed.")
         double lookReach,
     @Variable(unit = "deg", min = 0, max = 360, ifAbsent = 80)
         @Description("LINES: width of the sector ahead for LOOK REACH.")

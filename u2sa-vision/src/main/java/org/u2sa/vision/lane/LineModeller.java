@@ -21,7 +21,7 @@ import org.u2sa.world.modeller.Sighting;
 /**
  * Maps painted lines (thesis 4.1.1.2): assembles them from partial camera detections and closes the
  * gaps of dashed and worn paint, so that the planner sees complete lanes. Publishes PolyLines whose
- * confidence shows how they are known ({@link LinePieces}).
+ * confidence indicates how they are known ({@link LinePieces}).
  */
 final class LineModeller implements Modeller {
   private static final double FORGET = 3.0; // in LINE REACH: farther lines are dropped

@@ -29,7 +29,7 @@ final class LineSamples {
   private static final double TWICE_M = 1.0; // closer lines are one line, seen twice
   private static final double VIEW_M = 0.25; // spacing of viewpoints
   private static final double REFUTED =
-      0.5; // of a sighting, if the line was seen at another position
+      0.5; // weight of a sighting, if the line was seen at another position
   private static final long ANOTHER_TIME = 2 * Clock.MICROS_PER_SECOND;
 
   static final class Sample {

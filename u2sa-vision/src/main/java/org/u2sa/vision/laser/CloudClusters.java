@@ -20,8 +20,7 @@ import org.u2sa.service.ServiceRole;
  * Detects objects in the point clouds of 3-D lidars and depth cameras, such as buoys on open water
  * (thesis 4.2.1.1): points near each other in plan view, at any height (Euclidean clustering: Rusu,
  * Semantic 3D Object Maps, 2009). In and out: sensed-objects in BODY; out as Circle without a type,
- * which a camera can provide. The World Modeler remembers them when the lidar's few beams miss
- * them.
+ * which a camera can provide. The World Modeler keeps them when the lidar's few beams miss them.
  */
 public final class CloudClusters extends EventDrivenService {
   private record Variables(
@@ -98,7 +97,7 @@ public final class CloudClusters extends EventDrivenService {
     return groups;
   }
 
-  /** Circle behind the points, whose nearest is on its edge. */
+  /** Circle behind the points, with the nearest point on its edge. */
   private Circle around(List<Point> group) {
     double x = group.stream().mapToDouble(Point::x).average().orElseThrow();
     double y = group.stream().mapToDouble(Point::y).average().orElseThrow();

@@ -125,7 +125,7 @@ public final class ScanClusters extends EventDrivenService {
    * echoes do not split a cluster.
    */
   static final class Clusters {
-    private static final int BEAMS_PAST = 2; // missing beams within a cluster
+    private static final int BEAMS_PAST = 2; // maximum missing beams within a cluster
 
     private final ClusterVariables settings;
 

@@ -76,7 +76,7 @@ public record LensCalibration(
     if (Math.abs((double) newWidth * height - (double) newHeight * width) > width + height) {
       throw new IllegalArgumentException(
           String.format(
-              "calibrated with pictures of %d x %d pixels: %d x %d have another shape",
+              "calibrated with pictures of %d x %d pixels: %d x %d has a different aspect ratio",
               width, height, newWidth, newHeight));
     }
     double by = (double) newWidth / width;
@@ -143,7 +143,7 @@ public record LensCalibration(
     return isFound ? Optional.of(new Spot(x, y)) : Optional.empty();
   }
 
-  /** Radius at depth 1 up to which the distortion is monotonic and images no point twice. */
+  /** Radius at depth 1 up to which the distortion is monotonic and thus unambiguous. */
   public double reach() {
     double last = 0.0;
     for (double r = STEP; r <= WIDEST; r += STEP) {

@@ -16,7 +16,7 @@ final class PaintMap {
   private static final double MAD_TO_SIGMA = 1.4826;
   private static final double BAND_M = 1.0; // distance band for measuring roughness
   private static final double GREYISH = 20.0; // max. tint of white paint in any light
-  private static final double PALER = 0.65; // of the surroundings' tint: paint in tinted light
+  private static final double PALER = 0.65; // relative to the surroundings
 
   private final TopView.Area area;
   private final int half; // cells from the paint's centre to its edge, rounded up
@@ -27,7 +27,7 @@ final class PaintMap {
   private final SummedArea sums;
   private final SummedArea tints;
   private final long[] along; // strips of the sums: the rows of a line along a row
-  private final long[] middle; // the rows of a line's centre, across rows
+  private final long[] middle; // the rows of a line's centre, for a line across rows
   private final long[] nearer; // the rows of the ground on its two sides
   private final long[] farther;
   private final byte[] strength;

@@ -3,9 +3,9 @@ package org.u2sa.vision.line;
 import org.u2sa.vision.ground.TopView;
 
 /**
- * Sums of a view's shades over any rectangle of cells by four look-ups (Crow, Summed-area tables,
- * SIGGRAPH 1984), without invisible cells. Sum and count share a long, with the count in the upper
- * half, so that the same four look-ups yield both. Reuses its buffers.
+ * Sums a view's shades over any rectangle of cells by four look-ups (Crow, Summed-area tables,
+ * SIGGRAPH 1984), excluding invisible cells. Sum and count share a long, with the count in the
+ * upper half, so that the same four look-ups yield both. Reuses its buffers.
  */
 final class SummedArea {
   private static final int COUNT = 32; // bits below the count

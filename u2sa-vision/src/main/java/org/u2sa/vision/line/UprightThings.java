@@ -15,7 +15,7 @@ final class UprightThings {
   private static final double RADIAL = 0.07; // sine of the maximum angle of a radial line
   private static final double SHORTEST_M = 0.4; // shorter parts may be tangents of a bend
   private static final double CLOSE = 2.5; // max. distance of a line's start, in camera heights
-  private static final double AHEAD_M = 0.3; // to each side
+  private static final double AHEAD_M = 0.3; // maximum distance to each side
 
   private UprightThings() {}
 

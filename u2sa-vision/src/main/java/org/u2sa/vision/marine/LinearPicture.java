@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.u2sa.device.port.CameraFrame;
 
 /**
- * Linear colour of every 2 × 2 pixels of a picture, and of the background of each row: its median,
- * which is water or sky while objects cover less than half of the row. Reuses its buffers.
+ * Linear colour of each 2 × 2 pixels of a picture, and of the background of each row: the row's
+ * median, i.e. water or sky if objects cover less than half of it. Reuses its buffers.
  */
 final class LinearPicture {
   private static final int HUES = 3;

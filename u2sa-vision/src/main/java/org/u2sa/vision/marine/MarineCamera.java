@@ -23,7 +23,7 @@ import org.u2sa.vision.picture.JpegDecoder;
 
 /**
  * Detects buoys, poles, hoops, buttons, docks, bins and path markers by colour, shape and apparent
- * size, above and under water, and only those that the current goals need (thesis 4.2.1.2, 4.3.2).
+ * size, above and under water, but only those needed by the current goals (thesis 4.2.1.2, 4.3.2).
  * In: goals; state, for roll and pitch above water; both optional. Out: sensed-objects in BODY,
  * with the time of the image; types are such as "red buoy". Health reports what was skipped.
  */

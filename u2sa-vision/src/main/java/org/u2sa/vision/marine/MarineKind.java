@@ -27,9 +27,7 @@ enum MarineKind {
     return typeName;
   }
 
-  /**
-   * Kind of a class name, "Buoy", or of an object type, "red buoy"; empty if it is none of them.
-   */
+  /** Kind of a class name, "Buoy", or of an object type, "red buoy"; empty if it is neither. */
   static Optional<MarineKind> of(String name) {
     String lower = name.trim().toLowerCase(Locale.ROOT);
     for (MarineKind kind : values()) {

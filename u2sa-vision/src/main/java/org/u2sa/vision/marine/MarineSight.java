@@ -14,8 +14,8 @@ import org.u2sa.vision.lens.LensCalibration;
 
 /**
  * Detects objects by colour and shape, and their distance by their apparent size, which needs
- * neither ground nor attitude. Under water it removes veil and attenuation at that distance before
- * it identifies a colour (Akkaynak and Treibitz 2018). Not thread-safe; reuses its buffers.
+ * neither ground nor attitude. Under water it removes veil and attenuation for that distance before
+ * identifying a colour (Akkaynak and Treibitz 2018). Not thread-safe; reuses its buffers.
  */
 final class MarineSight {
   private static final double STEEP = 0.5; // minimum downward component of a direction to a floor
@@ -138,7 +138,7 @@ final class MarineSight {
         && (!isPlain || s.count() >= PLAIN && s.fill() > SPARSE && aspect > 0.7 && aspect < 2.2);
   }
 
-  /** Estimates the distance by size, then the colour at that distance. */
+  /** Estimates the distance from the size, then the colour at that distance. */
   private Optional<SeenThing> seen(MarineKind kind, Segment s, LensCalibration lens) {
     double x = s.x();
     double y = s.y();
@@ -219,8 +219,8 @@ final class MarineSight {
 
   /**
    * Colour under water: the signal is J e^(-c r) + B (1 - e^(-c r)), and the light that colours J
-   * is that of the veil B times c, since water scatters all colours alike. Against a floor, which
-   * is grey, the floor is the white to compare with.
+   * is that of the veil B times c, since water scatters all colours alike. A floor, which is grey,
+   * serves as the white reference instead.
    */
   private Optional<Colour> colour(double[] mean, Segment s, double range, boolean isFloor) {
     double[] attenuation = settings.attenuation();
@@ -238,7 +238,7 @@ final class MarineSight {
     return Paints.name(own[0], own[1], own[2], bright);
   }
 
-  /** Direction to a position in cells, whose centre lies between its pixels. */
+  /** Direction to a position in cells; a cell's centre lies between its pixels. */
   private static Optional<Point> way(LensCalibration lens, double column, double row) {
     return wayOfPixel(lens, 2.0 * column + 0.5, 2.0 * row + 0.5);
   }

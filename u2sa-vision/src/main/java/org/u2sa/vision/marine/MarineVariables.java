@@ -11,7 +11,7 @@ record MarineVariables(
         String kinds,
     @Variable(ifAbsentText = "")
         @Description(
-            "Kinds always looked for, regardless of the current goal, for example to avoid them.")
+            "Kinds always looked for, regardless of the current goal, for example to be avoided.")
         String always,
     @Variable(ifAbsentText = "")
         @Description(
@@ -23,7 +23,7 @@ record MarineVariables(
         String calibration,
     @Variable(unit = "rad", min = 0.17, max = 2.8, ifAbsent = 1.05)
         @Description(
-            "Horizontal angle of view, for a camera that neither is calibrated nor reports its geometry.")
+            "Horizontal angle of view, for a camera that is neither calibrated nor reports its geometry.")
         double angleOfView,
     @Variable(ifAbsentText = "false") @Description("Whether the camera is under water.")
         boolean underWater,

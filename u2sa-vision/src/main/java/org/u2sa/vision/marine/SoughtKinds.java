@@ -111,7 +111,7 @@ final class SoughtKinds {
   /** Savings so far, for the health report. */
   String remark() {
     return String.format(
-        "looks for %s; %d of %d pictures not processed, %d of %d searches saved",
+        "looking for %s; %d of %d pictures not processed, %d of %d searches saved",
         sought, idlePictures, pictures, savedSearches, searches + savedSearches);
   }
 }

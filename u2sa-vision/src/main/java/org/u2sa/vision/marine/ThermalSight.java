@@ -20,7 +20,7 @@ final class ThermalSight {
   /**
    * A warm target.
    *
-   * @param thing where it is
+   * @param thing its direction and distance
    * @param excessK its temperature above the air's [K]
    */
   record Warm(SeenThing thing, double excessK) {}

@@ -179,11 +179,11 @@ final class ColourPatches {
   /** Colours that identify objects on a course. The ordinal is the class number. */
   enum ColourClass {
     OTHER,
-    /** Of barrels and sawhorses. */
+    /** Barrels and sawhorses. */
     ORANGE,
-    /** Of flags. */
+    /** Red flags. */
     RED,
-    /** Of flags. */
+    /** Blue flags. */
     BLUE;
 
     private static final double DARKEST = 35.0; // brightness below which hue is noise

@@ -23,20 +23,20 @@ public final class ObjectFinder {
   private static final double IN_LINE = 0.6; // min. overlap of a barrel's bands
   private static final double ALIKE_WIDE = 0.55; // min. width ratio of two bands
   private static final double EDGE_PX = 2.0; // error of a patch's edge
-  private static final double SLIM = 0.55; // of a barrel's width
+  private static final double SLIM = 0.55; // fraction of a barrel's width
   private static final double STOUT = 1.6;
-  private static final double SQUAT = 0.7; // of the width: a trestle is lower than wide
+  private static final double SQUAT = 0.7; // fraction of the width: a trestle is lower than wide
   private static final double SOLID = 0.53; // min. orange in a row of barrels; a trestle has less
-  private static final double LOW = 0.35; // of a barrel's height
+  private static final double LOW = 0.35; // fraction of a barrel's height
   private static final double EDGE_M = 0.03; // error of an edge's height above the ground
-  private static final double LARGEST_FLAG = 0.3; // of the image height
+  private static final double LARGEST_FLAG = 0.3; // fraction of the image height
   private static final double FLATTEST = 1e-3; // min. difference of two rays' slopes
   private static final int BORDER_PX = 3;
 
   private final ColourPatches patches = new ColourPatches();
   private final ObjectSettings settings;
   private final GroundSigma sigma;
-  private final List<ColourPatch> hiding = new ArrayList<>(); // of the last image
+  private final List<ColourPatch> hiding = new ArrayList<>(); // occluding patches in the last image
 
   /** Creates a detector for objects of these sizes and a camera of this uncertainty. */
   public ObjectFinder(ObjectSettings settings, GroundSigma sigma) {
@@ -80,7 +80,7 @@ public final class ObjectFinder {
     int rows = (height + 1) / 2;
     Arrays.fill(into, 0, columns * rows, false);
     for (ColourPatch patch : hiding) {
-      int more = 2 + patch.width() / 12; // for the white edge of a plank and lens blur
+      int more = 2 + patch.width() / 12; // allow for the white edge of a plank and lens blur
       int from = Math.max(0, (patch.left() - more) / 2);
       int to = Math.min(columns, (patch.right() + more) / 2 + 1);
       int bottom = Math.min(rows, (patch.bottom() + more) / 2 + 1);
@@ -327,7 +327,7 @@ public final class ObjectFinder {
         .orElse(RangeEstimate.UNKNOWN);
   }
 
-  /** Distance from the apparent height; off-axis barrels lean in the image but keep theirs. */
+  /** Distance by apparent height; off-axis barrels lean in the image but keep their height. */
   private static RangeEstimate byHeight(
       double heightM, ColourPatch patch, double middle, GroundView view) {
     Optional<Point> top = view.ray(middle, patch.top() - 0.5);

@@ -16,14 +16,14 @@ import org.u2sa.messages.shape.ImageFootprint;
 import org.u2sa.vision.ground.CameraMount;
 
 /**
- * Geometry of one image of the ground, level or by a height map, taken by a pinhole camera of known
- * pose. Immutable.
+ * Geometry of one image of the ground, level or given by a height map, taken by a pinhole camera of
+ * known pose. Immutable.
  *
  * <p>Camera axes are x ahead, y right, z down in the image.
  */
 final class AerialView {
   private static final double HALF = Math.sqrt(0.5);
-  private static final int LOOKS = 6; // iterations at the terrain; enough for gentle slopes
+  private static final int LOOKS = 6; // iterations on terrain; enough for gentle slopes
   private static final double MIN_SINE = 0.2; // minimum sine of a ray's angle below the horizon
 
   private final Intrinsics lens;

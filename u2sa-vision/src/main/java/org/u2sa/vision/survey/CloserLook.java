@@ -10,8 +10,8 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 
 /**
- * Orders closer looks at targets that could not be read: small search areas of finer resolution,
- * which the Mission Manager inserts before the current goal (thesis 4.4.1.1).
+ * Orders closer looks at unreadable targets: small search areas of finer resolution, which the
+ * Mission Manager inserts before the current goal (thesis 4.4.1.1).
  *
  * @param resolution resolution of these areas, as a share of the previous area's
  */

@@ -9,7 +9,7 @@ import org.u2sa.messages.frame.Point;
 /** Triggers a camera at the start and each time a horizontal distance has been travelled. */
 final class DistanceTrigger {
   private OptionalDouble distanceM = OptionalDouble.empty();
-  private Optional<Geodetic> last = Optional.empty(); // before the distance flown since
+  private Optional<Geodetic> last = Optional.empty(); // position at the last trigger
   private double flownM;
 
   /** Sets the distance [m]; empty: no images. A new distance triggers immediately. */

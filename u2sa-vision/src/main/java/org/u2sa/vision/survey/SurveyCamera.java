@@ -39,7 +39,7 @@ import org.u2sa.world.modeller.PoseHistory;
 public final class SurveyCamera extends CameraSensor {
   private record Variables(
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 0)
-          @Description("Interval of JPEG pictures published on images; 0: none are published.")
+          @Description("Interval of JPEG pictures published on images; 0: none.")
           double imageEvery,
       @Variable(min = 1, max = 16, ifAbsent = 2)
           @Description("Camera pixels along each side merged into one pixel of these pictures.")
@@ -64,9 +64,9 @@ public final class SurveyCamera extends CameraSensor {
           double closerResolution) {}
 
   private static final int MAX_WAITING = 8; // images waiting for the state of their time
-  private static final double MIN_M = 0.7; // of a target
+  private static final double MIN_M = 0.7; // minimum size of a target
   private static final double MAX_M = 2.8;
-  private static final double SIGMA_M = 2.0; // of a ground position
+  private static final double SIGMA_M = 2.0; // sigma of a ground position
   private static final String[] POINTS = {"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
   private static final long GAP_MICROS = Clock.micros(0.5);
 
@@ -81,7 +81,7 @@ public final class SurveyCamera extends CameraSensor {
   private final Optional<CameraImages> pictures; // empty: not published
   private final Optional<HeightGrid> terrain;
   private final CloserLook closer = new CloserLook(variables.get().closerResolution());
-  private int looks; // ordered
+  private int looks; // number of closer looks ordered
   private Optional<SearchArea> area = Optional.empty();
   private long images;
   private long withoutState;

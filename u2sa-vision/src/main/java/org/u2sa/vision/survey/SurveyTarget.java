@@ -27,8 +27,8 @@ public final class SurveyTarget extends ObjectDescription {
   public static final MessageType<SurveyTarget> TYPE = SCHEMA.build();
 
   /**
-   * Reports of targets, each sent once no better sighting is expected. A person corrects one by
-   * another report with its uid.
+   * Reports of targets, each sent when no better sighting is expected. A person can correct one
+   * with another report with the same uid.
    */
   public static final Channel<SurveyTarget> CHANNEL = Channel.every("survey-targets", TYPE);
 

@@ -3,7 +3,7 @@ package org.u2sa.vision.survey;
 import java.util.Arrays;
 import org.u2sa.device.port.CameraFrame;
 
-/** The two colours of a target: that of its shape, and that of the letter on it. */
+/** The two colours of a target: those of its shape and its letter. */
 final class TargetColours {
   private static final String[] NAMES = {
     "white", "black", "red", "blue", "yellow", "orange", "purple"
@@ -72,7 +72,7 @@ final class TargetColours {
     return inner;
   }
 
-  /** The shape's colour: the median of each channel, as the letter covers less than half. */
+  /** The shape's colour: the median of each channel, because the letter covers less than half. */
   private void median(CameraFrame frame, TargetPatch patch, int[] at, int count) {
     int[] values = new int[count];
     for (int c = 0; c < 3; c++) {

@@ -5,8 +5,8 @@ import java.util.List;
 import org.u2sa.device.port.CameraFrame;
 
 /**
- * Finds patches whose colour stands out from the mean of the image: of a target's size and
- * completely within the image. Pixels are joined by flood fill.
+ * Finds patches whose colour stands out from the mean of the image: of a target's size and entirely
+ * within the image. Pixels are joined by flood fill.
  */
 final class TargetFinder {
   private static final int STANDS_OUT = 62; // sum of the differences of red, green and blue

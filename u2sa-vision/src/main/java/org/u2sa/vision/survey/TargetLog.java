@@ -29,7 +29,7 @@ final class TargetLog {
     private double eastM; // sums relative to the first sighting
     private double northM;
     private int count;
-    private String uid = ""; // once reported
+    private String uid = ""; // set once reported
     private int reported; // number of sightings at the last report
     private boolean isLookedAt;
 
@@ -96,8 +96,8 @@ final class TargetLog {
   }
 
   /**
-   * Reports of targets that were seen more than once, and again since they were reported; their
-   * uids stay.
+   * Reports of targets seen more than once, and of reported ones seen again since; uids remain the
+   * same.
    *
    * @param sigmaM standard deviation of a sighting's position, which is mostly common to all
    */

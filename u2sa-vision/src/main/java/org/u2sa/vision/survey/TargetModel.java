@@ -11,9 +11,9 @@ import java.util.TreeMap;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Average appearance of shapes and letters; the most similar one in any direction is chosen. Ships
- * as {@code targets.model}: lines of SHAPE or LETTER, a name, and numbers; {@link TargetTraining}
- * makes it.
+ * Average appearance of shapes and letters; the most similar one in any direction is chosen. Stored
+ * in {@code targets.model}: lines of SHAPE or LETTER, a name, and numbers; created by {@link
+ * TargetTraining}.
  */
 final class TargetModel {
   private static final String FILE = "targets.model";

@@ -66,7 +66,7 @@ class ChessboardCalibrationTest {
     calibration.add("b", empty(320, 240));
     assertThatThrownBy(calibration::calibrate)
         .isInstanceOf(BadInputException.class)
-        .hasMessageContaining("0 of 2 pictures show a whole board of 9x6 corners")
+        .hasMessageContaining("0 of 2 pictures show a complete board of 9x6 corners")
         .hasMessageContaining("expected at least 4");
   }
 

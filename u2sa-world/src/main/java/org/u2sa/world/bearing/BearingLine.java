@@ -6,7 +6,7 @@ import org.u2sa.messages.frame.Point;
 /**
  * A line of sight: from the sensor along a unit vector, in metres of the map.
  *
- * @param rangeM assumed distance, which may be wrong by as much [m]
+ * @param rangeM assumed distance, which may be wrong by the same amount [m]
  */
 record BearingLine(Point from, Point direction, double rangeM) {
   private static final int ROUNDS = 10;
@@ -22,7 +22,7 @@ record BearingLine(Point from, Point direction, double rangeM) {
 
   /**
    * The point nearest to all lines: weighted least squares of the distances across the lines, with
-   * Geman–McClure weights against echoes and the newest line's assumed range.
+   * Geman–McClure weights to suppress echoes and the newest line's assumed range.
    *
    * @param lines at least one, the newest last
    * @param sigmaRad standard deviation of a direction [rad]

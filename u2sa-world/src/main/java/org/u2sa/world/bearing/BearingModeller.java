@@ -22,7 +22,7 @@ import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Locates stationary objects of which a sensor measures only the direction, such as pingers, by the
+ * Locates stationary objects whose direction alone is measured, such as pingers, by the
  * intersection of lines of sight. Without the vehicle's state, the newest sighting is published in
  * BODY for a while. Expects one object per type.
  */
@@ -30,7 +30,7 @@ public final class BearingModeller implements Modeller {
   private record Variables(
       @Variable(ifAbsentText = "pinger")
           @Description(
-              "BEARINGS: types of objects of which only the direction is measured, separated by commas; name them in UNMAPPED TYPES as well.")
+              "BEARINGS: types of objects whose direction alone is measured, separated by commas; name them in UNMAPPED TYPES as well.")
           String bearingTypes,
       @Variable(unit = "rad", min = 0.0001, max = 1, ifAbsent = 0.05)
           @Description("BEARINGS: standard deviation of a direction.")

@@ -95,7 +95,7 @@ final class AreaCells {
     return inside;
   }
 
-  /** Records an image: a cell counts as seen if all of it lies in the reduced footprint. */
+  /** Records an image: a cell counts as seen if it lies entirely in the reduced footprint. */
   void see(ImageFootprint seen, double marginM) {
     int corners = seen.points().size();
     boolean isPlaced =

@@ -20,7 +20,7 @@ import org.u2sa.world.modeller.Sighting;
 
 /**
  * Records for each search area of the mission which cells were seen, from which image, at which
- * resolution and angle, and publishes it as a {@link CoverageLedger}. Images from before the
+ * resolution and angle, and publishes it as a {@link CoverageLedger}. Images taken before the
  * mission named the area do not count.
  */
 public final class CoverageModeller implements Modeller {
@@ -30,7 +30,7 @@ public final class CoverageModeller implements Modeller {
           double coverageCell,
       @Variable(unit = "m", min = 0, max = 50, ifAbsent = 2)
           @Description(
-              "Margin by which the ground that an image shows is reduced on all sides, for errors of the vehicle's position and attitude.")
+              "Margin by which the ground shown by an image is reduced on all sides, to allow for errors of the vehicle's position and attitude.")
           double coverageMargin) {}
 
   private static final int MAX_AREAS = 20;
@@ -86,7 +86,7 @@ public final class CoverageModeller implements Modeller {
         + " areas, "
         + images
         + " images"
-        + (refused == 0 ? "" : ", " + refused + " areas refused");
+        + (refused == 0 ? "" : ", " + refused + " areas rejected");
   }
 
   @Override

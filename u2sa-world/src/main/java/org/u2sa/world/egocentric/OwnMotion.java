@@ -8,11 +8,11 @@ import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.world.modeller.PoseHistory;
 
 /**
- * The vehicle's motion in the last seconds: attitude and turn rate from an IMU, speed from a
+ * The vehicle's motion over the last seconds: attitude and turn rate from an IMU, speed from a
  * velocity log, integrated in LOCAL_NED from an arbitrary position and heading.
  */
 final class OwnMotion {
-  private static final long STALE_MICROS = Clock.MICROS_PER_SECOND; // then it counts as 0
+  private static final long STALE_MICROS = Clock.MICROS_PER_SECOND; // older ones count as 0
 
   private final PoseHistory poses = new PoseHistory();
   private Point place = Point.ORIGIN;

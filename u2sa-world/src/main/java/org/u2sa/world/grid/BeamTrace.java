@@ -5,7 +5,7 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
- * Marks the cells that single beams pass, one per column or row. Most beams lead through space that
+ * Marks the cells that single beams pass, one per column or row. Most beams pass through space that
  * earlier scans found free; blocks of such cells are skipped without reading them.
  */
 final class BeamTrace {
@@ -57,7 +57,7 @@ final class BeamTrace {
     int step = pace > 0.0 ? 1 : -1;
     double slope = isSteep ? toX / toY : toY / toX;
     double nearest = Math.floor(start + near * pace); // column or row
-    double from = Math.max(0.0, step > 0 ? -nearest : nearest - (side - 1)); // in the window
+    double from = Math.max(0.0, step > 0 ? -nearest : nearest - (side - 1)); // inside the window
     double to =
         Math.min(
             Math.ceil((start + far * pace - nearest - 0.5) * step),
@@ -90,7 +90,7 @@ final class BeamTrace {
       int inBlock = along & (FreeBlocks.SIDE - 1);
       cells = Math.min(left, step > 0 ? FreeBlocks.SIDE - inBlock : inBlock + 1);
       int one = (int) (across >> FRACTION_BITS);
-      int two = (int) (across + (cells - 1) * acrossStep >> FRACTION_BITS); // less than a block on
+      int two = (int) (across + (cells - 1) * acrossStep >> FRACTION_BITS); // within a block
       boolean isFree =
           isSteep
               ? freeBlocks.isFree(one, along) && freeBlocks.isFree(two, along)
@@ -124,7 +124,7 @@ final class BeamTrace {
   /**
    * Blocks of 16 × 16 cells of a window that are all at their minimum, so that passing beams change
    * none of them. Beams can then skip the block without reading its cells. A block stays free until
-   * it is forgotten, so whoever raises a cell must call {@link #forget}.
+   * it is forgotten, so code that raises a cell must call {@link #forget}.
    */
   static final class FreeBlocks {
     /** Cells along each side of a block; a power of two. */
@@ -140,7 +140,7 @@ final class BeamTrace {
     private final ByteBuffer cells; // read eight at a time
     private final long freest;
     private final byte[] blocks;
-    private long revision; // of the window
+    private long revision; // revision of the window
 
     FreeBlocks(GridWindow window, byte freestCell) {
       this.window = window;

@@ -16,7 +16,7 @@ import org.u2sa.world.modeller.Sighting;
 
 /**
  * Maintains an occupancy grid around the vehicle from range scans. If the vehicle's pose is
- * unknown, the grid covers the latest scans only.
+ * unknown, the grid covers only the latest scans.
  */
 public final class GridModeller implements Modeller {
   public record Variables(
@@ -24,7 +24,7 @@ public final class GridModeller implements Modeller {
           @Description("Edge length of a grid cell. A change clears the grid.")
           double cellSize,
       @Variable(unit = "m", min = 1, max = 40_000, ifAbsent = 60)
-          @Description("Edge length of the grid around the vehicle; at most 4096 cells.")
+          @Description("Edge length of the grid around the vehicle; up to 4096 cells.")
           double gridSize,
       @Variable(min = 0, minExcluded = true, max = 6, ifAbsent = 0.85)
           @Description("Log odds that an echo adds to its cell; 0.85 is a probability of 0.7.")
@@ -43,7 +43,7 @@ public final class GridModeller implements Modeller {
           double highest,
       @Variable(unit = "m", min = 0, ifAbsent = 1000)
           @Description(
-              "Distance up to which a beam without an echo counts as free space, at most the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
+              "Distance up to which a beam without an echo counts as free space, limited by the scanner's farthest echo so far; lower it where dark or smooth walls return no echo.")
           double freeWithoutEcho) {
     private static final int MAX_CELLS = 4096;
 
@@ -68,8 +68,8 @@ public final class GridModeller implements Modeller {
     }
   }
 
-  private static final double MIN_LOG_ODDS = -2.0; // of a cell: a probability of 0.12
-  private static final double MAX_LOG_ODDS = 3.5; // 0.97
+  private static final double MIN_LOG_ODDS = -2.0; // a probability of 0.12
+  private static final double MAX_LOG_ODDS = 3.5; // a probability of 0.97
 
   private final Settings<Variables> settings;
   private Variables tuning; // settings of the current grid

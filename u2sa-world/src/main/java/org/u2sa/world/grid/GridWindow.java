@@ -44,7 +44,7 @@ final class GridWindow {
     }
   }
 
-  /** Moves the corner; cells in both squares keep their place in the world. */
+  /** Moves the corner; cells in both squares keep their position in the world. */
   void move(long newLeft, long newBottom) {
     long dx = newLeft - left;
     long dy = newBottom - bottom;
@@ -98,7 +98,7 @@ final class GridWindow {
     return cells;
   }
 
-  /** Grows when cells are cleared, moved or filled; not when they are written one by one. */
+  /** Increases when cells are cleared, moved or filled, but not when written singly. */
   long revision() {
     return revision;
   }

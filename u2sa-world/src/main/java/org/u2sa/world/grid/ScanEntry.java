@@ -12,7 +12,7 @@ import org.u2sa.world.modeller.SensorPose;
  * Inserts scans into a window of cells. Where a scan's beams are less than a cell apart, the space
  * between them is free as well and is filled as one polygon; farther away, only the cells crossed
  * by a beam are free. Each cell is updated once per scan, however many beams cross it or end in it;
- * a cell in which a beam ends is not free for the others. Not thread-safe.
+ * a cell in which a beam ends does not count as free for other beams. Not thread-safe.
  */
 public final class ScanEntry {
   /**
@@ -27,7 +27,7 @@ public final class ScanEntry {
   /** Number of parts of a scan, during each of which the scanner hardly moves. */
   public static final int PARTS = 8;
 
-  private static final int MAX_SCANNERS = 64; // a message may name any number
+  private static final int MAX_SCANNERS = 64; // messages may name any number of them
 
   /** From a cell's centre to its corner [cells], because the polygon fill tests cell centres. */
   private static final double MARGIN = Math.sqrt(0.5);
@@ -132,7 +132,7 @@ public final class ScanEntry {
     private final double scale = 1.0 / window.resolution();
     private final double x; // scanner position [cells]
     private final double y;
-    private final double height; // of the scanner above the vehicle's reference point [m]
+    private final double height; // scanner height above the vehicle's reference point [m]
     private final double aheadX;
     private final double aheadY;
     private final double aheadUp;
@@ -184,7 +184,7 @@ public final class ScanEntry {
       }
     }
 
-    /** Outlines the free space between the beams, and marks the free cells along them beyond. */
+    /** Outlines the free space between beams, and marks the free cells along beams beyond it. */
     void enterFree() {
       double lastX = x;
       double lastY = y;

@@ -3,12 +3,12 @@ package org.u2sa.world.landmark;
 import org.u2sa.messages.frame.Point;
 
 /**
- * A landmark of the map: known beforehand, or learnt at its first sighting. A learnt landmark keeps
+ * A landmark of the map: known in advance, or learnt at its first sighting. A learnt landmark keeps
  * the error of the vehicle's pose at that time; averaging more sightings does not reduce it.
  */
 final class Landmark {
   private static final int HITS = 6; // number of sightings averaged into the position
-  private static final double CORRELATION_S = 5.0; // time in which the vehicle drifts by as much
+  private static final double CORRELATION_S = 5.0; // for the vehicle to drift by as much
   private static final double SHORTEST_S = 0.05;
   private static final double TOO_FAR_SIGMAS = 4.0;
 

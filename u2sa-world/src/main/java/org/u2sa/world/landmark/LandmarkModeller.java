@@ -19,18 +19,18 @@ import org.u2sa.world.modeller.Modeller;
 import org.u2sa.world.modeller.Sighting;
 
 /**
- * Recognises sighted objects as landmarks, objects of WORLD or objects seen before, and publishes
- * range and bearing of each as a measurement for the State Estimator (thesis 4.3.1.2). Sightings
- * are associated by UID or, without one, by type and position if only one landmark fits.
+ * Recognises sighted objects as landmarks, i.e. objects of WORLD or seen before, and publishes
+ * their range and bearing as measurements for the State Estimator (thesis 4.3.1.2). Sightings are
+ * associated by UID or, without one, by type and position if only one landmark fits.
  */
 public final class LandmarkModeller implements Modeller {
   /** Prefix of the measurements' sources, followed by the sensor's name. */
   public static final String SOURCE = "Landmarks";
 
   private static final double AMBIGUOUS =
-      2.0; // ratio test: the second nearest must be this much farther
+      2.0; // ratio test: the second nearest must be this many times farther
   private static final double NEAREST_M = 0.1;
-  private static final long RETURN_MICROS = 15_000_000L; // after learning it, before using it
+  private static final long RETURN_MICROS = 15_000_000L; // delay from learning it to using it
   private static final int MAX_LANDMARKS = 2000;
 
   private final Settings<LandmarkVariables> settings;

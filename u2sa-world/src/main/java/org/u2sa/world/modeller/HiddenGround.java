@@ -7,8 +7,8 @@ import org.u2sa.messages.RangeScan;
 import org.u2sa.messages.frame.Point;
 
 /**
- * Ground occluded from a camera by objects that a scanner sees. Bright upright objects look like
- * paint behind them.
+ * Ground hidden from a camera by objects that a scanner sees. Bright upright objects look like
+ * paint on the ground behind them.
  */
 public final class HiddenGround {
   private static final int SECTORS = 720;
@@ -83,7 +83,7 @@ public final class HiddenGround {
     return Math.floorMod((int) Math.floor(turn * SECTORS), SECTORS);
   }
 
-  /** Whether an object occludes a point from at most this many metres in front of it. */
+  /** Whether an object occludes a point from up to this many metres in front of it. */
   public boolean hides(double placeX, double placeY, double reachM) {
     double behind = Math.hypot(placeX - fromX, placeY - fromY) - nearest[sector(placeX, placeY)];
     return behind > FOOT_M && behind <= reachM;

@@ -124,7 +124,7 @@ public final class MapFrame {
         && fixed.isEarth() == vehicle.referenceFrame().isEarth();
   }
 
-  /** Vehicle position in metres from the anchor; the anchor itself in BODY. */
+  /** Vehicle position in metres from the anchor; in BODY, the anchor itself. */
   public Point vehicle(Optional<StateInformation> vehicle) {
     if (frame.isBody() || vehicle.isEmpty()) {
       return Point.ORIGIN;

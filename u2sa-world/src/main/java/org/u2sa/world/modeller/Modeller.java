@@ -17,7 +17,7 @@ import org.u2sa.service.handover.HandOver;
  */
 public interface Modeller {
   /**
-   * Processes one sensor's detections of one time.
+   * Processes one sensor's detections at one time.
    *
    * @param seen detections as published, in any frame; frozen, at least one
    */
@@ -85,7 +85,7 @@ public interface Modeller {
     return List.of();
   }
 
-  /** Saves what is to be kept, when the World Modeler stops. */
+  /** Saves data to be kept; called when the World Modeler stops. */
   default void end() {}
 
   /** Counters, for the health report. */

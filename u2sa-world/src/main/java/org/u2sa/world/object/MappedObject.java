@@ -22,7 +22,7 @@ final class MappedObject {
   private static final double SUREST = 0.999;
   private static final double GONE = 0.05;
   private static final int BELIEVED_AFTER = 4;
-  private static final int MAX_SENSORS = 32; // number of sensors whose UIDs for it are kept
+  private static final int MAX_SENSORS = 32; // number of sensors whose UIDs are kept
 
   private final String uid;
   private final boolean fromFile;
@@ -31,11 +31,11 @@ final class MappedObject {
   private ObjectDescription template; // newest sighting, in the map's frame
   private double radius;
   private double existence = NEW;
-  private int seen; // bit set of the last occasions, newest in bit 0
+  private int seen; // bit set of the last opportunities, newest in bit 0
   private int occasions;
   private boolean confirmed;
   private boolean moved;
-  private boolean scanned; // known from scanner echoes only
+  private boolean scanned; // known only from scanner echoes
   private int implausible; // consecutive sightings
   private long filteredMicros;
   private long seenMicros;
@@ -85,7 +85,7 @@ final class MappedObject {
 
   /**
    * Updates it with a sighting, unless the UID seems misread because the sighting is farther away
-   * than the object can have moved since it was last seen. Repeated sightings of that kind are
+   * than the object can have moved since it was last seen. If such sightings recur, they are
    * accepted.
    *
    * @return whether it was accepted
@@ -145,7 +145,7 @@ final class MappedObject {
     seenMicros = Math.max(seenMicros, micros);
   }
 
-  /** Completes a sighting with the known type: a scanner measures a position, a camera the type. */
+  /** Adds the known type to a sighting: scanners measure positions, cameras types. */
   private ObjectDescription knownAs(ObjectDescription newest) {
     if (!newest.objectType().isEmpty() || template.objectType().isEmpty()) {
       return newest;
@@ -157,7 +157,7 @@ final class MappedObject {
 
   /**
    * Records that a sensor covering its position did not see it. Objects of the world file are
-   * unaffected unless these may be doubted, because not every sensor sees everything in a map.
+   * unaffected unless doubts are allowed, because not every sensor sees everything in a map.
    */
   void miss(ObjectMapVariables settings) {
     if (fromFile && !settings.doubtFile()) {
@@ -168,13 +168,13 @@ final class MappedObject {
     existence = existence * (1.0 - detection) / (1.0 - existence * detection);
   }
 
-  /** Records whether it was seen (1) or not (0) on an occasion. */
+  /** Records whether it was seen (1) or not (0) at an opportunity. */
   void occasion(int was) {
     seen = seen << 1 | was;
     occasions++;
   }
 
-  /** Confirms it if it was seen on this many of the last occasions. */
+  /** Confirms it if it was seen at this many of the last opportunities. */
   void judge(int hits, int window) {
     confirmed |= Integer.bitCount(seen & mask(window)) >= hits;
   }
@@ -202,7 +202,7 @@ final class MappedObject {
     return fromFile && template.motion().velocity().isEmpty();
   }
 
-  /** Whether type and UID allow a sighting to be of this object. */
+  /** Whether type and UID of a sighting are compatible with this object. */
   boolean isLike(ObjectDescription other, boolean trustUids) {
     String mine = template.objectType();
     boolean types =

@@ -148,8 +148,8 @@ final class MotionHypothesis {
    * section 6.2.2).
    */
   static final class AxisFilter {
-    private double place; // [m]
-    private double speed; // [m/s]
+    private double place; // position [m]
+    private double speed; // velocity [m/s]
     private double placeVariance;
     private double covariance;
     private double speedVariance;

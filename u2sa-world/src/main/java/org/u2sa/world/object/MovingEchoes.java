@@ -31,14 +31,14 @@ final class MovingEchoes {
   private static final double MARGIN_M = 0.15; // scanner and pose errors
   private static final double MARGIN_PER_M = 0.02; // heading error
   private static final int WITNESSES = 2; // earlier scans that saw free space there
-  private static final int BEAMS_PAST = 2; // between two echoes of one object
+  private static final int BEAMS_PAST = 2; // beams between two echoes of one object
   private static final double GAP_M = 0.3; // between two echoes of one object, such as two legs
   private static final int FEWEST = 3; // minimum echoes of an object
   private static final double LARGEST_M = 1.2;
   private static final double NEW_SHARE = 0.3; // minimum fraction of new echoes
   private static final double ROUND = 0.39; // from a disc's mean echo to its centre, in widths
   private static final double SIGMA_M = 0.05;
-  private static final double HIDDEN_SIGMA_M = 0.25; // of a partly occluded object
+  private static final double HIDDEN_SIGMA_M = 0.25; // additional sigma of a partly occluded object
   private static final double SMALLEST_RADIUS_M = 0.1;
   private static final double STEP_M = 0.5; // maximum displacement between scans
 

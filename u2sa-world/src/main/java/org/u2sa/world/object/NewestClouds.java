@@ -12,7 +12,7 @@ import org.u2sa.world.modeller.Sighting;
 /**
  * The newest scan of each sensor that publishes its scans as point clouds, at the position of the
  * scan. Such a cloud is not an object: its position is the point nearest to the scanner, which
- * moves with the vehicle along a wall.
+ * moves along a wall with the vehicle.
  */
 final class NewestClouds {
   private static final int MAX_SENSORS = 32;
@@ -64,6 +64,6 @@ final class NewestClouds {
 
   String remark() {
     return (bySensor.isEmpty() ? "" : ", clouds of " + bySensor.size() + " scanners")
-        + (refused == 0 ? "" : ", " + refused + " clouds refused");
+        + (refused == 0 ? "" : ", " + refused + " clouds rejected");
   }
 }

@@ -35,7 +35,7 @@ public final class ObjectMapModeller implements Modeller {
   /** Fraction of the heap for remembered sightings from other processes. */
   private static final int HEAP_PART = 4;
 
-  private static final long MIN_SIGHTING_BYTES = 8L << 10; // an outline of a hundred points
+  private static final long MIN_SIGHTING_BYTES = 8L << 10; // size of an outline of a hundred points
 
   private final Settings<ObjectMapVariables> settings;
   private final Settings<GridModeller.Variables> heights;
@@ -115,7 +115,7 @@ public final class ObjectMapModeller implements Modeller {
     tidy(sighting.micros(), tuning);
   }
 
-  /** Whether the maximum number of objects may have this length. */
+  /** Whether this length would fit even for the maximum number of objects. */
   private boolean isShort(ObjectDescription sighting, ObjectMapVariables tuning) {
     long share = Runtime.getRuntime().maxMemory() / HEAP_PART / (2L * tuning.maxObjects());
     boolean isShort = sighting.receivedBytes() <= Math.max(MIN_SIGHTING_BYTES, share);
@@ -123,7 +123,7 @@ public final class ObjectMapModeller implements Modeller {
     return isShort;
   }
 
-  /** Whether a flat object is occluded by something a scanner sees. */
+  /** Whether a flat object is hidden by something that a scanner sees. */
   private boolean isHidden(ObjectDescription object, Point place, ObjectMapVariables tuning) {
     return tuning.isFlat(object.objectType())
         && hidden.hides(place.x(), place.y(), Double.POSITIVE_INFINITY);
@@ -169,7 +169,7 @@ public final class ObjectMapModeller implements Modeller {
     }
   }
 
-  /** Place in map coordinates [m]; moving objects of the file follow their own course. */
+  /** Position in map coordinates [m]; moving objects of the file follow their own course. */
   private Point place(MappedObject track) {
     return track.isFromFile() ? frame.metres(track.template().center()) : track.place();
   }
@@ -326,12 +326,12 @@ public final class ObjectMapModeller implements Modeller {
     long confirmed = tracks.stream().filter(MappedObject::isConfirmed).count();
     long moving = tracks.stream().filter(track -> track.filter().isMoving()).count();
     return String.format(
-            "%s objects, %s confirmed, %s moving, %s sightings, %s without a way into %s, %s of a"
+            "%s objects, %s confirmed, %s moving, %s sightings, %s not convertible to %s, %s of a"
                 + " name in the wrong place",
             tracks.size(), confirmed, moving, sightings, unplaced, frame.frame(), misread)
         + clouds.remark()
         + (absurd == 0 ? "" : ", " + absurd + " dropped for implausible values")
-        + (tooLong == 0 ? "" : ", " + tooLong + " refused for their length");
+        + (tooLong == 0 ? "" : ", " + tooLong + " rejected for their length");
   }
 
   @Override
@@ -350,7 +350,7 @@ public final class ObjectMapModeller implements Modeller {
     StateInformation vehicle = now.vehicle().orElse(null);
     for (ObjectDescription object : state.messages("OBJECTS", ObjectDescription.class)) {
       if (NewestClouds.takes(object)) {
-        continue; // a memory of the predecessor, soon replaced by a new scan
+        continue; // remembered by the predecessor, soon replaced by a new scan
       }
       Sighting sighting = new Sighting(now.micros(), frame, Optional.ofNullable(vehicle));
       Detection.of(object, sighting, settings.get().defaultSigma())

@@ -10,7 +10,7 @@ import org.u2sa.interfaces.configuration.Variable;
 record ObjectMapVariables(
     @Variable(ifAbsentText = "")
         @Description(
-            "OBJECTS: types that other modellers keep, such as painted lines, separated by commas: they are not mapped.")
+            "OBJECTS: types of objects not to be mapped because other modellers keep them, such as painted lines, separated by commas.")
         String unmappedTypes,
     @Variable(ifAbsentText = "")
         @Description(
@@ -86,7 +86,7 @@ record ObjectMapVariables(
         boolean doubtFile,
     @Variable(min = 1, max = 100_000, ifAbsent = 1000)
         @Description(
-            "OBJECTS: maximum number of objects besides those of WORLD; the least certain are dropped.")
+            "OBJECTS: maximum number of objects in addition to those of WORLD; the least certain are dropped.")
         int maxObjects) {
   ObjectMapVariables {
     if (confirmHits > confirmWindow) {

@@ -15,7 +15,7 @@ final class Panorama {
   private final Point from;
   private final double slopeX; // slope of the scan plane
   private final double slopeY;
-  private final float[] free = new float[SECTORS]; // [m]; 0 without a beam
+  private final float[] free = new float[SECTORS]; // free range [m]; 0 without a beam
 
   Panorama(BeamEnds ends, SensorPose pose, long micros) {
     this.micros = micros;
@@ -59,7 +59,7 @@ final class Panorama {
   }
 
   /**
-   * Whether a place and its surroundings were free.
+   * Whether a position and its surroundings were free.
    *
    * @param marginM radius around it [m]
    */

@@ -23,7 +23,7 @@ final class ScanThrough {
   }
 
   /**
-   * Whether all beams toward the place passed beyond it.
+   * Whether all beams toward a position passed beyond it.
    *
    * @param place position in map coordinates [m]
    * @param radius radius of the object, including its position uncertainty [m]

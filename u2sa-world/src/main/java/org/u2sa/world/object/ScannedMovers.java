@@ -10,7 +10,7 @@ import org.u2sa.world.modeller.ScanPoses;
 
 /** Detects moving objects in the echoes of all scanners. */
 final class ScannedMovers {
-  private static final int MAX_SCANNERS = 16; // a message may name any number
+  private static final int MAX_SCANNERS = 16; // messages may name any number of them
 
   private final Map<String, MovingEchoes> scanners = // by sensor, in order of last use
       new LinkedHashMap<>(16, 0.75f, true) {

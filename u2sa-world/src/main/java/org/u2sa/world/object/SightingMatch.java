@@ -6,13 +6,13 @@ import java.util.List;
 
 /**
  * Associates sightings with objects: pairs beyond the gate are excluded, the rest are assigned at
- * minimum total distance. Groups without common candidates are solved separately, so that the cost
- * of a hundred objects is little more than a hundred times that of one.
+ * minimum total distance. Groups without common candidates are solved separately, so that a hundred
+ * objects cost little more than a hundred times as much as one.
  */
 record SightingMatch(List<MappedObject> tracks, ObjectMapVariables settings) {
   static final int NONE = -1;
 
-  private static final double SURELY_MOVES = 3.0; // speed in its sigmas
+  private static final double SURELY_MOVES = 3.0; // speed, in its own sigmas
 
   /** Index of each sighting's object in the list of tracks, or {@link #NONE}. */
   int[] of(List<Detection> detections) {

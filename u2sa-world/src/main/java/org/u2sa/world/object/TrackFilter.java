@@ -8,9 +8,9 @@ import org.u2sa.messages.frame.Point;
 /**
  * Estimates an object's position and motion with three parallel filters, for stationary,
  * constant-velocity and manoeuvring objects, weighted by how well each predicted the measurements
- * (multiple model estimation: Bar-Shalom, Li and Kirubarajan, 2001, section 11.6.2). So the
+ * (multiple model estimation: Bar-Shalom, Li and Kirubarajan, 2001, section 11.6.2). Thus the
  * accuracy of stationary objects keeps improving, the velocity of a slow walker becomes observable,
- * and manoeuvres are followed, without knowing the kind of object.
+ * and manoeuvres are followed, without knowledge of the kind of object.
  */
 final class TrackFilter {
   /**
@@ -92,7 +92,7 @@ final class TrackFilter {
 
   /**
    * Resets the moving models of an object that was not seen for long: its predicted position would
-   * spread without bound, and it would be associated with anything seen there.
+   * spread without bound and match anything seen there.
    */
   void settle() {
     steady.restartAt(standing, assumed.maxSpeed());

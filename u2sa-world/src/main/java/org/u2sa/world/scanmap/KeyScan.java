@@ -11,7 +11,7 @@ final class KeyScan {
 
   /**
    * @param points echoes in the vehicle's axes
-   * @param scan the scan itself, to rebuild the grid from
+   * @param scan the scan itself, from which to rebuild the grid
    * @param way distance driven so far [m]
    */
   KeyScan(Pose2 pose, ScanPoints points, RangeScan scan, double way) {

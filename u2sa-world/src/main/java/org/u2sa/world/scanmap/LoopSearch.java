@@ -13,7 +13,7 @@ final class LoopSearch {
   /** A candidate: the newest key scan relative to an earlier one. */
   record Closure(int from, int to, Pose2 step, double[] information) {}
 
-  private static final double MIN_WAY_M = 12.0; // between two visits
+  private static final double MIN_WAY_M = 12.0; // distance driven between two visits
   private static final double MAX_RADIUS_M = 12.0;
   private static final double BASE_RADIUS_M = 1.5;
   private static final double SIGMAS = 3.0;

@@ -35,7 +35,7 @@ final class MapFile {
 
   private static final String HEADER = "U2SA scan map 1";
   private static final int MAX_SCANS = 20_000;
-  private static final int MAX_BYTES = 1 << 20; // of a scan
+  private static final int MAX_BYTES = 1 << 20; // maximum size of a scan
   private static final long HEAP_SHARE = 8; // part of the heap for all scans of a file
 
   private MapFile() {}
@@ -48,7 +48,7 @@ final class MapFile {
   static void write(Path file, MapFrame frame, List<KeyScan> keys) throws IOException {
     boolean isFree = !Files.exists(file, LinkOption.NOFOLLOW_LINKS);
     if (!isFree && !isMap(file) && Files.size(file) > 0) {
-      throw new IOException(file + " is not a map; expected one, an empty file or none");
+      throw new IOException(file + " is not a map; expected a map, an empty file or no file");
     }
     MessageCodec codec = new MessageCodec(StandardTypes.registry());
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();

@@ -21,8 +21,8 @@ final class ScanMap {
   record Located(Pose2 pose, double[] covariance, boolean isMatched, boolean isRebuilt) {}
 
   private static final double NEAR_M = 12.0; // key scans that a scan is matched against
-  private static final int RECENT = 25; // same, until a loop is closed
-  private static final int CLOSED_RECENTLY = 12; // key scans
+  private static final int RECENT = 25; // number of these, until a loop is closed
+  private static final int CLOSED_RECENTLY = 12; // key scans since the closure
   private static final double SEARCH_SIGMAS = 3.0;
   private static final double MIN_SEARCH_M = 0.3;
   private static final double MIN_SEARCH_RAD = 0.25; // odometry may lag while the vehicle turns

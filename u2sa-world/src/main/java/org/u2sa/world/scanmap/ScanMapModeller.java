@@ -47,11 +47,11 @@ public final class ScanMapModeller implements Modeller {
   private MapFile.Contents saved; // of MAP FILE, or null
   private MapFrame frame = MapFrame.BODY;
   private ScanMap map;
-  private Pose2 lastWay; // at the previous scan, in the axes of local-state or the state
+  private Pose2 lastWay; // pose at the previous scan, in the axes of local-state or the state
   private boolean lastIsLocal;
   private long lastMicros;
-  private String scanner = ""; // first scanner heard: only its scans are matched
-  private Pose2 matched; // of the last matched scan, on the map
+  private String scanner = ""; // first scanner to report: only its scans are matched
+  private Pose2 matched; // pose of the last matched scan, on the map
   private Pose2 matchedTold; // same, according to the state
 
   /**

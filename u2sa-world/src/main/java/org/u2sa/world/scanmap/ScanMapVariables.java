@@ -7,7 +7,7 @@ import org.u2sa.interfaces.configuration.Variable;
 record ScanMapVariables(
     @Variable(ifAbsentText = "true")
         @Description(
-            "Whether SCAN MAP publishes the pose of each matched scan on sensed-state, so that the State Estimator corrects the state by it.")
+            "Whether SCAN MAP publishes the pose of each matched scan on sensed-state, so that the State Estimator can use it to correct the state.")
         boolean correctState,
     @Variable(ifAbsentText = "")
         @Description(
@@ -37,7 +37,7 @@ record ScanMapVariables(
         @Description("Range beyond which echoes are not matched.")
         double matchReach,
     @Variable(min = 20, max = 2000, ifAbsent = 400)
-        @Description("Maximum number of echoes of a scan to match; more take more time.")
+        @Description("Maximum number of echoes to match per scan; more echoes take more time.")
         int matchPoints,
     @Variable(min = 0, max = 1, ifAbsent = 0.3)
         @Description("Minimum fraction of a scan's echoes that must lie on surfaces of the map.")

@@ -30,7 +30,7 @@ final class ScanMatcher {
   private static final double HUBER_M = 0.06;
   private static final double MIN_SIGMA_M = 0.02;
   private static final double POINT_SIGMA = 3.0; // multiplier for echoes off any surface
-  private static final double NEAR_M = 0.12; // an echo this near to a surface supports the match
+  private static final double NEAR_M = 0.12; // an echo this close to a surface supports the match
 
   /** Number of neighbouring beams that count as one independent measurement. */
   private static final double BEAMS_ALIKE = 8.0;
@@ -71,7 +71,7 @@ final class ScanMatcher {
   }
 
   /**
-   * Best pose in a large window by branch and bound over squares of block size ( Hess et al., ICRA
+   * Best pose in a large window by branch and bound over squares of block size (Hess et al., ICRA
    * 2016).
    */
   private static Pose2 bounded(
@@ -289,7 +289,7 @@ final class ScanMatcher {
       double least = Math.max(0.0, mean - half);
       double told = Math.max(0.0, least - DIRECTION_NOISE * most);
       double factor = least > 0.0 ? Math.sqrt(told / least) - 1.0 : 0.0;
-      double angle = StrictMath.atan2(2.0 * h[1], h[0] - h[4]) / 2.0 + Math.PI / 2.0; // least
+      double angle = StrictMath.atan2(2.0 * h[1], h[0] - h[4]) / 2.0 + Math.PI / 2.0; // of least
       double c = StrictMath.cos(angle);
       double s = StrictMath.sin(angle);
       double[] scale = {

@@ -15,8 +15,7 @@ final class ScanPoints {
   private static final double SURFACE_GAP = 0.15; // between neighbouring echoes of a surface [m]
   private static final double GAP_PER_METRE = 0.06; // 1° beams, at grazing angles
   private static final double SPAN = 0.25; // minimum distance of neighbours to estimate a normal
-  private static final double FRONT_M =
-      0.3; // a pole is at least this much nearer than its background
+  private static final double FRONT_M = 0.3; // minimum distance of a pole from its background
   private static final double MAX_BEND =
       0.15; // deviation from the line through the neighbours, per metre
 

@@ -14,7 +14,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.u2sa.messages.frame.Point;
 
-/** The corners of a mesh, of which only the convex hull matters: STL, OBJ and COLLADA files. */
+/** Reads corners of STL, OBJ and COLLADA meshes, of which only the convex hull matters. */
 final class MeshPoints {
   private static final long LARGEST_BYTES = 64L << 20;
   private static final int STL_HEADER = 84;
@@ -72,7 +72,7 @@ final class MeshPoints {
     }
   }
 
-  /** Searched by hand: a pattern would go back and forth in a file that closes no tag. */
+  /** Does not use a pattern, which would backtrack excessively in a file with unclosed tags. */
   private static void readCollada(String text, List<Point> points) throws IOException {
     int tagEnd = -1;
     int next;
@@ -116,7 +116,7 @@ final class MeshPoints {
 
   private static void add(double x, double y, double z, List<Point> points) throws IOException {
     if (!Double.isFinite(x + y + z)) {
-      throw new IOException("has a corner that is not a place");
+      throw new IOException("has a corner with invalid coordinates");
     }
     points.add(Point.of(x, y, z));
   }

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * Limits how much a world may read: models and meshes count each time they are included. A few
+ * Limits how much data a world may read: models and meshes count each time they are included. A few
  * short files that include each other would otherwise take years.
  */
 final class ReadBudget {

@@ -16,13 +16,13 @@ final class SdfFrames {
   private static final Set<String> NAMED = Set.of("link", "model", "include", "frame", "joint");
   private static final Set<String> SCOPE = Set.of("", "__model__", "world");
 
-  private static final int DEEPEST = 64; // poses relative to each other
+  private static final int DEEPEST = 64; // maximum depth of poses relative to each other
 
   private final Map<String, XmlElement> named = new HashMap<>();
   private final List<String> ignored;
 
   /**
-   * @param ignored receives the poses whose frame is not found; they are read as relative to the
+   * @param ignored receives the poses whose frame is not found, which are read as relative to the
    *     scope
    */
   SdfFrames(XmlElement scope, List<String> ignored) {
@@ -75,7 +75,7 @@ final class SdfFrames {
         .filter(frame -> !frame.isEmpty());
   }
 
-  /** Frame of a pose that names none. */
+  /** Frame of a pose that does not name one. */
   private static Optional<String> usual(XmlElement element) {
     return switch (element.name()) {
       case "frame" -> element.optionalAttribute("attached_to");

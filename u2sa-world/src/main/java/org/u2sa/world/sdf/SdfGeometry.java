@@ -28,7 +28,7 @@ final class SdfGeometry {
 
   /**
    * @param budget for the meshes
-   * @param ignored receives what cannot be an object, and why
+   * @param ignored receives elements that cannot be objects, with the reason
    */
   SdfGeometry(SdfResources resources, ReadBudget budget, List<String> ignored) {
     this.resources = resources;

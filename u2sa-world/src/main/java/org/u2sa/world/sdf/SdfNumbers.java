@@ -34,7 +34,7 @@ public final class SdfNumbers {
       throw element.error("\"" + word + "\" is not a number", e);
     }
     if (!(Math.abs(number) <= LARGEST)) {
-      throw element.error("\"" + word + "\": expected a number of at most 10,000,000");
+      throw element.error("\"" + word + "\": expected a number up to 10,000,000");
     }
     return number;
   }

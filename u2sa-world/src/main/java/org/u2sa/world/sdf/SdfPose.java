@@ -5,7 +5,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.Rotation;
 
 /**
- * Place and attitude in a frame: SDFormat's {@code <pose>}, x y z roll pitch yaw [m, rad].
+ * Position and attitude in a frame: SDFormat's {@code <pose>}, x y z roll pitch yaw [m, rad].
  *
  * @param at origin of the body in the frame [m]
  * @param rotation from the body's axes to the frame's
@@ -31,12 +31,12 @@ record SdfPose(Point at, Rotation rotation) {
     boolean inDegrees = pose.optionalAttribute("degrees").filter("true"::equals).isPresent();
     double unit = inDegrees ? Math.toRadians(1.0) : 1.0;
     // SDFormat turns by roll, pitch and yaw about fixed axes x, y, z: the matrix of Euler angles
-    // z, y, x, whatever the axes are called.
+    // z, y, x, whatever the names of the axes.
     return new SdfPose(
         Point.of(n[0], n[1], n[2]), Rotation.nedFromFrd(unit * n[3], unit * n[4], unit * n[5]));
   }
 
-  /** A pose that is given in this one's body, in this one's frame. */
+  /** Converts a pose relative to this one's body to this one's frame. */
   SdfPose then(SdfPose child) {
     return new SdfPose(place(child.at), rotation.times(child.rotation));
   }

@@ -49,7 +49,7 @@ final class SdfResources {
   }
 
   /**
-   * The file or folder of a URI; empty if none of the folders holds it.
+   * The file or folder of a URI; empty if none of the folders contains it.
    *
    * @param from folder of the file that names it
    */
@@ -59,7 +59,7 @@ final class SdfResources {
       if (uri.startsWith(MODEL)) {
         String rest = uri.substring(MODEL.length());
         roots.forEach(root -> candidates.add(root.resolve(rest)));
-      } else if (uri.contains("://")) { // of a server such as Gazebo Fuel: a copy by its name
+      } else if (uri.contains("://")) { // on a server such as Gazebo Fuel: look for a copy by name
         String name = uri.substring(uri.lastIndexOf('/') + 1);
         roots.forEach(root -> candidates.add(root.resolve(name)));
       } else {
@@ -67,7 +67,7 @@ final class SdfResources {
         roots.forEach(root -> candidates.add(root.resolve(uri)));
       }
     } catch (InvalidPathException e) {
-      return Optional.empty(); // a name that no file has
+      return Optional.empty(); // not a valid file name
     }
     return candidates.stream()
         .map(path -> path.toAbsolutePath().normalize())

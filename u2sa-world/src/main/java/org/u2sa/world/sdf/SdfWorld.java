@@ -21,7 +21,7 @@ import org.u2sa.messages.frame.ReferenceFrame;
  */
 public final class SdfWorld {
   private static final int MAX_OBJECTS = 100_000;
-  private static final int DEEPEST = 16; // models in models
+  private static final int DEEPEST = 16; // maximum nesting of models
 
   private final ReadBudget budget = new ReadBudget();
   private final SdfResources resources;
@@ -44,7 +44,7 @@ public final class SdfWorld {
   /**
    * Reads the world or model of a file.
    *
-   * @param environment variables that name folders of models, as Gazebo's
+   * @param environment variables that name folders of models, like Gazebo's
    * @throws BadInputException naming file, line, element, value and what was expected
    */
   public static SdfWorld read(Path file, Map<String, String> environment) {
@@ -91,7 +91,7 @@ public final class SdfWorld {
         case "include" -> include(child, frames, frame, path, folder, states, depth);
         case "light", "actor", "road", "population", "joint", "plugin" -> {
           if (!path.isEmpty() || child.name().equals("plugin") || child.name().equals("light")) {
-            continue; // nothing to run into
+            continue; // nothing to collide with
           }
           ignored.add(child.name() + " in line " + child.line());
         }
@@ -160,7 +160,7 @@ public final class SdfWorld {
     take(file.get());
     try {
       root = XmlReader.read(file.get(), "sdf");
-    } catch (BadInputException e) { // somebody else's model
+    } catch (BadInputException e) { // a third-party model may be faulty
       ignored.add(name + ": " + e.getMessage());
       return;
     }
@@ -184,7 +184,7 @@ public final class SdfWorld {
     return uri.substring(uri.lastIndexOf('/') + 1);
   }
 
-  /** The objects, with unique UIDs by their models' names. */
+  /** The objects, with unique UIDs derived from their models' names. */
   public List<ObjectDescription> objects() {
     return List.copyOf(objects);
   }

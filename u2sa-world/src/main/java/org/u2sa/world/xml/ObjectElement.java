@@ -36,7 +36,7 @@ final class ObjectElement {
     T object = type.create();
     object.referenceFrame(frame);
     Map<String, List<XmlElement>> byField = byField(element, type);
-    fillFirst(object, type, byField); // the units of other fields depend on it
+    fillFirst(object, type, byField); // the units of other fields depend on this
     byField.forEach((name, each) -> fill(object, type.field(name).orElseThrow(), each));
     if (!byField.containsKey(UID)) {
       object.uid(usualUid);

@@ -127,7 +127,7 @@ public final class WorldFile {
               + other.line()
               + " has the uid \""
               + object.uid()
-              + "\" already; uids must differ");
+              + "\" already; UIDs must be unique");
     }
     object.freeze();
     return object;
@@ -142,7 +142,7 @@ public final class WorldFile {
         element.children().stream()
             .filter(child -> !script.contains(child.name()))
             .collect(Collectors.toList());
-    shapes.forEach(child -> type(child, types, script)); // refuses what is neither
+    shapes.forEach(child -> type(child, types, script)); // rejects other elements
     if (shapes.size() != 1) {
       throw element.error("holds " + shapes.size() + " objects; expected one, such as <box>");
     }

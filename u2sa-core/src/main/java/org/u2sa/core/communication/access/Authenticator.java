@@ -21,8 +21,8 @@ import org.u2sa.interfaces.time.Clock;
  * <p>A flood of wrong passwords must neither starve control of CPU time nor lock out legitimate
  * users. Correct passwords are cached. After a wrong password, further attempts with the same name
  * and address are refused unchecked, with exponential back-off. Addresses without wrong passwords
- * go first; for the others the thread sleeps three times as long as it worked. A refusal is final
- * only after a check, and unknown names take as long as known ones.
+ * go first; after each check for any other address the thread sleeps for three times as long as the
+ * check took. A refusal is final only after a check, which takes as long for unknown names.
  */
 public final class Authenticator implements AutoCloseable {
   private static final int RESTS_PER_WORK = 3;
@@ -43,7 +43,7 @@ public final class Authenticator implements AutoCloseable {
   private long restUntil = Long.MIN_VALUE; // used by the thread only
 
   /**
-   * @param trouble notified of passwords that could not be checked
+   * @param trouble called when a password could not be checked
    */
   public Authenticator(Users users, Clock clock, Consumer<String> trouble) {
     this.users = users;
@@ -117,7 +117,7 @@ public final class Authenticator implements AutoCloseable {
     }
   }
 
-  /** Judges an application; a failure must not prevent other logins. */
+  /** Decides on a login; a failure must not prevent other logins. */
   private void tryToJudge(LoginApplication application) {
     try {
       judge(application);

@@ -20,7 +20,7 @@ public final class ConnectRequest {
     LONG_ID(
         "its client ID is too long", MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED),
     NO_ID(
-        "it has no client ID, but wants a persistent session", // 3.1.3.1
+        "it has no client ID but requests a persistent session", // 3.1.3.1
         MqttConnectReturnCode.CONNECTION_REFUSED_IDENTIFIER_REJECTED),
     WILL("its will has QoS 2", MqttConnectReturnCode.CONNECTION_REFUSED_NOT_AUTHORIZED);
 
@@ -63,11 +63,11 @@ public final class ConnectRequest {
   }
 
   /**
-   * @param pass pass that the connection filter puts in place of an admitted client's password
+   * @param pass secret with which the connection filter replaces an admitted client's password
    */
   public static ConnectRequest of(MqttConnectMessage packet, String pass) {
     String said = packet.payload().clientIdentifier();
-    // by default, mosquitto_sub and HiveMQ's client let the broker assign a name
+    // mosquitto_sub and HiveMQ's client let the broker assign a name by default
     boolean isNamed = said != null && !said.isEmpty();
     String id = isNamed ? said : "unnamed-" + UUID.randomUUID();
     return new ConnectRequest(packet, id, isNamed, pass);
@@ -120,7 +120,7 @@ public final class ConnectRequest {
   }
 
   /**
-   * The packet as passed to Moquette: with the connection filter's pass as password, without the
+   * The packet as passed to Moquette: with the connection filter's secret as password, without the
    * will (published by the session), and without a persistent session.
    *
    * @param connection unique connection ID that replaces the client ID: Moquette confuses two

@@ -36,7 +36,7 @@ public final class LocalAccount implements AutoCloseable {
    * Creates a token for the broker at this address and writes it to its files, unless another
    * broker already listens there.
    *
-   * @param log notified if a file cannot be written, with the consequence
+   * @param log receives the consequence if a file cannot be written
    */
   public static LocalAccount at(String bindAddress, int port, Consumer<String> log) {
     LocalAccount account = new LocalAccount(LocalToken.fileName(bindAddress, port), log);

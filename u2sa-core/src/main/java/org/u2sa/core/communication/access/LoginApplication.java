@@ -24,7 +24,7 @@ public record LoginApplication(
       return new Verdict(Optional.empty(), reason, true);
     }
 
-    /** Undecided: the client may try again later. */
+    /** No decision: the client may try again later. */
     public static Verdict later(String reason) {
       return new Verdict(Optional.empty(), reason, false);
     }

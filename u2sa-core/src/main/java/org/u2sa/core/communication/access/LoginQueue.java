@@ -24,8 +24,8 @@ public final class LoginQueue {
   }
 
   /**
-   * Adds a request. Returns the displaced request, possibly the given one: from the address with
-   * the most wrong passwords, then with the most waiting requests.
+   * Adds a request. Returns the displaced request, which may be the given one: it comes from the
+   * address with the most wrong passwords, or on a tie with the most waiting requests.
    */
   public synchronized Optional<LoginApplication> add(LoginApplication application) {
     long same = waiting.stream().filter(other -> other.from().equals(application.from())).count();

@@ -14,7 +14,7 @@ import org.u2sa.core.security.User;
  */
 public record ProcessAccount(User user, String password) {
   private static final int PASSWORD_BYTES = 32;
-  // The password is long and random: no need to make guesses costly.
+  // The password is long and random, so guesses need not be made costly.
   private static final int ITERATIONS = 1;
 
   static ProcessAccount named(String name) {

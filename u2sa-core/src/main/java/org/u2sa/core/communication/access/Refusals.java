@@ -38,12 +38,12 @@ public final class Refusals {
     }
   }
 
-  /** Total number. */
+  /** Total count. */
   public long total() {
     return total.get();
   }
 
-  /** Number of one kind. */
+  /** Count of one kind. */
   public long of(String kind) {
     AtomicLong count = byKind.get(kind);
     return count == null ? 0 : count.get();

@@ -16,7 +16,7 @@ import org.u2sa.messages.schema.U2SAData;
 
 /**
  * Source name of a message: a service on the channels of the contract, a sensor, actuator or
- * subsystem named by a field, or the only writer of a channel.
+ * subsystem named by a field, or a channel's only writer.
  *
  * @param key unique per system
  * @param systemId the vehicle
@@ -70,9 +70,7 @@ public record SourceName(
     return fields;
   }
 
-  /**
-   * Source of a message; empty if anyone with the right may publish it, as questions and orders.
-   */
+  /** Source of a message; empty if anyone with permission may publish it, such as queries. */
   public static Optional<SourceName> of(
       Topic topic, AccessRule rule, ByteBuf payload, MessageCodec codec) {
     boolean isReport =
@@ -88,14 +86,14 @@ public record SourceName(
             : codec
                 .peek(ByteBufUtil.getBytes(payload), field)
                 .or(() -> payload.isReadable() ? unset(rule.type(), field) : Optional.empty())
-                .orElse(topic.source()); // which an empty message deletes
+                .orElse(topic.source()); // deleted by an empty message
     boolean isService = OF_SERVICES.contains(rule.channel());
     String kind = isService ? "" : topic.channel(); // never empty
     String key = key(topic.systemId(), kind, name);
     return Optional.of(new SourceName(key, topic.systemId(), topic.channel(), name, isService));
   }
 
-  /** Name that readers assume for a message without the field: its default. */
+  /** Default of the field, which readers assume for a message without it. */
   private static <M extends U2SAData> Optional<String> unset(MessageType<M> type, String field) {
     return type.field(field).flatMap(each -> each.get(type.create())).map(String::valueOf);
   }

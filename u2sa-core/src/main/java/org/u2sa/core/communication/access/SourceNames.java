@@ -28,9 +28,9 @@ import org.u2sa.messages.schema.U2SAData;
  *
  * <p>The vehicle, i.e. the broker's process and the processes that it started, takes any name from
  * others. A name under which a service of the vehicle has reported health stays reserved until that
- * service reports its stop, so that nobody can impersonate a failed service. The arming state stays
- * reserved permanently, because actuators would believe an impostor while the Safety Manager
- * restarts.
+ * service reports that it has stopped, so that nobody can impersonate a failed service. The arming
+ * state stays reserved permanently, because actuators would believe an impostor while the Safety
+ * Manager restarts.
  *
  * <p>Failsafes have two writers, which may belong to different runs: the Safety Manager and, while
  * that is lost, the Health Monitor. Their names have no owner: they are accepted from the vehicle,
@@ -73,7 +73,7 @@ public final class SourceNames {
     } else if (message instanceof ServiceCondition) {
       monitors.hearVehicle(services.systemId());
     } else if (message instanceof HealthReport report
-        && !(message instanceof ConnectionLost)) { // which reports on others
+        && !(message instanceof ConnectionLost)) { // it reports on another service
       keep(
           SourceName.key(services.systemId(), "", report.serviceName()),
           report.status() == ServiceStatus.STOPPED);
@@ -83,12 +83,12 @@ public final class SourceNames {
   private void keep(String key, boolean isLast) {
     if (isLast) {
       vehicles.remove(key);
-    } else if (!vehicles.contains(key)) { // a read is cheaper
+    } else if (!vehicles.contains(key)) { // reading is cheaper than writing
       vehicles.add(key);
     }
   }
 
-  /** Source of a message; empty if anyone with the right to publish it may. */
+  /** Source of a message; empty if anyone with permission may publish it. */
   public Optional<SourceName> nameOf(Topic topic, AccessRule rule, ByteBuf payload) {
     return SourceName.of(topic, rule, payload, codec);
   }

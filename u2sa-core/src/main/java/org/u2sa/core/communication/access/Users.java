@@ -103,7 +103,7 @@ public final class Users {
     try {
       return Files.getLastModifiedTime(file);
     } catch (IOException e) {
-      return FileTime.fromMillis(0); // missing: reading it reports so
+      return FileTime.fromMillis(0); // missing: reading it reports this
     }
   }
 }

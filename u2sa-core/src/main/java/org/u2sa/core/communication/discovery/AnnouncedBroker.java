@@ -22,9 +22,9 @@ final class AnnouncedBroker {
   static final String ID = "id";
 
   private static final List<String> TYPES = List.of("_services", "_dns-sd", "_udp", "local");
-  private static final int TTL_S = 120; // of names with hosts (RFC 6762, 10)
+  private static final int TTL_S = 120; // names with hosts (RFC 6762, 10)
   private static final int LONGEST_LABEL = 63;
-  private static final int ID_LENGTH = 9; // of it, in names
+  private static final int ID_LENGTH = 9; // its maximum length in names, with hyphen
 
   private final String systemId;
   private final InetAddress address;
@@ -40,7 +40,7 @@ final class AnnouncedBroker {
     this.id = id;
   }
 
-  /** Whether a message asks for anything of this broker. */
+  /** Whether a message contains a question about this broker. */
   boolean isAskedForBy(DnsMessage message) {
     List<DnsRecord> own = records(TTL_S);
     return message.questions().stream()

@@ -10,11 +10,11 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Announces the address of this system's broker by multicast DNS, at the start and whenever
- * somebody asks, at most once a second. One thread for each network.
+ * Announces the address of this system's broker by multicast DNS, at startup and in answer to
+ * queries, at most once per second. Uses one thread per network.
  */
 public final class BrokerAnnouncement implements AutoCloseable {
-  private static final int UNASKED = 2; // announcements at the start (RFC 6762, 8.3)
+  private static final int UNASKED = 2; // announcements at startup (RFC 6762, 8.3)
 
   private final Clock clock;
   private final Consumer<String> log;
@@ -79,7 +79,7 @@ public final class BrokerAnnouncement implements AutoCloseable {
     private final MulticastLink link;
     private final AnnouncedBroker broker;
     private final Thread thread = new Thread(this::run, "u2sa-announcement");
-    private boolean isFailing; // the thread's, like those of run
+    private boolean isFailing; // confined to the thread, like those of run
 
     Network(InetAddress address, MulticastLink link, AnnouncedBroker broker) {
       this.address = address;
@@ -114,7 +114,7 @@ public final class BrokerAnnouncement implements AutoCloseable {
       }
     }
 
-    /** A network that is away for a while is no reason to end. */
+    /** Continues after errors, because a network may be away for a while. */
     private void announce() {
       try {
         link.send(broker.announcement());

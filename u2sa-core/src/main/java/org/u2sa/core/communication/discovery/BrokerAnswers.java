@@ -15,9 +15,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.u2sa.core.communication.discovery.DnsMessage.Question;
 
-/** Answers to a search for brokers, in whatever messages and order they come. Thread-safe. */
+/** Collects answers to a search for brokers, in any order and number. Thread-safe. */
 final class BrokerAnswers {
-  private static final int MOST = 64; // brokers: anybody may invent some
+  private static final int MOST = 64; // maximum brokers: anybody may invent some
   private static final int MAX_QUESTIONS = 32; // in a message
 
   private final Set<List<String>> instances = new LinkedHashSet<>(); // these: guarded by this
@@ -25,10 +25,10 @@ final class BrokerAnswers {
   private final Map<List<String>, DnsRecord> texts = new HashMap<>(); // by instance
   private final Map<List<String>, DnsRecord> addresses = new HashMap<>(); // by host
 
-  /** Takes what a message says of brokers; returns whether that was anything new. */
+  /** Adds a message's information about brokers; returns whether any of it was new. */
   synchronized boolean take(DnsMessage message) {
     boolean isNew = false;
-    // Services count only if their instance is known, and addresses only of their hosts.
+    // Keeps services of known instances only, and addresses of their hosts only.
     for (int type : new int[] {DnsRecord.POINTER, DnsRecord.SERVICE, DnsRecord.ADDRESS}) {
       for (DnsRecord record : message.records()) {
         boolean isMeant = record.type() == type && record.ttlS() != 0;
@@ -65,11 +65,11 @@ final class BrokerAnswers {
     try {
       return Optional.of(DnsMessage.target(record));
     } catch (IOException e) {
-      return Optional.empty(); // bytes that are no text; such a host is nobody's
+      return Optional.empty(); // bytes that are not text; ignore such a host
     }
   }
 
-  /** What to ask next: for brokers, and for what is missing of those that were heard of. */
+  /** Next questions: for brokers, and for missing information about those already found. */
   synchronized DnsMessage questions() {
     List<Question> questions = new ArrayList<>();
     questions.add(new Question(AnnouncedBroker.TYPE, DnsRecord.POINTER));
@@ -89,7 +89,7 @@ final class BrokerAnswers {
         questions.subList(0, Math.min(questions.size(), MAX_QUESTIONS)), List.of());
   }
 
-  /** Brokers of U2SA of which everything is known; one that is on several networks counts once. */
+  /** U2SA brokers whose information is complete; one that is on several networks counts once. */
   synchronized Collection<FoundBroker> found() {
     Map<String, FoundBroker> found = new LinkedHashMap<>(); // by ID
     for (List<String> instance : instances) {
@@ -127,7 +127,7 @@ final class BrokerAnswers {
     try {
       return InetAddress.getByAddress(address.data()).getHostAddress();
     } catch (IOException e) {
-      throw new IllegalStateException(e); // four bytes always are one
+      throw new IllegalStateException(e); // four bytes are always a valid address
     }
   }
 }

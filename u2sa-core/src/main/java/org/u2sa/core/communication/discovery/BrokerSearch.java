@@ -48,7 +48,7 @@ public final class BrokerSearch {
     try (Clock.Waiter waiter = clock.newWaiter("broker-search")) {
       all = new BrokerSearch(systemId, clock, waiter).search(timeoutS);
     } catch (IOException e) {
-      throw new CommunicationException("cannot look for a broker: " + e.getMessage(), e);
+      throw new CommunicationException("cannot search for a broker: " + e.getMessage(), e);
     }
     List<FoundBroker> wanted =
         all.stream()
@@ -61,13 +61,13 @@ public final class BrokerSearch {
     if (wanted.isEmpty()) {
       throw new CommunicationException(
           String.format(
-              "no broker%s announced itself by mDNS within %s s%s; does it listen to this"
-                  + " network, and is it running? Its address can be named instead",
+              "no broker%s announced itself by mDNS within %s s%s; does it listen on this"
+                  + " network, and is it running? Its address can be given instead",
               whose, timeoutS, all.isEmpty() ? "" : "; found: " + text(all)));
     }
     throw new BadInputException(
         String.format(
-            "several brokers%s announce themselves by mDNS: %s; name the system or the address"
+            "several brokers%s announce themselves by mDNS: %s; give the system or the address"
                 + " of one",
             whose, text(wanted)));
   }
@@ -119,7 +119,7 @@ public final class BrokerSearch {
     thread.start();
   }
 
-  /** Asks every second until a broker is found, and then a second longer for others. */
+  /** Asks every second until a broker is found, then for one more second for others. */
   private void awaitFound(List<MulticastLink> links, double timeoutS) throws InterruptedException {
     long end = clock.micros() + Clock.micros(timeoutS);
     long ask = clock.micros();
@@ -141,7 +141,7 @@ public final class BrokerSearch {
     try {
       link.send(answers.questions());
     } catch (IOException e) {
-      return; // this network is away; the others are asked
+      return; // this network is away; keep asking on the others
     }
   }
 

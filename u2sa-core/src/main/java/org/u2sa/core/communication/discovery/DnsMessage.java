@@ -10,20 +10,20 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 
-/** A message of multicast DNS (RFC 6762): questions, or records that answer some. */
+/** A multicast DNS message (RFC 6762): questions, or answering records. */
 record DnsMessage(List<Question> questions, List<DnsRecord> records) {
-  static final int LONGEST = 9_000; // bytes (RFC 6762, 17)
+  static final int LONGEST = 9_000; // maximum bytes (RFC 6762, 17)
 
   private static final int ANY = 255;
   private static final int INTERNET = 1; // class
-  private static final int FLUSH = 0x8000; // in the class: replaces earlier records of the name
+  private static final int FLUSH = 0x8000; // bit of the class: replaces earlier records of the name
   private static final int RESPONSE = 0x8400; // flags: authoritative
-  private static final int MAX_ENTRIES = 128; // read of a message
-  private static final int MAX_LABELS = 16; // of a name
-  private static final int POINTER = 0xC0; // marks the place of the rest of a name
+  private static final int MAX_ENTRIES = 128; // entries read per message
+  private static final int MAX_LABELS = 16; // per name
+  private static final int POINTER = 0xC0; // marks a compression pointer
   private static final int POINTER_MASK = 0x3F;
 
-  /** A question for records of a name. */
+  /** A question about the records of a name. */
   record Question(List<String> name, int type) {
     boolean asksFor(DnsRecord record) {
       return (type == record.type() || type == ANY) && name.equals(record.name());
@@ -39,7 +39,7 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
       out.putShort((short) INTERNET);
     }
     for (DnsRecord record : records) {
-      boolean isShared = record.type() == DnsRecord.POINTER; // other hosts have theirs
+      boolean isShared = record.type() == DnsRecord.POINTER; // other hosts reply to those
       out.put(DnsRecord.encoded(record.name())).putShort((short) record.type());
       out.putShort((short) (isShared ? INTERNET : INTERNET | FLUSH)).putInt(record.ttlS());
       out.putShort((short) record.data().length).put(record.data());
@@ -48,14 +48,14 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
   }
 
   /**
-   * Reads a message, and of a long one the first entries.
+   * Reads a message; of a long one, only the first entries.
    *
    * @throws IOException if it is malformed
    */
   static DnsMessage read(byte[] bytes, int length) throws IOException {
     ByteBuffer in = ByteBuffer.wrap(bytes, 0, length);
     try {
-      in.getInt(); // number and flags
+      in.getInt(); // ID and flags
       int questions = unsignedShort(in);
       int records = unsignedShort(in) + unsignedShort(in) + unsignedShort(in);
       List<Question> asked = new ArrayList<>();
@@ -103,7 +103,7 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
     return new DnsRecord(name, type, ttlS, data);
   }
 
-  /** Reads a name. Its rest may be at an earlier place, and so on, but never in a circle. */
+  /** Reads a name. Pointers to its rest may only lead backwards, so they cannot form a loop. */
   private static List<String> name(ByteBuffer in) throws IOException {
     List<String> labels = new ArrayList<>();
     ByteBuffer from = in;
@@ -116,13 +116,13 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
       if (length >= POINTER) {
         int place = (length & POINTER_MASK) << 8 | from.get() & 0xFF;
         if (place >= earliest) {
-          throw new IOException("a name that does not point to an earlier place");
+          throw new IOException("a name pointer that does not point backwards");
         }
         earliest = place;
         from = in.duplicate();
         place(from, place);
       } else if (length > POINTER_MASK || labels.size() == MAX_LABELS) {
-        throw new IOException("a name that is too long");
+        throw new IOException("a name is too long");
       } else {
         byte[] label = new byte[length];
         from.get(label);
@@ -131,12 +131,12 @@ record DnsMessage(List<Question> questions, List<DnsRecord> records) {
     }
   }
 
-  /** Android 9 knows this method of {@link Buffer} only. */
+  /** Android 9 has this method in {@link Buffer} only. */
   private static void place(Buffer buffer, int position) {
     buffer.position(position);
   }
 
-  /** Name that a pointer's or a service's data contains. */
+  /** Name contained in the data of a pointer or service record. */
   static List<String> target(DnsRecord record) throws IOException {
     int start = record.type() == DnsRecord.SERVICE ? DnsRecord.SERVICE_HEAD : 0;
     try {

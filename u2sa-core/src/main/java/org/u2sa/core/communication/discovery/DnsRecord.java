@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A resource record of DNS (RFC 1035). Names are lists of labels in lower case.
+ * A DNS resource record (RFC 1035). Names are lists of lower-case labels.
  *
- * @param ttlS for how long it holds [s]; 0 withdraws it
+ * @param ttlS time to live [s]; 0 withdraws it
  * @param data its content, without compressed names
  */
 record DnsRecord(List<String> name, int type, int ttlS, byte[] data) {
@@ -21,7 +21,7 @@ record DnsRecord(List<String> name, int type, int ttlS, byte[] data) {
   static final int SERVICE = 33;
   static final int SERVICE_HEAD = 6; // bytes of priority, weight and port
 
-  /** A pointer from a type of service to one of its instances. */
+  /** A pointer from a service type to one of its instances. */
   static DnsRecord pointer(List<String> type, int ttlS, List<String> instance) {
     return new DnsRecord(type, POINTER, ttlS, encoded(instance));
   }
@@ -34,7 +34,7 @@ record DnsRecord(List<String> name, int type, int ttlS, byte[] data) {
     return new DnsRecord(instance, SERVICE, ttlS, data.array());
   }
 
-  /** Properties of an instance. */
+  /** Properties of an instance (TXT). */
   static DnsRecord text(List<String> instance, int ttlS, List<String> properties) {
     ByteArrayOutputStream data = new ByteArrayOutputStream();
     for (String property : properties) {
@@ -55,7 +55,7 @@ record DnsRecord(List<String> name, int type, int ttlS, byte[] data) {
     return ByteBuffer.wrap(data).getShort(SERVICE_HEAD - Short.BYTES) & 0xFFFF;
   }
 
-  /** Properties of a text; of equal keys the first counts (RFC 6763, 6.4). */
+  /** Properties in a TXT record; the first of equal keys counts (RFC 6763, 6.4). */
   Map<String, String> properties() {
     Map<String, String> properties = new HashMap<>();
     for (int at = 0; at < data.length; at += 1 + (data[at] & 0xFF)) {

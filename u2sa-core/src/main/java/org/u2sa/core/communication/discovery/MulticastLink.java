@@ -12,9 +12,9 @@ import org.u2sa.core.communication.limit.Allowance;
 import org.u2sa.interfaces.time.Clock;
 
 /**
- * Multicast DNS on one network. Anybody there may send what he likes, so messages are read at a
- * limited rate and nothing of them is kept; the system drops what comes meanwhile. Nobody is
- * answered alone, lest a forged address be flooded.
+ * Multicast DNS on one network. Anybody there may send anything, so messages are read at a limited
+ * rate and never stored; the operating system drops the excess. Never replies by unicast, so that
+ * nobody can have a forged address flooded.
  */
 final class MulticastLink implements AutoCloseable {
   private static final int PORT = 5353;
@@ -62,9 +62,9 @@ final class MulticastLink implements AutoCloseable {
   }
 
   /**
-   * Waits for a message, at most a second.
+   * Waits up to a second for a message.
    *
-   * @return empty after the deadline, or if what came cannot be read
+   * @return empty after the deadline, or if the message cannot be read
    * @throws IOException if this is closed
    */
   Optional<DnsMessage> receive(long deadlineMicros) throws IOException, InterruptedException {
@@ -74,7 +74,7 @@ final class MulticastLink implements AutoCloseable {
       return Optional.empty();
     }
     long waitMs = Math.min(LONGEST_WAIT_MS, (deadlineMicros - now) / MILLISECOND_MICROS);
-    socket.setSoTimeout((int) Math.max(1, waitMs)); // 0 would not end
+    socket.setSoTimeout((int) Math.max(1, waitMs)); // 0 0 would wait forever
     DatagramPacket packet = new DatagramPacket(buffer, buffer.length);
     try {
       socket.receive(packet);
@@ -89,7 +89,7 @@ final class MulticastLink implements AutoCloseable {
     try {
       return Optional.of(DnsMessage.read(packet.getData(), packet.getLength()));
     } catch (IOException e) {
-      return Optional.empty(); // of no use to anybody
+      return Optional.empty(); // malformed
     }
   }
 

@@ -45,7 +45,7 @@ public final class Allowance {
     return new Allowance(part, burstS, 0.0, nowMicros);
   }
 
-  /** Whether anything is left; the next take may overdraw it. */
+  /** Whether any allowance is left; the next {@link #take} may overdraw it. */
   public boolean isOpen(long nowMicros) {
     left = Math.min(burst, left + perS * Clock.seconds(nowMicros - asOfMicros));
     asOfMicros = nowMicros;

@@ -12,11 +12,11 @@ public record BrokerLimits(
         int maxClients,
     @Variable(min = 10, max = 10_000_000, ifAbsent = 100_000)
         @Description(
-            "Packets per second that the embedded broker reads from one client; further ones wait. A tenth of it while a subscriber to its messages lags.")
+            "Packets per second that the embedded broker reads from one client; more must wait. A tenth of that while a subscriber to its messages lags.")
         int clientMessagesPerSecond,
     @Variable(min = 10_000, max = 2_000_000_000, ifAbsent = 200_000_000)
         @Description(
-            "Bytes per second that the embedded broker reads from one client; further ones wait. A tenth of it while a subscriber to its messages lags.")
+            "Bytes per second that the embedded broker reads from one client; more must wait. A tenth of that while a subscriber to its messages lags.")
         int clientBytesPerSecond,
     @Variable(min = 100, max = 100_000_000, ifAbsent = 250_000)
         @Description(
@@ -24,7 +24,7 @@ public record BrokerLimits(
         int totalMessagesPerSecond,
     @Variable(min = 1, max = 1_000_000, ifAbsent = 200)
         @Description(
-            "Subscriptions and queries to all services per second that the embedded broker reads from one user; further ones wait.")
+            "Subscriptions and queries to all services per second that the embedded broker reads from one user; more must wait.")
         int clientQuestionsPerSecond,
     @Variable(min = 1, max = 1_000_000, ifAbsent = 50)
         @Description(

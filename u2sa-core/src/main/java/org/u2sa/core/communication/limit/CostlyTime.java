@@ -47,7 +47,7 @@ public final class CostlyTime {
     if (isAlone(client, nowMicros)) {
       pieceS -= seconds;
     } else {
-      shared.take(seconds); // before the refill of that time, which may exceed the burst
+      shared.take(seconds); // before the refill, which is capped at the burst
     }
     tookMicros = nowMicros;
   }

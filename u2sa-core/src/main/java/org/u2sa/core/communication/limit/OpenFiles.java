@@ -36,7 +36,7 @@ public final class OpenFiles {
     try {
       return limit(new String(Files.readAllBytes(LIMITS), StandardCharsets.US_ASCII));
     } catch (IOException e) {
-      return OptionalInt.empty(); // another operating system
+      return OptionalInt.empty(); // other operating systems
     }
   }
 

@@ -10,7 +10,7 @@ public final class RecentlyUsed<V> extends LinkedHashMap<String, V> {
   private final int most;
 
   /**
-   * @param most number of entries kept
+   * @param most maximum number of entries
    */
   public RecentlyUsed(int most) {
     super(16, 0.75f, true);

@@ -23,15 +23,14 @@ public final class RemoteSubscriptions {
   /** One connection's filters, and whether each requires every message. */
   private record Client(String user, Map<String, Boolean> filters) {}
 
-  /** A filter, and for each connection that has it whether each message matters to it. */
+  /** A filter, and whether each message matters to each connection that has it. */
   private record Filter(Topic parsed, Map<String, Boolean> clients) {}
 
   private final BiPredicate<Topic, Topic> matches;
   private final Map<String, Client> clients = new HashMap<>(); // by connection; guarded by this
   private final Map<String, Integer> byUser = new HashMap<>(); // filters; guarded by this
   private final Map<String, Filter> filters = new HashMap<>(); // distinct filters; guarded by this
-  private final Map<String, TopicRoute> interests =
-      new ConcurrentHashMap<>(); // asked for, by topic
+  private final Map<String, TopicRoute> interests = new ConcurrentHashMap<>(); // cached topics
   private final Map<String, TopicRoute> routes = // by topic; guarded by this
       new RecentlyUsed<>(TOPICS_REMEMBERED);
   private final AtomicInteger version = new AtomicInteger();

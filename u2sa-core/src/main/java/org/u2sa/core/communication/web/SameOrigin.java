@@ -12,8 +12,8 @@ import java.util.regex.Pattern;
 
 /**
  * Decides whether a request is meant for this server and comes from its own page. A browser lets
- * any page connect to any server, and names the page in the header Origin (RFC 6455, section 10.2);
- * a page whose host name is made to point at this host (DNS rebinding) shows in the header Host.
+ * any page connect to any server, and gives the page in the Origin header (RFC 6455, section 10.2);
+ * DNS rebinding, which points a page's host name at this host, is detected by the Host header.
  */
 public final class SameOrigin {
   private static final Pattern ADDRESS =
@@ -32,9 +32,9 @@ public final class SameOrigin {
   }
 
   /**
-   * The rule of a server.
+   * Creates the rule for a server.
    *
-   * @param isEncrypted whether it uses TLS; its certificate then states its names
+   * @param isEncrypted whether it uses TLS; its certificate then contains its names
    * @param bound address on which it listens
    */
   public static SameOrigin of(boolean isEncrypted, InetAddress bound) {
@@ -50,7 +50,7 @@ public final class SameOrigin {
     return new SameOrigin(isEncrypted, bound.isLoopbackAddress(), names);
   }
 
-  /** Whether the request names this server: by address, or by a name that is its own. */
+  /** Whether the request names this server: by its address or one of its own names. */
   boolean isHost(HttpHeaders headers) {
     List<String> hosts = headers.getAll(HttpHeaderNames.HOST);
     if (hosts.size() != 1) {

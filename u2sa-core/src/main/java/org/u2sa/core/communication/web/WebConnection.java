@@ -80,8 +80,8 @@ public final class WebConnection extends ChannelInboundHandlerAdapter {
   }
 
   /**
-   * Rejects fragments, texts and pings, because they would cost unbounded memory or answers; a
-   * browser's page cannot send pings, and this page sends neither of the others.
+   * Rejects fragments, texts and pings, because they would cost unbounded memory or answers. A page
+   * in a browser cannot send pings, and this one sends no fragments or texts.
    */
   private void frame(ChannelHandlerContext ctx, WebSocketFrame frame) {
     boolean isMqtt = frame instanceof BinaryWebSocketFrame && frame.isFinalFragment();

@@ -88,7 +88,7 @@ public final class WebTiles {
     ByteBuffer content = ByteBuffer.allocate((int) length);
     try {
       while (content.hasRemaining() && file.read(content, from + content.position()) >= 0) {
-        // a read may be short
+        // one read may return less
       }
     } catch (IOException e) {
       underWay.addAndGet(-length);

@@ -24,15 +24,15 @@ public record GateApproach(SailingPath path, Gate gate, double runM) {
   private static final double GOOD_RUN_M = 10.0;
   private static final double SHORT_COST = 2.0; // per metre of a shorter run
   private static final double TIGHT_COST = 4.0; // per metre of a smaller radius
-  private static final double NEAR_COST = 10.0; // per metre nearer to an object than this:
+  private static final double NEAR_COST = 10.0; // per metre closer to an object than this:
   private static final double WELL_CLEAR_M = 2.5;
   private static final double CLEAR_M = 0.95; // clearance of arcs: half the beam and 0.6 m
   private static final double RUN_CLEAR_M = 0.7; // clearance of the run, also through a gate
   private static final double LEAVING_M = 1.5; // length within which the boat may be leaving a gate
   private static final double LEAVING_CLEAR_M = 0.45;
-  private static final double FAR_M = 10.0; // distance to wait at while no path is clear
+  private static final double FAR_M = 10.0; // waiting distance while no path is clear
   private static final double[] FAR_ASIDE_M = {0.0, 3.0, -3.0, 6.0, -6.0};
-  private static final double ROOM_M = 2.5; // between that place and all objects
+  private static final double ROOM_M = 2.5; // between the waiting position and all objects
   private static final double BEFORE_M = 1.5; // end of the part of the run that is checked
 
   /** The best path from a pose; empty if none is clear. */
@@ -82,7 +82,7 @@ public record GateApproach(SailingPath path, Gate gate, double runM) {
     return onAxis;
   }
 
-  /** Shift of the start of the run under a newer estimate of the gate [m]. */
+  /** Shift of the start of the run due to a newer estimate of the gate [m]. */
   public double movedM(Gate newer) {
     return newer.beyond(-runM).minus(gate.beyond(-runM)).distance();
   }

@@ -8,12 +8,12 @@ import org.u2sa.messages.frame.Point;
  *
  * @param from start of the line
  * @param over middle of the gate
- * @param to place behind it
+ * @param to position beyond it
  */
 public record GateLine(Point from, Point over, Point to) {
-  private static final double MIN_LENGTH_M = 1.0e-6; // length of a piece
+  private static final double MIN_LENGTH_M = 1.0e-6; // length of a segment
 
-  /** Distance from the piece to the gate, positive to the right [m]. */
+  /** Distance from the segment to the gate, positive to the right [m]. */
   public double asideM(Point here) {
     double length = lengthM();
     double north = (over.x() - from.x()) / length;
@@ -38,7 +38,7 @@ public record GateLine(Point from, Point over, Point to) {
         : between(over, to, (reached - length) / Math.max(MIN_LENGTH_M, over.flatDistanceTo(to)));
   }
 
-  /** Place between two others, or beyond them. */
+  /** Position between two others, or beyond them. */
   public static Point between(Point from, Point to, double share) {
     return Point.of(
         from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()), 0.0);

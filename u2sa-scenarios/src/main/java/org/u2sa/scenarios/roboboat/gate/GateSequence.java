@@ -8,16 +8,16 @@ import org.u2sa.messages.frame.Point;
 
 /** The known gates of a channel: those passed, and the next one. */
 public final class GateSequence {
-  private static final double SAME_M = 2.0; // two gates this near are the same
-  private static final double BEHIND_M = 1.0; // a gate is still ahead
+  private static final double SAME_M = 2.0; // gates this close are the same
+  private static final double BEHIND_M = 1.0; // minimum distance to a gate still ahead
   private static final double REACH_M = 30.0; // maximum distance to the next gate
   private static final double KEPT_M = 4.0; // closer gates are kept if a buoy is lost
 
-  private final List<Point> passed = new ArrayList<>(); // their middles
+  private final List<Point> passed = new ArrayList<>(); // centres of the gates passed
   private List<Gate> gates = List.of(); // newest
   private Optional<Point> before = Optional.empty(); // position of the boat at the last state
   private Optional<Gate> last = Optional.empty();
-  private Optional<Gate> aimed = Optional.empty(); // gate to be passed, at the last state
+  private Optional<Gate> aimed = Optional.empty(); // gate to be passed, as of the last state
 
   public void begin() {
     passed.clear();
@@ -52,12 +52,12 @@ public final class GateSequence {
     return passed.size();
   }
 
-  /** The gate passed last. */
+  /** The most recently passed gate. */
   public Optional<Gate> last() {
     return last;
   }
 
-  /** Remembers the gate that the boat sails to. */
+  /** Stores the gate to which the boat is sailing. */
   public void aimAt(Optional<Gate> gate) {
     aimed = gate;
   }

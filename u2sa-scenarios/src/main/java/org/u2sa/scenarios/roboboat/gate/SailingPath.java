@@ -38,7 +38,7 @@ public final class SailingPath {
     return awayM(at, here);
   }
 
-  /** Remaining length, at most [m]. */
+  /** Upper bound of the remaining length [m]. */
   public double leftM() {
     return (poses.size() - 1 - at) * SPACING_M;
   }

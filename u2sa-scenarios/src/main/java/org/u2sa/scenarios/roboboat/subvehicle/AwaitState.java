@@ -12,9 +12,9 @@ import org.u2sa.planning.PlannerState;
 import org.u2sa.planning.Pursuit;
 
 /**
- * The carrier's part of a {@link FetchGoal}: presses its bow against the dock while the sub-vehicle
- * is away, so that wind and current do not carry it off. The sub-vehicle's report ends the goal;
- * without one, the carrier gives up.
+ * The carrier's part of a {@link FetchGoal}: presses the bow against the dock while the sub-vehicle
+ * is away, so that wind and current do not carry the boat off. The sub-vehicle's report ends the
+ * goal; without one, the carrier gives up.
  */
 final class AwaitState implements PlannerState {
   private static final double BEYOND_LIMIT_S = 40.0; // time for start-up, return and landing

@@ -21,17 +21,17 @@ import org.u2sa.service.handover.HandOver;
  * Fetches an object with a hovering aircraft: climbs vertically, flies above the object, descends,
  * grips, and returns the same way to the starting point. It begins to descend within the horizontal
  * threshold of the vertical line, and climbs again beyond twice the threshold. If its {@link
- * GripperSensor} feels nothing in the gripper, it tries again beside the expected place.
+ * GripperSensor} detects nothing in the gripper, it tries again beside the expected position.
  */
 final class FetchState implements PlannerState {
-  private static final double NEAR_ALTITUDE_M = 0.3; // of the flight's
+  private static final double NEAR_ALTITUDE_M = 0.3; // tolerance of the flight altitude
   private static final double SETTLED_S = 3.0; // time on the deck until the goal is completed
   private static final double BELOW_DECK_M = 1.0; // aim of a landing, for control to stop rotors
   private static final double USUAL_VERTICAL_M = 0.15; // without a vertical threshold
-  private static final double BREAK_OFF = 2.0; // off the line to break off a descent [thresholds]
+  private static final double BREAK_OFF = 2.0; // off the line to abort a descent [thresholds]
   private static final double FEEL_S = 1.5; // time after the grip until the load counts as missing
   private static final double BESIDE_M = 0.3; // offset of further attempts from the expected place
-  private static final Point[] BESIDE = { // north, east; in turn
+  private static final Point[] BESIDE = { // north, east; tried in turn
     Point.ORIGIN,
     Point.of(BESIDE_M, 0.0, 0.0),
     Point.of(-BESIDE_M, 0.0, 0.0),
@@ -58,7 +58,7 @@ final class FetchState implements PlannerState {
   private int misses; // number of times the gripper closed without holding anything
 
   /**
-   * @param isHolding whether the gripper holds an object; true without a sensor to tell
+   * @param isHolding whether the gripper holds an object; true without a sensor
    */
   FetchState(BooleanSupplier isHolding) {
     this.isHolding = isHolding;
@@ -162,7 +162,7 @@ final class FetchState implements PlannerState {
     gripped = true;
     return begin(
         Phase.CLIMB_BACK,
-        String.format(Locale.ROOT, "gripped, %.2f m beside it by the estimate", levelM(off)));
+        String.format(Locale.ROOT, "gripped, %.2f m off according to the estimate", levelM(off)));
   }
 
   private String reason() {

@@ -37,7 +37,7 @@ public final class GripperSensor extends DeviceSensor<LoadCell.Load> {
   private record Variables(
       @Variable(unit = "N", min = 0.01, max = 1_000, ifAbsent = 0.8)
           @Description(
-              "Load above which the gripper holds an object: about half the object's weight.")
+              "Load above which the gripper is considered to hold an object: about half the object's weight.")
           double heldLoad,
       @Variable(unit = "s", min = 0.01, max = 60, ifAbsent = 0.5)
           @Description("Time constant of the smoothed load.")

@@ -9,7 +9,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
  * time above it. Thread-safe.
  */
 public final class PuckGripper {
-  private static final double REACH_M = 0.25; // level
+  private static final double REACH_M = 0.25; // horizontal
   private static final double LOW_M = 0.4; // height of the aircraft above the deck, at the puck
   private static final double GRIP_S = 1.5;
   private static final double PUCK_KG = 0.165; // official: 156 to 170 g
@@ -25,7 +25,7 @@ public final class PuckGripper {
     this.puck = puck;
   }
 
-  /** Moves with the quadrotor. */
+  /** Updates for the quadrotor's motion. */
   synchronized void see(VehicleTruth quadrotor) {
     Point at = quadrotor.position();
     boolean isAtPuck = Math.hypot(at.x() - puck.x(), at.y() - puck.y()) < REACH_M && at.z() < LOW_M;

@@ -40,7 +40,7 @@ public final class QuadrotorOnDeck implements AutoCloseable {
 
   /**
    * @param folder folder of its system file and vehicle file
-   * @param boat boat, moored when the quadrotor is switched on
+   * @param boat boat, moored by the time the quadrotor is switched on
    * @param puck position of the puck on the dock: east, north [m]
    */
   public QuadrotorOnDeck(Path folder, RunningVehicle boat, Point puck, Path logs, long seed) {

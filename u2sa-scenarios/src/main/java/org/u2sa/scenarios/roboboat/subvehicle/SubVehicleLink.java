@@ -29,12 +29,12 @@ import org.u2sa.service.ServiceRole;
 
 /**
  * Passes the Mission Manager's goal for the sub-vehicle to its system, at the object's mapped
- * position, and passes its report back (thesis 4.2.1.3). While the sub-vehicle is away, it is told
- * how far the carrier has moved. In: goals, objects, state. Out: goal-reports.
+ * position, and passes its report back (thesis 4.2.1.3). While the sub-vehicle is away, sends it
+ * the carrier's displacement. In: goals, objects, state. Out: goal-reports.
  */
 public final class SubVehicleLink extends PeriodicService {
   private static final double STEPS_PER_S = 5.0;
-  private static final double MOVED_M = 0.05; // worth telling
+  private static final double MOVED_M = 0.05; // minimum displacement worth reporting
 
   private record Variables(
       @Variable(ifAbsentText = "localhost") @Description("Host of the sub-vehicle's broker.")
@@ -53,8 +53,8 @@ public final class SubVehicleLink extends PeriodicService {
   private final Queue<GoalInformation> reports = new ConcurrentLinkedQueue<>();
   private Optional<FetchGoal> task = Optional.empty(); // current
   private Optional<ObjectDescription> object = Optional.empty(); // as last seen
-  private Optional<Geodetic> place = Optional.empty(); // of the carrier
-  private Optional<Geodetic> left = Optional.empty(); // its place when the goal was sent
+  private Optional<Geodetic> place = Optional.empty(); // position of the carrier
+  private Optional<Geodetic> left = Optional.empty(); // its position when the goal was sent
   private Optional<FetchGoal> sent = Optional.empty();
   private Connection connection; // null until it is switched on
 
@@ -114,7 +114,7 @@ public final class SubVehicleLink extends PeriodicService {
       report.systemId(context().systemId());
       log("goal \"" + report.uid() + "\": " + (report.completed() ? "done" : report.reason()));
       publish(Channels.GOAL_REPORTS, report);
-      tell(List.of()); // its mission is over
+      tell(List.of()); // the mission is over
       left = Optional.empty();
     }
   }

@@ -11,7 +11,7 @@ import org.u2sa.messages.marine.Colour;
 import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
- * Two bins on the floor, into one of which two markers are dropped.
+ * Two bins on the floor; two markers are dropped into one of them.
  *
  * @param right middle of the right bin
  * @param wrong middle of the other bin

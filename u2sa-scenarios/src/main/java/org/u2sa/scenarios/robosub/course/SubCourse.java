@@ -27,7 +27,7 @@ public record SubCourse(
   static final double FLOOR_M = 3.7; // depth
   private static final double MAX_CURRENT_MPS = 0.05;
 
-  /** Generates the layout of a seed: each marker on the floor points to the tasks beyond it. */
+  /** Generates the layout for a seed; each marker on the floor points to the tasks beyond it. */
   public static SubCourse of(long seed) {
     Random random = new Random(seed * 0x9E3779B97F4A7C15L);
     Walk walk = new Walk(random);
@@ -95,7 +95,7 @@ public record SubCourse(
         speed * Math.cos(to));
   }
 
-  /** Red and green in any order. */
+  /** Red and green, in random order. */
   private static List<Colour> colours(Random random) {
     return random.nextBoolean()
         ? List.of(Colour.RED, Colour.GREEN)

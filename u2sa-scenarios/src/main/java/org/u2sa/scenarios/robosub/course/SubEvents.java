@@ -15,8 +15,8 @@ import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.schema.U2SAData;
 
 /**
- * Events of a dive from the services' logs and reports: why goals were given up, why the vehicle
- * was stopped, and how many recognised objects the current goals needed (thesis 4.3.2).
+ * Collects events of a dive from the services' logs and reports: why goals were given up, why the
+ * vehicle was stopped, and how many recognised objects the current goals needed (thesis 4.3.2).
  */
 final class SubEvents {
   private static final Pattern SEEN = Pattern.compile("(\\d+); not sought by the goal (\\d+)");
@@ -40,7 +40,7 @@ final class SubEvents {
     }
   }
 
-  /** Counts a message; false if it is of another kind. */
+  /** Counts a message; returns false if it is of another kind. */
   boolean heard(U2SAData data) {
     if (data instanceof HealthReport health) {
       for (String remark : health.remarks()) {
@@ -77,7 +77,7 @@ final class SubEvents {
     return isStopped;
   }
 
-  /** Reasons of an incomplete run, in words, in the order of their appearance. */
+  /** Reasons for an incomplete run, in words, in order of appearance. */
   List<String> troubles() {
     return List.copyOf(troubles.values());
   }

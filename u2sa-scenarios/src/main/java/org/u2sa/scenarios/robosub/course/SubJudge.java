@@ -27,9 +27,9 @@ import org.u2sa.sim.vehicle.RunningVehicle;
 import org.u2sa.sim.vehicle.VehicleTruth;
 import org.u2sa.sim.world.LocalPlane;
 
-/** Scores a run by the truth: the judges of its tasks, contacts, and the estimate's errors. */
+/** Scores a run by ground truth: judges of tasks, contacts, and the estimate's errors. */
 public final class SubJudge implements TruthObserver.Scorer {
-  /** Markers, and torpedoes, that a vehicle may carry. */
+  /** Number of markers, and of torpedoes, that a vehicle may carry. */
   static final int CARRIED = 2;
 
   /** Time limit of a run [s]. */
@@ -46,7 +46,7 @@ public final class SubJudge implements TruthObserver.Scorer {
   private final RunningVehicle run;
   private final Path directory;
   private final ToDoubleFunction<String> switchPercent;
-  private final Set<String> released = new TreeSet<>(); // those open now
+  private final Set<String> released = new TreeSet<>(); // releases currently open
   private final LocalPlane plane = new LocalPlane(SubCourse.ORIGIN);
   private final List<String> log = new ArrayList<>();
   private final SubEvents events = new SubEvents();
@@ -54,7 +54,7 @@ public final class SubJudge implements TruthObserver.Scorer {
   private double stoppedS = Double.POSITIVE_INFINITY; // when a failsafe stopped the thrusters
   private Point before; // null at the start
   private double travelledM;
-  private double positionErrorM = Double.NaN; // of the newest state
+  private double positionErrorM = Double.NaN; // error of the newest state
   private double worstDepthErrorM = Double.NaN;
   private volatile boolean over;
 

@@ -8,9 +8,9 @@ import org.u2sa.mission.Mission;
 import org.u2sa.report.ReportFile;
 
 /**
- * Writes a layout's mission, with the information given to a team: the tasks in order, and the
- * types of their objects. Each goal also lists the objects of possible next goals, so that these
- * are already mapped.
+ * Writes a layout's mission, containing the information given to a team: the tasks in order, and
+ * the types of their objects. Each goal also lists the objects of possible next goals, so that
+ * these are mapped in advance.
  */
 public final class SubMission {
   private SubMission() {}

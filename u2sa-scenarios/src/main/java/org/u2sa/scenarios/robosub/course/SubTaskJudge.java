@@ -7,7 +7,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 
 /**
  * Scores one task of a run by ground truth. Positions are north, east and down from the start [m];
- * text returned by an event is logged.
+ * text returned for an event is logged.
  */
 public interface SubTaskJudge {
   /** The vehicle's centre moved. */

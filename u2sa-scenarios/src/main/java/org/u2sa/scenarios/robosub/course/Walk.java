@@ -3,7 +3,7 @@ package org.u2sa.scenarios.robosub.course;
 import java.util.Random;
 import org.u2sa.messages.frame.Point;
 
-/** The path along which a layout is arranged: a place and a heading, starting to the north. */
+/** The path along which a layout is arranged: a position and a heading, initially north. */
 final class Walk {
   private final Random random;
   private Point place = Point.ORIGIN; // north, east of the start [m]
@@ -17,12 +17,12 @@ final class Walk {
     return headingRad;
   }
 
-  /** Turns to the right by a random angle between two [rad]. */
+  /** Turns to the right by a random angle between two limits [rad]. */
   void turn(double least, double most) {
     headingRad += SubCourse.between(random, least, most);
   }
 
-  /** Turns by a random angle between two, to the right or to the left [rad]. */
+  /** Turns to the right or left by a random angle between two limits [rad]. */
   void turn(double least, double most, boolean isRight) {
     headingRad += (isRight ? 1.0 : -1.0) * SubCourse.between(random, least, most);
   }
@@ -31,18 +31,18 @@ final class Walk {
     place = next;
   }
 
-  /** Goes ahead by a random distance between two [m]. */
+  /** Moves ahead by a random distance between two limits [m]. */
   void ahead(double least, double most) {
     place = at(SubCourse.between(random, least, most), 0.0, 0.0);
   }
 
-  /** A place ahead and to the right of here, and at a depth [m]. */
+  /** A position ahead and to the right of here, at the given depth [m]. */
   Point at(double aheadM, double rightM, double downM) {
     Point level = Point.of(place.x(), place.y(), downM);
     return level.plus(right(rightM)).plus(way(aheadM, headingRad));
   }
 
-  /** A level way to the right [m]. */
+  /** A horizontal vector to the right [m]. */
   Point right(double distanceM) {
     return way(distanceM, headingRad + Math.PI / 2.0);
   }

@@ -7,9 +7,9 @@ import java.util.Objects;
 import java.util.Set;
 
 /**
- * Score of the targets: for each, the share of correct fields (0.2), its position (0.3 · (150 ft −
- * d) / 150 ft), being reported in flight (0.3) and without human help (0.2), as in the rules of
- * 2019. A report counts for the target that it fits best. Further reports cost 0.05 of a target
+ * Score of the targets: for each, the fraction of correct fields (0.2), its position (0.3 · (150 ft
+ * − d) / 150 ft), being reported in flight (0.3) and without human help (0.2), as in the rules of
+ * 2019. A report counts for the target that it matches best. Further reports cost 0.05 of a target
  * each.
  */
 public final class ObjectScore {
@@ -38,7 +38,7 @@ public final class ObjectScore {
   /**
    * Result.
    *
-   * @param falseReports reports that fit no target
+   * @param falseReports reports that match no target
    * @param score of all targets, 0…1
    */
   public record Result(List<Match> matches, int falseReports, double score) {}

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The aircraft's positions as reported to the judges, at 0.1 s: duplicates dropped, gaps of more
- * than 5 s not bridged.
+ * The aircraft's positions as reported to the judges, every 0.1 s: duplicates are dropped, and gaps
+ * of more than 5 s are not bridged.
  */
 public final class ReportedTrack {
   private static final double STEP_S = 0.1;

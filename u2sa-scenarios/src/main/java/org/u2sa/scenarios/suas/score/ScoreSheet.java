@@ -6,7 +6,7 @@ import java.util.Map;
 /**
  * The score of a flight: 0.1 timeline + 0.2 flight + 0.1 · (obstacles cleared / all)³ + 0.2 objects
  * + 0.1 map + 0.2 drop + 0.1 operations. Flight = mean of the waypoints − 0.1 per takeover − 0.1
- * each time out of bounds − 0.5 for a crash, and 0 if the mean gap of the telemetry exceeds 1 s.
+ * per boundary violation − 0.5 for a crash, and 0 if the mean gap of the telemetry exceeds 1 s.
  *
  * @param timeline share of the mission's parts done in time, 0…1
  * @param waypoints mean score of the waypoints, 0…1
@@ -36,7 +36,7 @@ public record ScoreSheet(
   private static final double LONGEST_GAP_S = 1.0;
   private static final double DROP_M = 150.0 * 0.3048;
 
-  /** Score of a drop, by its distance from the place [m]: 0 from 150 ft. */
+  /** Score of a drop by its distance from the target [m]; 0 from 150 ft on. */
   public static double drop(double awayM) {
     return Math.max(0.0, 1.0 - awayM / DROP_M);
   }
@@ -52,7 +52,7 @@ public record ScoreSheet(
     return obstacles == 0 ? 1.0 : Math.pow((double) cleared / obstacles, 3.0);
   }
 
-  /** All together, 0…1. */
+  /** Total score, 0…1. */
   public double total() {
     return 0.1 * timeline
         + 0.2 * flight()

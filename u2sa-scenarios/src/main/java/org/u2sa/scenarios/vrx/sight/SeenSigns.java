@@ -12,7 +12,7 @@ public final class SeenSigns {
   private SeenSigns() {}
 
   /**
-   * Signs by type. Of several tracks of a sign, the most certain counts; the others are old
+   * Signs by type. If a sign has several tracks, the most certain one counts; the others are old
    * sightings.
    */
   public static Map<String, Point> of(PlannerView surroundings, StateInformation state) {

@@ -8,7 +8,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 
 /**
- * Values of data sheets by product, in {@code presets.xml}: an element of a vehicle file with the
+ * Data-sheet values by product, from {@code presets.xml}: an element of a vehicle file with the
  * attribute {@code preset} needs only the values that differ.
  */
 public final class Presets {

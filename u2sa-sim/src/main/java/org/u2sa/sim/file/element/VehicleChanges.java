@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** Replaces values of a vehicle file, each named by the path of elements to it. */
+/** Replaces values of a vehicle file, each identified by its element path. */
 public final class VehicleChanges {
   private VehicleChanges() {}
 
