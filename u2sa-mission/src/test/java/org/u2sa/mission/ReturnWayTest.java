@@ -5,7 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.operation.overlayng.OverlayNG;
+import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
@@ -113,6 +121,58 @@ class ReturnWayTest {
 
     assertThat(way.between(new StateInformation().referenceFrame(frame).x(160.0).y(0.5), home))
         .isPresent();
+  }
+
+  /** Quadrangles on a coarse raster, so that corners and borders often coincide or nearly do. */
+  @Test
+  void between_randomFences_wayStaysWhereItMay() {
+    Random random = new Random(8L);
+    GeometryFactory factory = new GeometryFactory();
+    int ways = 0;
+    for (int i = 0; i < 300; i++) {
+      List<Polygon> areas = new ArrayList<>();
+      Geometry allowed = factory.toGeometry(new Envelope(-1000.0, 1000.0, -1000.0, 1000.0));
+      for (int k = 0; k < 1 + random.nextInt(8); k++) {
+        List<Point> corners = new ArrayList<>();
+        double east = 10.0 * random.nextInt(10);
+        double north = 10.0 * random.nextInt(10) - 50.0;
+        for (int c = 0; c < 4; c++) {
+          double nearly = random.nextBoolean() ? 0.0 : 1e-9 * random.nextGaussian();
+          corners.add(
+              Point.of(
+                  east + nearly + (c == 1 || c == 2 ? 10.0 * (1 + random.nextInt(2)) : 0.0),
+                  north + nearly + (c > 1 ? 10.0 * (1 + random.nextInt(3)) : 0.0),
+                  0.0));
+        }
+        Polygon area = new Polygon().points(corners);
+        area.uid("area").referenceFrame(ReferenceFrame.LOCAL_ENU);
+        areas.add(area);
+        List<Coordinate> ring = new ArrayList<>();
+        corners.forEach(corner -> ring.add(new Coordinate(corner.x(), corner.y())));
+        ring.add(ring.get(0));
+        allowed =
+            OverlayNGRobust.overlay(
+                allowed,
+                factory.createPolygon(ring.toArray(new Coordinate[0])).buffer(-1e-3),
+                OverlayNG.DIFFERENCE);
+      }
+      way.see(new FenceState().margin(random.nextInt(6)).keepOut(areas));
+      Coordinate from = new Coordinate(110.0 * random.nextDouble(), 100.0 * random.nextDouble() - 50.0);
+      Waypoint home = new Waypoint().uid("home").x(-10.0).y(0.0).horizontalThreshold(0.5);
+      home.referenceFrame(ReferenceFrame.LOCAL_ENU);
+      StateInformation state = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_ENU);
+      Optional<List<Waypoint>> found = way.between(state.x(from.x).y(from.y), home);
+      if (found.isPresent() && allowed.covers(factory.createPoint(from))) {
+        List<Coordinate> line = new ArrayList<>(List.of(from));
+        found.get().forEach(c -> line.add(new Coordinate(c.x().orElseThrow(), c.y().orElseThrow())));
+        line.add(new Coordinate(-10.0, 0.0));
+        assertThat(allowed.covers(factory.createLineString(line.toArray(new Coordinate[0]))))
+            .as("fence %d from %s", i, from)
+            .isTrue();
+        ways++;
+      }
+    }
+    assertThat(ways).isGreaterThan(150);
   }
 
   private static List<Point> box(double west, double south, double east, double north) {
