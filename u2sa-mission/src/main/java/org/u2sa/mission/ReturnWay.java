@@ -7,6 +7,7 @@ import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.TopologyException;
 import org.locationtech.jts.geom.util.PolygonExtracter;
 import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.OverlayNGRobust;
@@ -54,8 +55,12 @@ final class ReturnWay {
     Metric metric = Metric.around(frame, from.get());
     double distanceM = Math.max(2.0 * place.horizontalThreshold(), fence.margin());
     Coordinate end = coordinate(metric.metres(to.get()));
-    return corners(allowed(metric, end, distanceM), end, distanceM)
-        .map(way -> waypoints(way, metric, frame, place.horizontalThreshold()));
+    try {
+      return corners(allowed(metric, end, distanceM), end, distanceM)
+          .map(way -> waypoints(way, metric, frame, place.horizontalThreshold()));
+    } catch (TopologyException | IllegalArgumentException e) { // borders that JTS cannot overlay
+      return Optional.empty();
+    }
   }
 
   private static List<Waypoint> waypoints(

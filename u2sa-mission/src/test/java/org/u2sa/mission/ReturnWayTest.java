@@ -157,14 +157,17 @@ class ReturnWayTest {
                 OverlayNG.DIFFERENCE);
       }
       way.see(new FenceState().margin(random.nextInt(6)).keepOut(areas));
-      Coordinate from = new Coordinate(110.0 * random.nextDouble(), 100.0 * random.nextDouble() - 50.0);
+      Coordinate from =
+          new Coordinate(110.0 * random.nextDouble(), 100.0 * random.nextDouble() - 50.0);
       Waypoint home = new Waypoint().uid("home").x(-10.0).y(0.0).horizontalThreshold(0.5);
       home.referenceFrame(ReferenceFrame.LOCAL_ENU);
       StateInformation state = new StateInformation().referenceFrame(ReferenceFrame.LOCAL_ENU);
       Optional<List<Waypoint>> found = way.between(state.x(from.x).y(from.y), home);
       if (found.isPresent() && allowed.covers(factory.createPoint(from))) {
         List<Coordinate> line = new ArrayList<>(List.of(from));
-        found.get().forEach(c -> line.add(new Coordinate(c.x().orElseThrow(), c.y().orElseThrow())));
+        found
+            .get()
+            .forEach(c -> line.add(new Coordinate(c.x().orElseThrow(), c.y().orElseThrow())));
         line.add(new Coordinate(-10.0, 0.0));
         assertThat(allowed.covers(factory.createLineString(line.toArray(new Coordinate[0]))))
             .as("fence %d from %s", i, from)

@@ -31,6 +31,7 @@ import org.u2sa.service.handover.HandOver;
 public final class CessnaControl extends ControlSystem {
   private static final double STATUS_INTERVAL_S = 1.0;
   private static final double FULL_PERCENT = 100.0;
+  private static final String FIRST_STATE = "FIRST STATE"; // in the hand-over
   private static final double AT_REST_MPS = 2.0; // over ground
 
   private record Outputs(
@@ -234,6 +235,7 @@ public final class CessnaControl extends ControlSystem {
     super.handOver(state);
     reader.handOver(state);
     autopilot.transfer(Transfer.saving(state));
+    state.number(FIRST_STATE, firstS);
   }
 
   @Override
@@ -242,6 +244,7 @@ public final class CessnaControl extends ControlSystem {
     if (isOfMyClass(state)) {
       reader.takeOver(state);
       autopilot.transfer(Transfer.restoring(state));
+      firstS = state.number(FIRST_STATE).orElse(firstS);
     } else {
       takeOverCommands();
     }
