@@ -150,7 +150,7 @@ class EnvironmentElementTest {
         "<water><waves><height>1</height></waves></water> | lacks <period>",
         "<water><waves><spectrum>tsunami</spectrum><height>1</height><period>9</period></waves></water> | expected one of regular, pierson-moskowitz, jonswap",
         "<water><profile>0 1 5</profile></water> | expected pairs",
-        "<water><current>1</current><currents/></water> | expected one of them",
+        "<water><current>1</current><currents/></water> | expected only one of them",
         "<water><currents><columns>2</columns><width>9</width><depth>9</depth><east>1 2</east><north>1</north></currents></water> | expected equal numbers",
         "<wind><speed>3</speed><exponent>0.1</exponent><roughness>0.1</roughness></wind> | expected only one",
         "<light><azimuth>1</azimuth><elevation>9</elevation></light> | expected 0.02",
