@@ -296,7 +296,7 @@ class ReportTest {
     assertThat(run("replay", file, "--rerun", "Control", "--from", "1"))
         .isEqualTo(ExitCode.BAD_INPUT);
 
-    assertThat(out.toString()).contains("--from: expected without --rerun");
+    assertThat(out.toString()).contains("--from: cannot be used with --rerun");
   }
 
   @Test
