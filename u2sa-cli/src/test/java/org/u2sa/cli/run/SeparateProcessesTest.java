@@ -115,7 +115,7 @@ class SeparateProcessesTest {
   void separate_serviceKilledWithoutAMonitor_isRestarted() throws Exception {
     Process supervisor = run(system(Lidar.class, SafetyManager.class)).start();
     try {
-      awaitLine(supervisor, "System boat runs");
+      awaitLine(supervisor, "System boat is running");
       supervisor.descendants().findFirst().orElseThrow().destroyForcibly();
 
       awaitLine(supervisor, line -> line.matches("Service \\w+ was restarted\\."));

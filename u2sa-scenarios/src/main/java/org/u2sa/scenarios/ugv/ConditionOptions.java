@@ -88,7 +88,7 @@ final class ConditionOptions {
     if (mismatch != null) {
       require("--mismatch", mismatch, -50.0, 50.0, "percent");
       if (vehicle == UgvDemo.VehicleKind.ACKERMANN) {
-        throw wrong("--mismatch: applies to two motors; cannot be used with --vehicle ackermann");
+        throw wrong("--mismatch: applies to two motors; expected none with --vehicle ackermann");
       }
     }
   }
