@@ -174,7 +174,7 @@ class ConversionTest {
         .hasMessageStartingWith("StateInformation cannot be converted from BODY to GLOBAL: ");
     assertThatThrownBy(() -> at(HONOLULU).in(ReferenceFrame.LOCAL_NED))
         .hasMessageStartingWith(
-            "StateInformation cannot be converted from GLOBAL to LOCAL_NED: the place of");
+            "StateInformation cannot be converted from GLOBAL to LOCAL_NED: the position of");
     assertThatThrownBy(() -> new StateInformation().x(1.0).in(ReferenceFrame.utm(4, true)))
         .hasMessage(
             "StateInformation cannot be converted from GLOBAL to UTM 4N: x and y are needed");

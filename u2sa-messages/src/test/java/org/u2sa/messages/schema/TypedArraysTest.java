@@ -141,7 +141,7 @@ class TypedArraysTest {
         "a1 616e d856                     | Lists.n  | not the end",
         "a1 6170 d828 82 82 01 02 82 01 02             | Lists.p | the dimensions [n, 3]",
         "a1 6170 d828 82 83 01 03 01 83 01 02 03       | Lists.p | the dimensions [n, 3]",
-        "a1 6170 d828 82 81 03 83 01 02 03             | Lists.p | expected an integer",
+        "a1 6170 d828 82 81 03 83 01 02 03             | Lists.p | expected a 64-bit integer",
         "a1 6170 d828 82 82 20 03 83 01 02 03          | Lists.p | the dimensions [n, 3]",
         "a1 6170 d828 82 82 02 03 83 01 02 03          | Lists.p | 2 times 3 numbers",
         "a1 6170 d828 82 82 1b7fffffffffffffff 03 80   | Lists.p | at most 100000 elements",
