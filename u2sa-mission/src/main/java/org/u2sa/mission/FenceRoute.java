@@ -19,7 +19,7 @@ import org.locationtech.jts.simplify.DouglasPeuckerSimplifier;
  * Dijkstra). In a plane [m].
  */
 final class FenceRoute {
-  /** Maximum corners: the search takes up to half a second with so many. */
+  /** Maximum number of corners; the time of the search grows with its square. */
   private static final int MAX_CORNERS = 150;
 
   private static final double CHECKED = 0.9; // of the distance: ways lead over its own corners

@@ -27,7 +27,7 @@ import org.u2sa.messages.shape.Polygon;
 final class ReturnWay {
   private static final double[] SHARES = {1.0, 0.5, 0.25, 0.1}; // of the distance
   private static final double[] FEW_SHARES = {1.0, 0.1};
-  private static final int MANY_POINTS = 300; // each share takes a tenth of a second
+  private static final int MANY_POINTS = 300; // of which each share takes longer
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
   private FenceState fence = new FenceState();
