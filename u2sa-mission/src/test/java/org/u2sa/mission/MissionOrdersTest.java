@@ -318,6 +318,7 @@ class MissionOrdersTest extends ThreeWaypoints {
 
   @Test
   void goalUpdates_asManyAsAreTaken_leaveRoomForOperatorsOrders() {
+    String text = "<description>" + "x".repeat(60_000) + "</description>";
     kit.start(MissionManager::new);
     for (int i = 0; i < 10; i++) {
       Waypoint invented = new Waypoint().uid("invented " + i).horizontalThreshold(1.0);
@@ -328,7 +329,8 @@ class MissionOrdersTest extends ThreeWaypoints {
     assertThat(kit.log("MissionManager"))
         .anyMatch(line -> line.contains("refused: the goals would be too long to publish"));
     accepted(
-        goals(MissionAction.INSERT, "<waypoint><x>5</x></waypoint>"), "inserted \"4\" after \"1\"");
+        goals(MissionAction.INSERT, "<waypoint><x>5</x>" + text + "</waypoint>"),
+        "inserted \"4\" after \"1\"");
   }
 
   @Test
