@@ -34,7 +34,8 @@ public final class Animation implements Closeable {
   }
 
   /** Adds a frame of the same size as the first. */
-  public void add(BufferedImage image) throws IOException {
+  public void add(BufferedImage drawing) throws IOException {
+    BufferedImage image = IndexedColours.of(drawing);
     IIOMetadata metadata =
         writer.getDefaultImageMetadata(ImageTypeSpecifier.createFromRenderedImage(image), null);
     IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
@@ -50,6 +51,11 @@ public final class Animation implements Closeable {
     loop.setAttribute("authenticationCode", "2.0");
     loop.setUserObject(new byte[] {1, 0, 0}); // loops forever
     extensions.appendChild(loop);
+    root.removeChild(
+        child(
+            root,
+            "LocalColorTable")); // else the JDK loses its colours; the writer uses those of the
+    // image
     metadata.setFromTree(FORMAT, root);
     writer.writeToSequence(new IIOImage(image, null, metadata), null);
   }
