@@ -29,8 +29,8 @@ final class FenceWatch implements Watch {
   private final Supplier<SafetyVariables> settings;
   private final FenceFile file;
   private final PositionWatch states;
-  private GivenFence given; // null if none
-  private volatile Fence fence; // null if none; written by the Safety Manager's thread
+  private volatile GivenFence given; // null if none; written by the Safety Manager's thread
+  private Fence fence; // its area less the margin
   private boolean isOrdered; // ordered by an operator, instead of the configured one
   private int changes; // number of changes of the fence in force
   private boolean aboveFloor;
@@ -131,9 +131,15 @@ final class FenceWatch implements Watch {
     return changes;
   }
 
-  /** Fence in force, shrunk by its margin; empty if none. Thread-safe. */
+  /** Fence in force, shrunk by its margin; empty if none. */
   Optional<Fence> fence() {
     return Optional.ofNullable(fence);
+  }
+
+  /** Fence in force, without its margin; empty if none. Thread-safe. */
+  Optional<Fence> whole() {
+    GivenFence now = given;
+    return Optional.ofNullable(now).map(GivenFence::whole);
   }
 
   @Override

@@ -19,9 +19,10 @@ import org.u2sa.messages.shape.Polygon;
  *
  * @param file its file, or the operator who ordered it
  * @param xml its text, without an XML declaration
+ * @param whole as its text has it
  * @param fence the fence in force, shrunk by the margin
  */
-record GivenFence(String file, String xml, Fence fence) {
+record GivenFence(String file, String xml, Fence whole, Fence fence) {
   private static final int MAX_CORNERS = 2_000; // in a message
 
   /**
@@ -34,7 +35,7 @@ record GivenFence(String file, String xml, Fence fence) {
     ByteArrayInputStream in = new ByteArrayInputStream(xml.getBytes(UTF_8));
     Fence given = FenceReader.read(XmlReader.read(in, file, "fence"));
     try {
-      return new GivenFence(file, xml, given.drawnInBy(marginM));
+      return new GivenFence(file, xml, given, given.drawnInBy(marginM));
     } catch (IllegalArgumentException e) {
       throw new BadInputException(
           file + ": " + SafetyVariables.FENCE_MARGIN + ": " + e.getMessage(), e);

@@ -103,16 +103,14 @@ public final class SafetyManager extends PeriodicService {
     subscribe(Channels.FENCE_ORDERS, this::onFenceOrder);
   }
 
-  /**
-   * Corners of the keep-in area, shrunk by FENCE MARGIN; empty without a global fence. Thread-safe.
-   */
+  /** Corners of the keep-in area, without FENCE MARGIN; empty without a global fence. Thread-safe. */
   public List<Geodetic> fenceCorners() {
-    return fenceWatch.fence().map(Fence::corners).orElse(List.of());
+    return fenceWatch.whole().map(Fence::corners).orElse(List.of());
   }
 
-  /** Corners of each keep-out area, widened by FENCE MARGIN; as {@link #fenceCorners}. */
+  /** Corners of each keep-out area; as {@link #fenceCorners}. */
   public List<List<Geodetic>> keepOutCorners() {
-    return fenceWatch.fence().map(Fence::keepOutCorners).orElse(List.of());
+    return fenceWatch.whole().map(Fence::keepOutCorners).orElse(List.of());
   }
 
   /** Rejects an unreadable fence and, while armed, names that have not reported. */

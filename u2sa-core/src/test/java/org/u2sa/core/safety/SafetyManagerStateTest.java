@@ -178,8 +178,8 @@ class SafetyManagerStateTest extends WatchedVehicle {
   }
 
   @Test
-  void fenceCorners_onTheEarth_areThoseOfTheKeepInAreaAndOfNoneThereAreNone() throws IOException {
-    kit.with("FENCE", fence("Global", "0.001"));
+  void fenceCorners_onTheEarth_areThoseOfTheKeepInAreaWithoutItsMargin() throws IOException {
+    kit.with("FENCE", fence("Global", "0.001")).with("FENCE MARGIN", 20.0);
     assertThat(startManager().fenceCorners())
         .hasSize(5)
         .allMatch(corner -> Math.abs(Math.abs(corner.latitudeDeg()) - 0.001) < 1e-9)
