@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.mission.Home;
 import org.u2sa.report.score.RunPlan;
@@ -33,7 +34,9 @@ public final class RunRecord {
   private boolean chosen; // whether one of the current goals was completed
   private int leg = -1;
   private boolean begun;
-  private boolean onLine; // whether the vehicle came from the waypoint at which the leg begins
+  private boolean onLine; // whether the vehicle came from the waypoint at which the leg begins, and is on its way
+  private Optional<Station> station = Optional.empty(); // the target, if it is one
+  private double nearestM; // to it so far
   private boolean seen = true; // whether there is a sample with the current target
   private long startMicros = NOT_YET;
   private volatile boolean missionOver;
@@ -99,9 +102,23 @@ public final class RunRecord {
     int next = goals.goals().isEmpty() ? names.size() : names.indexOf(goals.goals().get(0).uid());
     if (next != leg) {
       onLine = next == leg + 1 && (leg >= 0 || !begun);
+      nearestM = Double.POSITIVE_INFINITY;
     }
     leg = next;
     begun = true;
+    station = goals.goals().stream().limit(1).filter(Station.class::isInstance).map(Station.class::cast).findFirst();
+  }
+
+  /** Whether the vehicle is at its station or on the circle around it: with the station's radius, or the planner's, on which it comes no nearer. */
+  private boolean hasArrived(double longitudeDeg, double latitudeDeg) {
+    if (station.isEmpty() || leg < 0 || leg >= names.size()) {
+      return false;
+    }
+    double distanceM = plan.distanceM(leg, longitudeDeg, latitudeDeg);
+    double slackM = plan.waypoints().get(leg).captureRadiusM();
+    double radiusM = Math.abs(station.get().radius().orElse(0.0));
+    nearestM = Math.min(nearestM, distanceM);
+    return distanceM <= radiusM + slackM || (radiusM == 0.0 && distanceM > nearestM + slackM);
   }
 
   /**
@@ -131,6 +148,7 @@ public final class RunRecord {
     if (startMicros == NOT_YET) {
       startMicros = micros;
     }
+    onLine &= !hasArrived(longitudeDeg, latitudeDeg);
     TrackSample sample =
         new TrackSample(
             Clock.seconds(micros - startMicros),

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
 import org.u2sa.messages.goal.ObjectGoal;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.report.score.Domain;
 import org.u2sa.report.score.RunPlan;
@@ -43,6 +44,32 @@ class RunRecordTest {
 
     assertThat(crossTrackM(new Waypoint().uid("b"))).isCloseTo(10.0, within(0.1));
     assertThat(crossTrackM(new Waypoint().uid("b"))).isCloseTo(10.0, within(0.1));
+  }
+
+  private double crossTrackM(double latitudeDeg) {
+    record.moment(samples.size(), EAST_DEG, latitudeDeg, 0.0, 0.0, 1.0, "", Optional.empty());
+    return samples.get(samples.size() - 1).crossTrackM();
+  }
+
+  /** 0.01° are 1,106 m. */
+  @Test
+  void moment_onTheCircleOfAStation_isNoDeviationFromTheWayThere() {
+    crossTrackM(new Waypoint().uid("a"));
+    assertThat(crossTrackM(new Station().uid("b").radius(-100.0))).isCloseTo(10.0, within(0.1));
+
+    assertThat(crossTrackM(0.0089)).isCloseTo(10.0, within(0.1));
+    assertThat(crossTrackM(0.0092)).isZero();
+    assertThat(crossTrackM(0.0120)).isZero();
+  }
+
+  @Test
+  void moment_onTheCircleOfAStationWithoutRadius_isNoDeviationEither() {
+    crossTrackM(new Waypoint().uid("a"));
+    crossTrackM(new Station().uid("b"));
+
+    assertThat(crossTrackM(0.0092)).isCloseTo(10.0, within(0.1));
+    assertThat(crossTrackM(0.0080)).isZero();
+    assertThat(crossTrackM(0.0085)).isZero();
   }
 
   private static Waypoint done(String uid) {
