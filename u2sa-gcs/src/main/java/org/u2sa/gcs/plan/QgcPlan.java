@@ -127,6 +127,9 @@ public final class QgcPlan {
         Map<?, ?> circle = map(json.get("circle"), "geoFence.circles.circle");
         StationPlan.Place centre = place(circle.get("center"), "geoFence.circles.circle.center");
         double radius = number(circle.get("radius"), "geoFence.circles.circle.radius");
+        if (!(radius > 0.0)) {
+          throw wrong("geoFence.circles.circle.radius: " + radius + "; expected more than 0 m");
+        }
         areas.add(
             new StationPlan.Area(isInclusion(json), List.of(centre), OptionalDouble.of(radius)));
       }

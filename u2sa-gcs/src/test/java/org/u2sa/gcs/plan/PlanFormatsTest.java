@@ -291,6 +291,7 @@ class PlanFormatsTest {
         "{} | a: fileType: expected \"Plan\"",
         "{'fileType':'Plan'} | a: mission: expected an object",
         "{'fileType':'Plan','mission':{'items':[{'type':'SimpleItem','params':[1]}]}} | a: mission.items[0].params: 1 numbers; expected 7",
+        "{'fileType':'Plan','mission':{'items':[]},'geoFence':{'circles':[{'circle':{'center':[50,8],'radius':-5}}]}} | a: geoFence.circles.circle.radius: -5.0; expected more than 0 m",
         "{'fileType':'Plan','mission':{'items':[],'plannedHomePosition':[95,8,0]}} | a: plannedHomePosition: 95.0, 8.0 is not on the earth",
       })
   void read_brokenPlan_isRefusedWithTheField(String text, String message) {
