@@ -2,8 +2,11 @@ package org.u2sa.mission;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -22,6 +25,8 @@ final class FenceRoute {
   /** Maximum number of corners; the time of the search grows with its square. */
   private static final int MAX_CORNERS = 150;
 
+  private static final int MAX_EXITS = 20; // compared
+
   private static final double CHECKED = 0.9; // of the distance: ways lead over its own corners
   private static final double ROUGH = 0.08; // of the distance, for simplification
   private static final double ROUGHEST = 20.0;
@@ -30,6 +35,7 @@ final class FenceRoute {
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
   private final Geometry allowed;
+  private final double marginM;
   private final double distanceM;
   private final Geometry free;
   private final PreparedGeometry checked;
@@ -37,10 +43,12 @@ final class FenceRoute {
 
   /**
    * @param allowed polygonal area, large where there is no limit
+   * @param marginM margin by which it is smaller than what is truly allowed
    * @param distanceM above 0
    */
-  FenceRoute(Geometry allowed, double distanceM) {
+  FenceRoute(Geometry allowed, double marginM, double distanceM) {
     this.allowed = allowed;
+    this.marginM = marginM;
     this.distanceM = distanceM;
     free = smaller(allowed, distanceM);
     checked = PreparedGeometryFactory.prepare(smaller(allowed, CHECKED * distanceM));
@@ -72,7 +80,8 @@ final class FenceRoute {
   /**
    * Corners on the way, without start and end; no corners if the straight way comes no nearer to a
    * border than its ends, and empty if there is no way. From and to a place nearer than the
-   * distance the way leads over the nearest point of the free area; a start may be outside.
+   * distance the way leads over the nearest point of the free area that is not beyond a forbidden
+   * one; a start may be outside.
    */
   Optional<List<Coordinate>> between(Coordinate from, Coordinate to) {
     if (isStraight(from, to)) {
@@ -81,12 +90,15 @@ final class FenceRoute {
     if (free.isEmpty() || corners.size() > MAX_CORNERS || !allowed.covers(leg(to, to))) {
       return Optional.empty();
     }
-    Coordinate start = nearestFree(from);
-    Coordinate end = nearestFree(to);
-    boolean isStartAllowed = allowed.covers(leg(from, from));
-    if ((isStartAllowed && !allowed.covers(leg(from, start))) || !allowed.covers(leg(end, to))) {
-      return Optional.empty(); // a forbidden area lies between
-    }
+    Optional<Coordinate> start = exit(from);
+    Optional<Coordinate> end = entrance(to, allowed);
+    return start.isEmpty() || end.isEmpty()
+        ? Optional.empty() // a forbidden area lies between
+        : way(from, start.get(), end.get(), to);
+  }
+
+  private Optional<List<Coordinate>> way(
+      Coordinate from, Coordinate start, Coordinate end, Coordinate to) {
     return search(start, end)
         .map(
             between -> {
@@ -111,8 +123,36 @@ final class FenceRoute {
     return allowed.covers(leg) && border.distance(leg) >= nearest - ROUNDING_M;
   }
 
-  private Coordinate nearestFree(Coordinate place) {
-    return isFree(place, place) ? place : DistanceOp.nearestPoints(free, leg(place, place))[0];
+  /** Where the way begins: not across what is truly forbidden, unless the vehicle is there. */
+  private Optional<Coordinate> exit(Coordinate from) {
+    Geometry place = leg(from, from);
+    if (allowed.covers(place)) {
+      return entrance(from, allowed);
+    }
+    Geometry whole = marginM > 0.0 ? allowed.buffer(marginM) : allowed;
+    if (whole.covers(place)) {
+      return entrance(from, whole);
+    }
+    return entrances(from)
+        .limit(MAX_EXITS)
+        .min(Comparator.comparingDouble(each -> leg(from, each).difference(whole).getLength()));
+  }
+
+  /** Nearest place at the distance from the borders to which a straight way keeps to an area. */
+  private Optional<Coordinate> entrance(Coordinate place, Geometry area) {
+    if (isFree(place, place)) {
+      return Optional.of(place);
+    }
+    PreparedGeometry prepared = PreparedGeometryFactory.prepare(area);
+    return entrances(place).filter(each -> prepared.covers(leg(place, each))).findFirst();
+  }
+
+  private Stream<Coordinate> entrances(Coordinate place) {
+    Stream<Coordinate> nearest =
+        IntStream.range(0, free.getNumGeometries())
+            .mapToObj(i -> DistanceOp.nearestPoints(free.getGeometryN(i), leg(place, place))[0]);
+    return Stream.concat(nearest, corners.stream())
+        .sorted(Comparator.comparingDouble(place::distance));
   }
 
   private boolean isFree(Coordinate a, Coordinate b) {

@@ -56,7 +56,7 @@ final class ReturnWay {
     double distanceM = Math.max(2.0 * place.horizontalThreshold(), fence.margin());
     Coordinate end = coordinate(metric.metres(to.get()));
     try {
-      return corners(allowed(metric, end, distanceM), end, distanceM)
+      return corners(allowed(metric, end, distanceM), end, distanceM, fence.margin())
           .map(way -> waypoints(way, metric, frame, place.horizontalThreshold()));
     } catch (TopologyException | IllegalArgumentException e) { // borders that JTS cannot overlay
       return Optional.empty();
@@ -77,11 +77,11 @@ final class ReturnWay {
 
   /** At the largest of several distances at which there is a way, as through narrow passages. */
   private static Optional<List<Coordinate>> corners(
-      Geometry allowed, Coordinate end, double distanceM) {
+      Geometry allowed, Coordinate end, double distanceM, double marginM) {
     Coordinate start = new Coordinate(0.0, 0.0);
     for (double share : allowed.getNumPoints() > MANY_POINTS ? FEW_SHARES : SHARES) {
       Optional<List<Coordinate>> way =
-          new FenceRoute(allowed, share * distanceM).between(start, end);
+          new FenceRoute(allowed, marginM, share * distanceM).between(start, end);
       if (way.isPresent()) {
         return way;
       }

@@ -25,7 +25,7 @@ class FenceRouteTest {
   }
 
   private static Optional<List<Coordinate>> route(Geometry allowed, double x, double y) {
-    return new FenceRoute(allowed, DISTANCE_M)
+    return new FenceRoute(allowed, 0.0, DISTANCE_M)
         .between(new Coordinate(0.0, 0.0), new Coordinate(x, y));
   }
 
@@ -115,7 +115,7 @@ class FenceRouteTest {
 
     assertThat(route(FIELD.difference(pocket), 0.0, 40.0)).isEmpty();
     List<Coordinate> corners =
-        new FenceRoute(FIELD.difference(pocket), 0.2)
+        new FenceRoute(FIELD.difference(pocket), 0.0, 0.2)
             .between(new Coordinate(0.0, 0.0), new Coordinate(0.0, 40.0))
             .orElseThrow();
     assertThat(line(corners, 0.0, 40.0).distance(pocket)).isGreaterThan(0.15);
@@ -126,5 +126,23 @@ class FenceRouteTest {
     Geometry wall = wkt("POLYGON ((10 -300, 20 -300, 20 300, 10 300, 10 -300))");
 
     assertThat(route(FIELD.difference(wall), 30.0, 0.0)).isEmpty();
+  }
+
+  /** Between two walls, beyond the margin of one of which the free area is nearest. */
+  @Test
+  void between_startWithinTheMarginOfAWall_leadsAroundItsEnd() throws ParseException {
+    Geometry walls =
+        wkt(
+            "MULTIPOLYGON (((9 -30, 10 -30, 10 30, 9 30, 9 -30)), ((-8 -30, -7 -30, -7 30, -8 30, -8 -30)))");
+    Geometry allowed = FIELD.difference(walls.buffer(3.0));
+
+    List<Coordinate> corners =
+        new FenceRoute(allowed, 3.0, 6.0)
+            .between(new Coordinate(8.0, 0.0), new Coordinate(30.0, 0.0))
+            .orElseThrow();
+
+    corners.add(0, new Coordinate(8.0, 0.0));
+    assertThat(FACTORY.createLineString(corners.toArray(new Coordinate[0])).intersects(walls))
+        .isFalse();
   }
 }

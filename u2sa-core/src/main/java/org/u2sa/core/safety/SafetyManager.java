@@ -103,7 +103,9 @@ public final class SafetyManager extends PeriodicService {
     subscribe(Channels.FENCE_ORDERS, this::onFenceOrder);
   }
 
-  /** Corners of the keep-in area, without FENCE MARGIN; empty without a global fence. Thread-safe. */
+  /**
+   * Corners of the keep-in area, without FENCE MARGIN; empty without a global fence. Thread-safe.
+   */
   public List<Geodetic> fenceCorners() {
     return fenceWatch.whole().map(Fence::corners).orElse(List.of());
   }

@@ -34,7 +34,9 @@ public final class RunRecord {
   private boolean chosen; // whether one of the current goals was completed
   private int leg = -1;
   private boolean begun;
-  private boolean onLine; // whether the vehicle came from the waypoint at which the leg begins, and is on its way
+  private boolean
+      onLine; // whether the vehicle came from the waypoint at which the leg begins, and is on its
+  // way
   private Optional<Station> station = Optional.empty(); // the target, if it is one
   private double nearestM; // to it so far
   private boolean seen = true; // whether there is a sample with the current target
@@ -106,10 +108,18 @@ public final class RunRecord {
     }
     leg = next;
     begun = true;
-    station = goals.goals().stream().limit(1).filter(Station.class::isInstance).map(Station.class::cast).findFirst();
+    station =
+        goals.goals().stream()
+            .limit(1)
+            .filter(Station.class::isInstance)
+            .map(Station.class::cast)
+            .findFirst();
   }
 
-  /** Whether the vehicle is at its station or on the circle around it: with the station's radius, or the planner's, on which it comes no nearer. */
+  /**
+   * Whether the vehicle is at its station or on the circle around it: with the station's radius, or
+   * the planner's, on which it comes no nearer.
+   */
   private boolean hasArrived(double longitudeDeg, double latitudeDeg) {
     if (station.isEmpty() || leg < 0 || leg >= names.size()) {
       return false;

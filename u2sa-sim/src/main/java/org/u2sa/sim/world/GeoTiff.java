@@ -119,7 +119,8 @@ final class GeoTiff {
     } catch (EOFException e) {
       throw new IOException("ends too early", e);
     } catch (RuntimeException e) { // decoders throw these for damaged files
-      String why = e.getMessage() == null || e instanceof NullPointerException ? "" : ": " + e.getMessage();
+      String why =
+          e.getMessage() == null || e instanceof NullPointerException ? "" : ": " + e.getMessage();
       throw new IOException("is damaged" + why, e);
     } finally {
       reader.dispose();
