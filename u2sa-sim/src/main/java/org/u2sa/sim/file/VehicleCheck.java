@@ -23,7 +23,9 @@ public final class VehicleCheck {
   private static final double LONGEST_S = 120.0;
   private static final double LOOK_BACK_S = 5.0;
   private static final double STEADY = 0.002; // change within that time, relative
-  private static final double NOTHING = 0.02; // [m/s²], [rad/s²]
+  private static final double NOTHING = 0.02; // share of the strongest actuator's effect
+  private static final double NO_ACCELERATION = 1e-6; // [m/s²], [rad/s²]: of rounding
+  private static final double NO_TURN = 1e-4; // [rad/s]
   private static final double SIDE_EFFECT = 0.15; // share of an effect along another axis
   private static final double DEPTH_M = 100.0;
 
@@ -153,7 +155,7 @@ public final class VehicleCheck {
     double[] commands = new double[ahead.length];
     double straight = speeds(ahead)[Axis.YAW.ordinal()];
     for (int i = 0; i < ahead.length; i++) {
-      double strongest = NOTHING;
+      double strongest = NO_TURN;
       for (double command : ahead[i] == 0.0 ? COMMANDS : List.<Double>of()) {
         double[] steered = ahead.clone();
         steered[i] = command;
@@ -174,8 +176,14 @@ public final class VehicleCheck {
   /** Full commands of the actuators that push along the axis on their own. */
   private double[] towards(Axis axis, double sign) {
     double[] commands = new double[actuators.size()];
+    double most =
+        effects.stream()
+            .flatMap(each -> each.values().stream())
+            .mapToDouble(effect -> sign * effect[axis.ordinal()])
+            .max()
+            .orElse(0.0);
     for (int i = 0; i < commands.length; i++) {
-      double strongest = NOTHING;
+      double strongest = Math.max(NO_ACCELERATION, NOTHING * most);
       for (double command : COMMANDS) {
         double[] effect = effects.get(i).get(command);
         double along = sign * effect[axis.ordinal()];

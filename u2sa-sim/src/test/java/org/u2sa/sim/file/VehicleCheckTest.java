@@ -42,4 +42,17 @@ class VehicleCheckTest {
 
     assertThat(Double.parseDouble(ahead.split(" ")[1])).isBetween(3.086, 3.3);
   }
+
+  @Test
+  void lines_hullOf30TonnesWithSmallThrusters_stillTellSpeedsAndTurns() {
+    String heavy =
+        Vehicles.threeThrusters()
+            .replace("<mass unit=\"kg\">30<", "<mass unit=\"kg\">30000<")
+            .replace(">2 4 5</inertia>", ">2000 4000 500000</inertia>");
+
+    assertThat(VehicleCheck.lines(Vehicles.parse(heavy)))
+        .anyMatch(line -> line.startsWith("ahead: "))
+        .anyMatch(line -> line.startsWith("right: "))
+        .anyMatch(line -> line.startsWith("turning right: "));
+  }
 }
