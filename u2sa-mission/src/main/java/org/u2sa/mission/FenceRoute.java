@@ -15,7 +15,10 @@ import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
 import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.distance.DistanceOp;
+import org.locationtech.jts.operation.distance.IndexedFacetDistance;
 import org.locationtech.jts.simplify.DouglasPeuckerSimplifier;
+import org.locationtech.jts.simplify.TopologyPreservingSimplifier;
+import org.u2sa.messages.shape.NearSides;
 
 /**
  * Shortest way over the corners of forbidden areas, at a distance from them (visibility graph,
@@ -26,6 +29,8 @@ final class FenceRoute {
   private static final int MAX_CORNERS = 150;
 
   private static final int MAX_EXITS = 20; // compared
+
+  private static final int MAX_NEAR_SIDES = 5_000; // pairs
 
   private static final double CHECKED = 0.9; // of the distance: ways lead over its own corners
   private static final double ROUGH = 0.08; // of the distance, for simplification
@@ -38,7 +43,8 @@ final class FenceRoute {
   private final double marginM;
   private final double distanceM;
   private final Geometry free;
-  private final PreparedGeometry checked;
+  private final PreparedGeometry prepared;
+  private final IndexedFacetDistance border;
   private final List<Coordinate> corners;
 
   /**
@@ -50,9 +56,11 @@ final class FenceRoute {
     this.allowed = allowed;
     this.marginM = marginM;
     this.distanceM = distanceM;
-    free = smaller(allowed, distanceM);
-    checked = PreparedGeometryFactory.prepare(smaller(allowed, CHECKED * distanceM));
-    corners = corners(allowed, distanceM);
+    Geometry simple = TopologyPreservingSimplifier.simplify(allowed, ROUGH * distanceM);
+    free = smaller(simple, distanceM);
+    prepared = PreparedGeometryFactory.prepare(allowed);
+    border = new IndexedFacetDistance(allowed.getBoundary());
+    corners = free.isEmpty() ? List.of() : corners(simple, distanceM);
   }
 
   /** Corners of the free area, fewer and farther from the borders if there would be too many. */
@@ -60,14 +68,19 @@ final class FenceRoute {
     double rough = ROUGH * distanceM;
     Coordinate[] corners;
     do {
-      Geometry area = smaller(allowed, (1.0 - ROUGH) * distanceM + rough);
+      Geometry simple = TopologyPreservingSimplifier.simplify(allowed, rough);
+      Geometry area = smaller(simple, (1.0 - ROUGH) * distanceM + rough);
       corners = DouglasPeuckerSimplifier.simplify(area, rough).getCoordinates();
       rough *= 4.0;
     } while (corners.length > MAX_CORNERS && rough < ROUGHEST * distanceM);
     return List.of(corners);
   }
 
+  /** Nothing of areas with so many sides near each other that it would take too long. */
   private static Geometry smaller(Geometry area, double byM) {
+    if (NearSides.count(area, 2.0 * byM, MAX_NEAR_SIDES) > MAX_NEAR_SIDES) {
+      return FACTORY.createPolygon();
+    }
     BufferParameters sharp =
         new BufferParameters(
             BufferParameters.DEFAULT_QUADRANT_SEGMENTS,
@@ -143,8 +156,8 @@ final class FenceRoute {
     if (isFree(place, place)) {
       return Optional.of(place);
     }
-    PreparedGeometry prepared = PreparedGeometryFactory.prepare(area);
-    return entrances(place).filter(each -> prepared.covers(leg(place, each))).findFirst();
+    PreparedGeometry inside = PreparedGeometryFactory.prepare(area);
+    return entrances(place).filter(each -> inside.covers(leg(place, each))).findFirst();
   }
 
   private Stream<Coordinate> entrances(Coordinate place) {
@@ -156,7 +169,8 @@ final class FenceRoute {
   }
 
   private boolean isFree(Coordinate a, Coordinate b) {
-    return checked.covers(leg(a, b));
+    Geometry leg = leg(a, b);
+    return prepared.covers(leg) && !border.isWithinDistance(leg, CHECKED * distanceM);
   }
 
   private static Geometry leg(Coordinate a, Coordinate b) {

@@ -17,6 +17,7 @@ import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.shape.NearSides;
 
 /**
  * Geofence: a keep-in polygon, keep-out polygons, two altitude limits and rally points, each
@@ -25,6 +26,7 @@ import org.u2sa.messages.goal.Waypoint;
  */
 final class Fence {
   private static final double OUTLINE_M = 0.1; // tolerance of a published outline
+  private static final int MAX_NEAR_SIDES = 20_000; // pairs
 
   /**
    * A position to return to instead of home if it is nearer.
@@ -88,12 +90,31 @@ final class Fence {
     if (marginM == 0.0) {
       return this;
     }
+    checkSides(marginM);
     Optional<Polygon> smaller = keepIn.map(area -> shrunk(area, marginM));
     List<Polygon> larger =
         List.of(
             keepOuts.stream().map(each -> (Polygon) each.buffer(marginM)).toArray(Polygon[]::new));
     return new Fence(
         origin, smaller, larger, shifted(floorM, marginM), shifted(ceilingM, -marginM), rally);
+  }
+
+  /** Refuses areas whose borders it would take seconds to move, and the memory of the process. */
+  private void checkSides(double marginM) {
+    List<Polygon> areas = new ArrayList<>(keepOuts);
+    keepIn.ifPresent(areas::add);
+    int pairs = 0;
+    for (Polygon area : areas) {
+      pairs += NearSides.count(area, 2.0 * marginM, MAX_NEAR_SIDES - pairs);
+      if (pairs > MAX_NEAR_SIDES) {
+        throw new IllegalArgumentException(
+            "more than "
+                + MAX_NEAR_SIDES
+                + " pairs of sides of its areas are within twice a margin of "
+                + CauseText.metres(marginM)
+                + "; expected fewer corners");
+      }
+    }
   }
 
   private static Polygon shrunk(Polygon area, double marginM) {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.assertj.core.api.InstanceOfAssertFactories;
 import org.junit.jupiter.api.Test;
+import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.Polygon;
@@ -170,5 +171,26 @@ class FenceTest {
         .hasMessage("a state in LOCAL_ENU does not fit a fence on the earth");
     assertThatThrownBy(() -> fence(Optional.empty()).place(global))
         .hasMessage("a state in GLOBAL does not fit a fence on a local plane");
+  }
+
+  /** Moving such borders takes many seconds and gigabytes. */
+  @Test
+  void drawnIn_starWhoseSpikesAreNarrowerThanTheMargin_isRefused() {
+    Coordinate[] ring = new Coordinate[1181];
+    for (int i = 0; i < 1180; i++) {
+      double radiusM = i % 2 == 0 ? 100.0 : 3000.0;
+      double angle = 2.0 * Math.PI * i / 1180;
+      ring[i] = new Coordinate(radiusM * Math.cos(angle), radiusM * Math.sin(angle));
+    }
+    ring[1180] = ring[0].copy();
+    Polygon star = GEOMETRY.createPolygon(ring);
+    OptionalDouble any = OptionalDouble.empty();
+    Fence fence = new Fence(Optional.empty(), Optional.empty(), List.of(star), any, any, List.of());
+
+    assertThatThrownBy(() -> fence.drawnInBy(50.0))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage(
+            "more than 20000 pairs of sides of its areas are within twice a margin of 50 m; expected fewer corners");
+    assertThat(allows(fence.drawnInBy(0.0), 2000.0, 0.0)).isTrue();
   }
 }
