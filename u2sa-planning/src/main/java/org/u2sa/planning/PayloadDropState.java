@@ -28,6 +28,8 @@ final class PayloadDropState implements PlannerState {
   private static final double RELEASING_S = 1.0; // duration of the release command
   private static final double HOVERS_MPS = 0.5;
   private static final double HOVER_SHARE = 0.5; // of the threshold, when hovering
+  private static final double HEIGHT_ERROR_M = 2.0; // without vertical threshold
+  private static final double HEIGHT_SHARE = 0.1; // of the height; the larger of both applies
 
   private final Detour detour;
   private final Supplier<LineSettings> lines;
@@ -139,12 +141,16 @@ final class PayloadDropState implements PlannerState {
         NavigationPoint.at(guidance.towards(vehicle, aim, 1.0, Optional.empty()));
     goal.speed().ifPresent(point::speed);
 
-    boolean isNow =
+    double highM = to.z() - (flyAtM - upM);
+    double mostM =
+        goal.verticalThreshold().orElse(Math.max(HEIGHT_ERROR_M, HEIGHT_SHARE * (flyAtM - upM)));
+    boolean isAbove =
         hovers
-            ? vehicle.speedMps() < HOVERS_MPS
+            ? Math.hypot(vehicle.speedMps(), vehicle.downMps()) < HOVERS_MPS
                 && miss.distance() <= HOVER_SHARE * goal.horizontalThreshold()
             : beforeM > 0.0 && shortM <= 0.0 && Math.abs(across) <= goal.horizontalThreshold();
     beforeM = shortM;
+    boolean isNow = isAbove && Math.abs(highM) <= mostM;
     if (releasedMicros == Long.MIN_VALUE && isNow) {
       releasedMicros = vehicle.timestampMicros();
       remark =
@@ -159,7 +165,9 @@ final class PayloadDropState implements PlannerState {
     if (releasedMicros != Long.MIN_VALUE) {
       return released(goal, vehicle, point, to);
     }
-    return !hovers && guidance.hasPassed() ? missed(point, across) : Plan.underWay(List.of(point));
+    return !hovers && guidance.hasPassed()
+        ? missed(point, Math.abs(highM) <= mostM ? across : 0.0, highM)
+        : Plan.underWay(List.of(point));
   }
 
   private static Point sideways(Point way, double course) {
@@ -175,8 +183,12 @@ final class PayloadDropState implements PlannerState {
     return Plan.underWay(List.of(point, release));
   }
 
-  private Plan missed(NavigationPoint point, double across) {
-    String off = String.format(Locale.ROOT, "would have missed by %.0f m", Math.abs(across));
+  private Plan missed(NavigationPoint point, double acrossM, double highM) {
+    String off =
+        acrossM == 0.0
+            ? String.format(
+                Locale.ROOT, "was %.0f m too %s", Math.abs(highM), highM > 0.0 ? "high" : "low")
+            : String.format(Locale.ROOT, "would have missed by %.0f m", Math.abs(acrossM));
     if (attempts >= ATTEMPTS) {
       return new Plan(List.of(point), Plan.Progress.ABANDONED, "given up: " + off);
     }

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.ObjectList;
@@ -159,7 +160,7 @@ class FlightGoalsTest {
       double windNorth, double windEast, double terminalMps, double fromM) {
     plane();
     wind = Point.of(windNorth, windEast, 0.0);
-    ned = Point.of(-600.0, 150.0, -fromM); // from 200 m it still descends at the release
+    ned = Point.of(-600.0, 150.0, -fromM); // from 200 m the first pass is too high
     velocity = Point.of(20.0, 0.0, 0.0);
     pursue(
         new PayloadDrop()
@@ -169,10 +170,11 @@ class FlightGoalsTest {
             .z(0.0)
             .x(0.0)
             .y(0.0));
-    for (int i = 0; i < 2000 && !released; i++) {
+    for (int i = 0; i < 6000 && !released; i++) {
       step(20.0);
     }
     assertThat(released).isTrue();
+    assertThat(-ned.z()).isBetween(35.9, 44.1);
 
     Point falls = ned.plus(velocity.times(0.1)); // RELEASE DELAY
     Point v = velocity;
@@ -190,6 +192,34 @@ class FlightGoalsTest {
       step(20.0);
     }
     assertThat(reports().get(0).completed()).isTrue();
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {40.0, 2.0})
+  void payloadDrop_multirotorAtAnotherHeight_isReleasedAtThatOfTheDrop(double fromM) {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -fromM);
+    pursue(new PayloadDrop().payload("BOTTLE").height(10.0).z(0.0).x(0.0).y(0.0));
+    for (int i = 0; i < 1000 && !released; i++) {
+      step(5.0);
+    }
+    assertThat(released).isTrue();
+    assertThat(-ned.z()).isBetween(8.0, 12.0);
+  }
+
+  @Test
+  void payloadDrop_aeroplaneThatStaysTooHigh_isGivenUpWithTheReason() {
+    plane();
+    ned = Point.of(-300.0, 0.0, -90.0);
+    velocity = Point.of(20.0, 0.0, 0.0);
+    pursue(new PayloadDrop().payload("BOTTLE").height(40.0).z(0.0).x(0.0).y(0.0));
+    for (int i = 0; i < 10_000 && reports().isEmpty(); i++) {
+      step(20.0);
+      ned = Point.of(ned.x(), ned.y(), -90.0);
+    }
+    assertThat(released).isFalse();
+    assertThat(reports().get(0).abandoned()).isTrue();
+    assertThat(reports().get(0).reason().orElseThrow()).contains("given up: was 50 m too high");
   }
 
   @Test
