@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Detects loop closures. A candidate must fit well in both directions and clearly better than
+ * Detects loop closures. A candidate must fit well, near the expected pose, and better than
  * elsewhere in the search window, and a second candidate from a later scan must agree with it.
  */
 final class LoopSearch {
@@ -25,6 +25,13 @@ final class LoopSearch {
   private static final double MIN_SHARE = 0.7;
   private static final double MIN_SCORE = 0.55;
   private static final double MAX_SIGMA_M = 0.15;
+  private static final double INFLATED =
+      4.0; // variance of the expected pose, for what the graph's omits
+  private static final double MAX_OFF = 16.0; // from the expected pose, squared sigmas
+  private static final double ALIKE = 0.85; // of the score: another pose that may be the true one
+  private static final double MAX_OFF_IF_ALIKE = 1.0;
+  private static final double MIN_APART =
+      4.0; // by which the other one is farther from the expected pose
   private static final double AGREE_M = 0.35;
   private static final double AGREE_RAD = 0.06;
   private static final double PENDING_WAY_M = 5.0;
@@ -78,7 +85,8 @@ final class LoopSearch {
     visits.sort(null); // oldest first: its position has drifted least
     List<Closure> found = new ArrayList<>();
     for (int candidate : visits.subList(0, Math.min(CANDIDATES, visits.size()))) {
-      closure(keys, candidate, radius, turn).ifPresent(each -> confirm(keys, each, found));
+      closure(keys, candidate, radius, turn, covariance)
+          .ifPresent(each -> confirm(keys, each, found));
     }
     return found;
   }
@@ -119,7 +127,8 @@ final class LoopSearch {
         && Math.abs(Pose2.wrapped(here.theta() - there.theta())) < AGREE_RAD;
   }
 
-  private Optional<Closure> closure(List<KeyScan> keys, int candidate, double radius, double turn) {
+  private Optional<Closure> closure(
+      List<KeyScan> keys, int candidate, double radius, double turn, double[] covariance) {
     tried++;
     int newest = keys.size() - 1;
     KeyScan now = keys.get(newest);
@@ -157,10 +166,28 @@ final class LoopSearch {
     if (!isDefinite || Matrix3.largestSigma(known) > MAX_SIGMA_M) {
       return Optional.empty();
     }
+    double off = squareOff(now.pose(), match.pose(), covariance);
+    Pose2 other = matcher.elsewhere(map, joined, now.pose(), radius, turn, match.pose());
+    boolean isAlike = ScanMatcher.score(map, joined, other) > ALIKE * match.score();
+    boolean isNearest =
+        off < MAX_OFF_IF_ALIKE && squareOff(now.pose(), other, covariance) > off + MIN_APART;
+    if (off > MAX_OFF || (isAlike && !isNearest)) {
+      return Optional.empty(); // as along a row of equal pillars
+    }
     Pose2 early = keys.get(candidate).pose();
     double[] information = Matrix3.rotated(match.information(), -early.theta());
     return Optional.of(
         new Closure(candidate, newest, match.pose().from(early), Matrix3.times(information, 0.25)));
+  }
+
+  /** Squared Mahalanobis distance of a position from where the graph has the vehicle. */
+  private static double squareOff(Pose2 expected, Pose2 there, double[] covariance) {
+    double x = there.x() - expected.x();
+    double y = there.y() - expected.y();
+    double a = INFLATED * covariance[0] + 1e-4;
+    double b = INFLATED * covariance[1];
+    double d = INFLATED * covariance[4] + 1e-4;
+    return (d * x * x - 2.0 * b * x * y + a * y * y) / (a * d - b * b);
   }
 
   /** Number of candidates compared so far. */

@@ -19,6 +19,7 @@ final class ScanMatcher {
 
   private static final double COARSE_M = 0.2;
   private static final double FINE_M = 0.1;
+  private static final double ELSEWHERE_M = 0.7;
   private static final double WIDE_M = 1.2; // larger windows are searched by branch and bound
   private static final double COARSE_RAD = 0.035;
   private static final double FINE_RAD = 0.0125;
@@ -65,17 +66,26 @@ final class ScanMatcher {
   Pose2 searched(LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
     Pose2 coarse =
         windowM > WIDE_M
-            ? bounded(map, scan, guess, windowM, windowRad)
+            ? bounded(map, scan, guess, windowM, windowRad, null)
             : best(map, scan, guess, windowM, windowRad, COARSE_M, COARSE_RAD);
+    return best(map, scan, coarse, COARSE_M, COARSE_RAD, FINE_M, FINE_RAD);
+  }
+
+  /** The pose with the highest likelihood in a large window, except near another one. */
+  Pose2 elsewhere(
+      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad, Pose2 except) {
+    Pose2 coarse = bounded(map, scan, guess, windowM, windowRad, except);
     return best(map, scan, coarse, COARSE_M, COARSE_RAD, FINE_M, FINE_RAD);
   }
 
   /**
    * Best pose in a large window by branch and bound over squares of block size (Hess et al., ICRA
    * 2016).
+   *
+   * @param except pose from which it must be at least ELSEWHERE_M away, or null
    */
   private static Pose2 bounded(
-      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad) {
+      LocalMap map, ScanPoints scan, Pose2 guess, double windowM, double windowRad, Pose2 except) {
     int turns = (int) Math.ceil(windowRad / COARSE_RAD);
     int squares = (int) Math.ceil(windowM / LocalMap.BLOCK_M);
     int every = Math.max(1, scan.count / SEARCHED_POINTS);
@@ -117,8 +127,12 @@ final class ScanMatcher {
       for (int i = 0; i < fine * fine; i++) {
         double dx = (square / side - squares) * LocalMap.BLOCK_M + i / fine * COARSE_M;
         double dy = (square % side - squares) * LocalMap.BLOCK_M + i % fine * COARSE_M;
-        long sum = 0;
-        for (int p = 0; p < points; p++) {
+        boolean isNear =
+            except != null
+                && Math.hypot(guess.x() + dx - except.x(), guess.y() + dy - except.y())
+                    < ELSEWHERE_M;
+        long sum = isNear ? -1 : 0;
+        for (int p = 0; p < points && !isNear; p++) {
           sum += map.likelihood(px[turn][p] + dx, py[turn][p] + dy);
         }
         if (sum > most) {

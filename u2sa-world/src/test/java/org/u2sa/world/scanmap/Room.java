@@ -29,6 +29,17 @@ final class Room {
     return room;
   }
 
+  /** A corridor of 46 m by 3 m with pillars on both sides, one like the other. */
+  static Room pillars(double everyM) {
+    Room room = new Room();
+    room.outline(-5.0, -1.5, 41.0, -1.5, 41.0, 1.5, -5.0, 1.5);
+    for (double x = -4.0; x < 40.5; x += everyM) {
+      room.outline(x, -1.5, x, -1.15, x + 0.3, -1.15, x + 0.3, -1.5);
+      room.outline(x, 1.5, x, 1.15, x + 0.3, 1.15, x + 0.3, 1.5);
+    }
+    return room;
+  }
+
   private void outline(double... corners) {
     for (int i = 0; i < corners.length; i += 2) {
       int next = (i + 2) % corners.length;

@@ -13,6 +13,8 @@ import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.interfaces.configuration.XmlConfiguration;
 import org.u2sa.messages.RangeScan;
@@ -89,6 +91,38 @@ class ScanMapTest {
     List<Double> errors = drive(modeller(Map.of()), 0.1);
 
     assertThat(errors).hasSizeGreaterThan(110).allMatch(error -> error < 0.08);
+  }
+
+  /** Each pillar looks like the next: no loop may be closed by a wrong one. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1.0, 2.0, 3.0})
+  void scan_wayBackAlongEqualPillars_staysWhereTheVehicleIs(double everyM) {
+    ScanMapModeller modeller = modeller(Map.of());
+    Room room = Room.pillars(everyM);
+    Pose2 told = Pose2.ORIGIN;
+    Pose2 before = Pose2.ORIGIN;
+    double worstM = 0.0;
+    for (int i = 0; i <= 380; i++) {
+      boolean isBack = i > 190;
+      int turned = Math.max(0, Math.min(20, i - 180)); // at the end, on the spot
+      double x = isBack ? 0.2 * (380 - i) - 2.0 : 0.2 * Math.min(i, 180);
+      Pose2 truth = new Pose2(x, 0.0, Pose2.wrapped(Math.PI * turned / 20.0));
+      Pose2 step = truth.from(before);
+      told = told.times(new Pose2(1.01 * step.x(), step.y(), 1.01 * step.theta()));
+      before = truth;
+      long micros = 1_000_000L + i * 100_000L;
+      RangeScan scan = room.scan(truth, 12.0, 0.01, random);
+      scan.timestamp(micros);
+      modeller.scan(
+          scan,
+          ScanPoses.still(
+              new Sighting(
+                  micros, MapFrame.of(state(told, micros)), Optional.of(state(told, micros)))));
+      for (StateInformation each : modeller.corrections()) {
+        worstM = Math.max(worstM, Math.hypot(each.x().orElseThrow() - x, each.y().orElseThrow()));
+      }
+    }
+    assertThat(worstM).isLessThan(0.8);
   }
 
   @Test
