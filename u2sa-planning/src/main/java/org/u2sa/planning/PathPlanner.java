@@ -17,6 +17,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
+import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
@@ -62,6 +63,7 @@ public class PathPlanner extends EventDrivenService {
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // goal being pursued
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
+  private boolean landed; // it stays on the ground until the next goal
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private boolean byHand; // navigation is currently ignored
   private String foreseen = ""; // UID of the goal expected next
@@ -151,7 +153,7 @@ public class PathPlanner extends EventDrivenService {
     state.text("FORESEEN", foreseen);
     goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
     end.handOver(state);
-    state.text("FAILSAFE", failsafe.name());
+    state.text("FAILSAFE", failsafe.name()).flag("LANDED", landed);
   }
 
   @Override
@@ -168,6 +170,7 @@ public class PathPlanner extends EventDrivenService {
       goal = Optional.empty();
     }
     end.takeOver(state);
+    landed = state.flag("LANDED");
     failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
   }
 
@@ -244,6 +247,7 @@ public class PathPlanner extends EventDrivenService {
       end.leave();
     }
     byHand = state.active();
+    landed &= !byHand;
   }
 
   private void react(FailsafeAction action) {
@@ -289,7 +293,9 @@ public class PathPlanner extends EventDrivenService {
 
   private List<NavigationPoint> next(StateInformation state, boolean stateless) {
     if (isHolding()) {
-      return end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
+      return landed
+          ? List.of()
+          : end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
     }
     boolean stands = blind.stands(failsafe, clock().micros());
     Optional<GoalInformation> chosen = choose(state, stateless);
@@ -378,6 +384,7 @@ public class PathPlanner extends EventDrivenService {
     goal = Optional.of(chosen);
     foreseen = after.map(GoalInformation::uid).orElse("");
     Plan plan = planner.get().plan(pursuit);
+    landed = chosen instanceof Landing && plan.progress() == Plan.Progress.COMPLETED;
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
           plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;
@@ -407,6 +414,9 @@ public class PathPlanner extends EventDrivenService {
       reports.forget(); // the next leg does not start at that position
     }
     goal = Optional.empty();
+    if (landed) {
+      return List.of();
+    }
     Vehicle vehicle = Vehicle.of(state).orElseThrow();
     return failsafe == FailsafeAction.RETURN
         ? end.planFailsafe(vehicle, holdAt)

@@ -24,6 +24,8 @@ import org.u2sa.messages.goal.PayloadDrop;
 import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.FailsafeAction;
+import org.u2sa.messages.safety.FailsafeState;
 import org.u2sa.messages.shape.Sphere;
 import org.u2sa.testkit.ServiceKit;
 
@@ -288,6 +290,30 @@ class FlightGoalsTest {
     assertThat(reports()).isNotEmpty();
     assertThat(reports().get(0).completed()).isTrue();
     assertThat(Math.hypot(ned.x(), ned.y())).isLessThan(1.1);
+  }
+
+  /** The landing's position is above the ground: it would be climbed to. */
+  @Test
+  void landing_completedAndAtEndHold_staysOnTheGround() {
+    kit.with("AT END", "HOLD").start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -20.0);
+    pursue(new Landing().z(-1.0).x(0.0).y(0.0));
+    while (kit.nowS() < 60.0 && reports().isEmpty()) {
+      step(5.0);
+      if (ned.z() > 0.0) {
+        ned = Point.ORIGIN; // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+    assertThat(reports().get(0).completed()).isTrue();
+
+    kit.publish(Channels.GOALS, new GoalList());
+    assertThat(step(5.0)).isEqualTo(Point.ORIGIN);
+    kit.publish(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.HOLD));
+    assertThat(step(5.0)).isEqualTo(Point.ORIGIN);
+    kit.publish(Channels.FAILSAFE, new FailsafeState().action(FailsafeAction.CONTINUE));
+    pursue(new TakeOff().z(-20.0));
+    assertThat(step(5.0).z()).isNegative();
   }
 
   @Test
