@@ -104,6 +104,8 @@ public final class AllocatingControl extends ControlSystem {
     }
   }
 
+  private static final long WAIT_MICROS = Clock.MICROS_PER_SECOND;
+  private static final long NOT_YET = Long.MIN_VALUE;
   private static final double UNKNOWN_SHARE = 0.75; // fraction of the maximum speed, 1 sigma
 
   private final Settings<Choices> choices = settings(Choices.class);
@@ -122,7 +124,9 @@ public final class AllocatingControl extends ControlSystem {
   private boolean lacksEssentials; // an essential axis is lost
   private long revision = -1;
   private String said = "";
-  private boolean armed = true; // without an arming service, actuators obey immediately
+  private boolean armed = true; // without an arming service, actuators obey
+  private boolean waits = true; // until an arming service reports, or none has for WAIT_MICROS
+  private long firstMicros = NOT_YET; // of the first state
   private boolean isArmedBySomebody; // required for tuning
   private boolean isBlind;
   private boolean wentBySight; // in the previous step
@@ -152,6 +156,7 @@ public final class AllocatingControl extends ControlSystem {
   private void heed(ArmingState state) {
     armed = state.armed();
     isArmedBySomebody = armed;
+    waits = false;
   }
 
   @Override
@@ -179,8 +184,9 @@ public final class AllocatingControl extends ControlSystem {
         log("heading and velocity are known again");
       }
     }
-    if (isBlind || !armed || lacksEssentials) {
-      if (armed) {
+    boolean isReady = armed && !(tuning.leans() && waits());
+    if (isBlind || !isReady || lacksEssentials) {
+      if (isReady) {
         cascade.rest();
       } else {
         cascade.stand();
@@ -192,6 +198,18 @@ public final class AllocatingControl extends ControlSystem {
     }
     fluidMps = motion.get().speedThroughFluidMps(state);
     drive(motion.get(), target(state, point));
+  }
+
+  /**
+   * Whether a Safety Manager may still say that the vehicle is not armed: it must not lift off
+   * until then.
+   */
+  private boolean waits() {
+    if (firstMicros == NOT_YET) {
+      firstMicros = clock().micros();
+    }
+    waits &= clock().micros() - firstMicros < WAIT_MICROS;
+    return waits;
   }
 
   @Override
@@ -396,6 +414,7 @@ public final class AllocatingControl extends ControlSystem {
   @Override
   protected void takeOver(HandOver state) {
     super.takeOver(state);
+    waits = false;
     if (isOfMyClass(state)) {
       cascade.takeOver(state);
       wentBySight = state.text("BY SIGHT").isPresent();

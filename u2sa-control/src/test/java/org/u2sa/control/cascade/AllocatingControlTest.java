@@ -64,12 +64,36 @@ class AllocatingControlTest {
             .minimum(0.0)
             .maximum(100.0)
             .force(Point.of(0.0, 0.0, -20.0)));
+    kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
     kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
     assertThat(kit.percent("ROTOR")).isPositive();
 
     kit.advance(0.1);
     kit.publish(Channels.STATE, falling());
     assertThat(kit.percent("ROTOR")).isZero();
+  }
+
+  /** The first arming state of a Safety Manager comes half a second after the first state. */
+  @Test
+  void control_multirotorBeforeArmingIsKnown_doesNotLift() {
+    kit.with("LEANS", true).with("HEAVE WEIGHT", 1.0).with("HEAVE MASS", 1.0);
+    kit.start(AllocatingControl::new);
+    kit.publish(
+        Channels.ACTUATORS,
+        new ActuatorAnnouncement()
+            .actuatorName("ROTOR")
+            .minimum(0.0)
+            .maximum(100.0)
+            .force(Point.of(0.0, 0.0, -20.0)));
+    for (int i = 0; i < 9; i++) {
+      kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
+      assertThat(kit.percent("ROTOR")).isZero();
+      kit.advance(0.1);
+    }
+
+    kit.advance(0.2); // nobody arms vehicles here
+    kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
+    assertThat(kit.percent("ROTOR")).isPositive();
   }
 
   /** Without navigation points it would drive off, against an error of its speed. */
