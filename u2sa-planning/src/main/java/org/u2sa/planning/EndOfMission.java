@@ -3,6 +3,7 @@ package org.u2sa.planning;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import org.u2sa.messages.NavigationPoint;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.planning.guidance.LineSettings;
@@ -17,12 +18,18 @@ final class EndOfMission {
   private final Supplier<PlanningVariables> settings;
   private final Supplier<LineSettings> lines;
   private final WaypointGuidance guidance;
+  private final UnaryOperator<Place> raised;
   private Optional<LoiterCircle> circle = Optional.empty();
 
+  /**
+   * @param raised changes the altitude of a place that is too low
+   */
   EndOfMission(
       Supplier<PlanningVariables> settings,
       Supplier<LineSettings> lines,
-      WaypointGuidance guidance) {
+      WaypointGuidance guidance,
+      UnaryOperator<Place> raised) {
+    this.raised = raised;
     this.settings = settings;
     this.lines = lines;
     this.guidance = guidance;
@@ -72,7 +79,7 @@ final class EndOfMission {
               .filter(Place::isHorizontal)
               .map(known -> known.orAltitudeOf(vehicle.place()))
               .orElse(vehicle.place());
-      circle = Optional.of(new LoiterCircle(centre, now.loiterRadius(), vehicle));
+      circle = Optional.of(new LoiterCircle(raised.apply(centre), now.loiterRadius(), vehicle));
     }
     Point ahead = circle.get().ahead(vehicle, lines.get().lookAheadM(vehicle.speedMps()));
     return List.of(NavigationPoint.at(guidance.bodyPoint(vehicle, ahead)));

@@ -19,6 +19,10 @@ record FlightVariables(
         @Description(
             "Cross-track and altitude error at the start of the descent above which the approach is repeated.")
         double approachAccuracy,
+    @Variable(unit = "m", min = 0, max = 10000, ifAbsent = 40)
+        @Description(
+            "Minimum height above the ground from which it took off at which an aeroplane circles, or flies to goals without altitude; 0: none.")
+        double minHoldHeight,
     @Variable(unit = "m/s", min = 0.1, max = 5, ifAbsent = 0.5)
         @Description("Sink rate at which a multirotor touches down.")
         double touchDownSink,

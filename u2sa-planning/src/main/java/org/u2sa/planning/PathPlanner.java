@@ -17,7 +17,6 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalList;
-import org.u2sa.messages.goal.Landing;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.ManualState;
 import org.u2sa.planning.avoidance.Avoidance;
@@ -52,6 +51,7 @@ public class PathPlanner extends EventDrivenService {
   private final Settings<PlanningVariables> settings = settings(PlanningVariables.class);
   private final PlannerStates states;
   private final EndOfMission end;
+  private final GroundWatch ground;
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
@@ -63,7 +63,6 @@ public class PathPlanner extends EventDrivenService {
   private Optional<GoalList> takenOver = Optional.empty();
   private Optional<GoalInformation> goal = Optional.empty(); // goal being pursued
   private Optional<Place> holdAt = Optional.empty(); // last goal position reached or abandoned
-  private boolean landed; // it stays on the ground until the next goal
   private FailsafeAction failsafe = FailsafeAction.CONTINUE;
   private boolean byHand; // navigation is currently ignored
   private String foreseen = ""; // UID of the goal expected next
@@ -115,7 +114,8 @@ public class PathPlanner extends EventDrivenService {
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
-    end = new EndOfMission(settings, this::lines, guidance);
+    ground = new GroundWatch(flight, () -> lines().turns().accelerationMps2() > 0.0);
+    end = new EndOfMission(settings, this::lines, guidance, ground::raised);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);
     registerPublisher(Channels.PLANS);
@@ -125,6 +125,7 @@ public class PathPlanner extends EventDrivenService {
     subscribe(Channels.STATE, settings.get().staleAfter(), this::onState);
     subscribe(Channels.MANUAL_STATE, this::onManual);
     subscribe(Channels.FENCE, avoidance::see);
+    subscribe(Channels.ARMING_STATE, ground::heed);
     FirstFailsafe first = new FirstFailsafe(this, context);
     subscribe(
         Channels.FAILSAFE,
@@ -153,7 +154,8 @@ public class PathPlanner extends EventDrivenService {
     state.text("FORESEEN", foreseen);
     goal.flatMap(states::forGoal).ifPresent(planner -> planner.handOver(state));
     end.handOver(state);
-    state.text("FAILSAFE", failsafe.name()).flag("LANDED", landed);
+    state.text("FAILSAFE", failsafe.name());
+    ground.handOver(state);
   }
 
   @Override
@@ -170,7 +172,7 @@ public class PathPlanner extends EventDrivenService {
       goal = Optional.empty();
     }
     end.takeOver(state);
-    landed = state.flag("LANDED");
+    ground.takeOver(state);
     failsafe = state.text("FAILSAFE").map(FailsafeAction::valueOf).orElse(FailsafeAction.CONTINUE);
   }
 
@@ -247,7 +249,9 @@ public class PathPlanner extends EventDrivenService {
       end.leave();
     }
     byHand = state.active();
-    landed &= !byHand;
+    if (byHand) {
+      ground.flownByHand();
+    }
   }
 
   private void react(FailsafeAction action) {
@@ -292,8 +296,10 @@ public class PathPlanner extends EventDrivenService {
   }
 
   private List<NavigationPoint> next(StateInformation state, boolean stateless) {
+    Vehicle.of(state).ifPresent(ground::see);
     if (isHolding()) {
-      return landed
+      ground.hold();
+      return stays()
           ? List.of()
           : end.planFailsafe(Vehicle.of(state).orElseThrow(), Optional.empty());
     }
@@ -306,6 +312,10 @@ public class PathPlanner extends EventDrivenService {
       return List.of();
     }
     return stands ? standing(state) : pursue(chosen.get(), state, stateless);
+  }
+
+  private boolean stays() {
+    return ground.stays(goals.map(GoalList::goals).orElse(List.of()));
   }
 
   /** Stops a vehicle whose surroundings are unknown, or circles if it cannot stop. */
@@ -354,7 +364,9 @@ public class PathPlanner extends EventDrivenService {
 
   private List<NavigationPoint> pursue(
       GoalInformation choice, StateInformation state, boolean stateless) {
-    GoalInformation chosen = following(choice, state);
+    GoalInformation followed = following(choice, state);
+    GoalInformation chosen =
+        Vehicle.of(state).map(vehicle -> ground.raised(followed, vehicle)).orElse(followed);
     Optional<PlannerState> planner = states.forGoal(chosen);
     if (planner.isEmpty()) {
       complain(
@@ -384,7 +396,7 @@ public class PathPlanner extends EventDrivenService {
     goal = Optional.of(chosen);
     foreseen = after.map(GoalInformation::uid).orElse("");
     Plan plan = planner.get().plan(pursuit);
-    landed = chosen instanceof Landing && plan.progress() == Plan.Progress.COMPLETED;
+    ground.lead(chosen, plan, clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =
           plan.progress() == Plan.Progress.COMPLETED ? LogLevelEnum.INFO : LogLevelEnum.WARN;
@@ -414,7 +426,8 @@ public class PathPlanner extends EventDrivenService {
       reports.forget(); // the next leg does not start at that position
     }
     goal = Optional.empty();
-    if (landed) {
+    ground.hold();
+    if (stays()) {
       return List.of();
     }
     Vehicle vehicle = Vehicle.of(state).orElseThrow();

@@ -1,0 +1,120 @@
+package org.u2sa.planning;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.TakeOff;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.planning.guidance.Place;
+import org.u2sa.planning.guidance.Vehicle;
+import org.u2sa.service.handover.HandOver;
+
+/**
+ * Whether an aircraft still or again stands on the ground, where holding a position must not lift
+ * it off; and the minimum height above that ground at which an aeroplane circles or returns. An
+ * aircraft has left the ground once it has been led to a goal for a second while armed, or is fast.
+ */
+final class GroundWatch {
+  private static final double AT_REST_MPS = 1.0;
+  private static final double MOVES_MPS = 5.0;
+  private static final long LED_MICROS = Clock.MICROS_PER_SECOND;
+  private static final long NEVER = Long.MIN_VALUE;
+
+  private final Supplier<FlightVariables> settings;
+  private final BooleanSupplier isAeroplane;
+  private boolean armed = true; // without an arming service
+  private boolean left;
+  private boolean landed;
+  private long firstLed = NEVER;
+  private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
+
+  GroundWatch(Supplier<FlightVariables> settings, BooleanSupplier isAeroplane) {
+    this.settings = settings;
+    this.isAeroplane = isAeroplane;
+  }
+
+  void handOver(HandOver state) {
+    state.flag("LEFT GROUND", left).flag("LANDED", landed);
+    groundUpM.ifPresent(altitude -> state.number("GROUND UP", altitude));
+  }
+
+  void takeOver(HandOver state) {
+    left = state.flag("LEFT GROUND");
+    landed = state.flag("LANDED");
+    groundUpM = state.number("GROUND UP");
+  }
+
+  void heed(ArmingState state) {
+    armed = state.armed();
+  }
+
+  /** Flown by hand, it may be anywhere afterwards. */
+  void flownByHand() {
+    left = true;
+    landed = false;
+  }
+
+  void see(Vehicle vehicle) {
+    left |= vehicle.speedMps() > MOVES_MPS; // as off a catapult
+    if ((!left || landed) && vehicle.speedMps() < AT_REST_MPS) {
+      groundUpM = vehicle.place().upM();
+    }
+  }
+
+  /** Sees that the vehicle is led to a goal. */
+  void lead(GoalInformation goal, Plan plan, long micros) {
+    landed = goal instanceof Landing && plan.progress() == Plan.Progress.COMPLETED;
+    if (!armed || plan.points().isEmpty()) {
+      firstLed = NEVER;
+    } else if (firstLed == NEVER) {
+      firstLed = micros;
+    }
+    left |= firstLed != NEVER && micros - firstLed >= LED_MICROS;
+  }
+
+  /** Sees that the vehicle holds. */
+  void hold() {
+    firstLed = NEVER;
+  }
+
+  /** Whether holding means staying on the ground. */
+  boolean stays(List<GoalInformation> goals) {
+    boolean isAircraft =
+        isAeroplane.getAsBoolean() || goals.stream().anyMatch(TakeOff.class::isInstance);
+    return landed || (!left && isAircraft);
+  }
+
+  /** A place at the minimum height at least; unchanged without altitude. */
+  Place raised(Place place) {
+    OptionalDouble leastM = leastUpM();
+    boolean isLow =
+        leastM.isPresent() && place.upM().orElse(leastM.getAsDouble()) < leastM.getAsDouble();
+    return isLow ? place.at(leastM.getAsDouble()) : place;
+  }
+
+  /** A waypoint without altitude, at the minimum height while the vehicle is lower. */
+  GoalInformation raised(GoalInformation goal, Vehicle vehicle) {
+    boolean isOpen = goal.getClass() == Waypoint.class && ((Waypoint) goal).z().isEmpty();
+    Place here = vehicle.place();
+    Place raised = isOpen ? raised(here) : here;
+    if (raised.equals(here)) {
+      return goal;
+    }
+    Waypoint copy = ((Waypoint) goal).copy();
+    double upM = raised.upM().orElseThrow();
+    return copy.z(copy.referenceFrame().equals(ReferenceFrame.LOCAL_NED) ? -upM : upM);
+  }
+
+  private OptionalDouble leastUpM() {
+    double heightM = settings.get().minHoldHeight();
+    return isAeroplane.getAsBoolean() && groundUpM.isPresent() && heightM > 0.0
+        ? OptionalDouble.of(groundUpM.getAsDouble() + heightM)
+        : OptionalDouble.empty();
+  }
+}

@@ -1,0 +1,115 @@
+package org.u2sa.planning;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
+import org.u2sa.messages.frame.ReferenceFrame;
+import org.u2sa.messages.goal.GoalInformation;
+import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.TakeOff;
+import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.safety.ArmingState;
+import org.u2sa.planning.guidance.Vehicle;
+
+class GroundWatchTest {
+  private static final List<GoalInformation> TAKE_OFF = List.of(new TakeOff().uid("up"));
+  private static final List<GoalInformation> WAYPOINT = List.of(waypoint());
+  private static final Plan UNDER_WAY =
+      Plan.underWay(List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0))));
+
+  private boolean isAeroplane = true;
+  private final GroundWatch watch =
+      new GroundWatch(() -> new FlightVariables(3, 600, 5, 15, 40, 0.5, 0.1), () -> isAeroplane);
+
+  private static Waypoint waypoint() {
+    return new Waypoint().uid("a").referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0);
+  }
+
+  private static Vehicle vehicle(double upM, double speedMps) {
+    StateInformation state =
+        new StateInformation()
+            .referenceFrame(ReferenceFrame.LOCAL_NED)
+            .x(0.0)
+            .y(0.0)
+            .z(-upM)
+            .xDot(speedMps)
+            .yDot(0.0)
+            .zDot(0.0)
+            .phi(0.0)
+            .theta(0.0)
+            .psi(0.0);
+    state.timestamp(0L);
+    return Vehicle.of(state).orElseThrow();
+  }
+
+  private void lead(double fromS, double toS) {
+    for (double s = fromS; s <= toS; s += 0.1) {
+      watch.lead(TAKE_OFF.get(0), UNDER_WAY, Math.round(s * 1e6));
+    }
+  }
+
+  @Test
+  void stays_beforeItWasLedForASecond_onlyAircraftDo() {
+    assertThat(watch.stays(WAYPOINT)).isTrue();
+    isAeroplane = false;
+    assertThat(watch.stays(TAKE_OFF)).isTrue();
+    assertThat(watch.stays(WAYPOINT)).isFalse();
+
+    lead(0.0, 0.8);
+    assertThat(watch.stays(TAKE_OFF)).isTrue();
+    lead(0.9, 1.1);
+    assertThat(watch.stays(TAKE_OFF)).isFalse();
+  }
+
+  @Test
+  void stays_ledWhileNotArmedOrWithAPause_isOnTheGround() {
+    watch.heed(new ArmingState().armed(false));
+    lead(0.0, 5.0);
+    watch.heed(new ArmingState().armed(true));
+    lead(5.1, 5.8);
+    watch.hold();
+    lead(9.0, 9.8);
+
+    assertThat(watch.stays(WAYPOINT)).isTrue();
+  }
+
+  @Test
+  void stays_fastWithoutBeingLedOrFlownByHand_hasLeft() {
+    watch.see(vehicle(0.0, 4.0));
+    assertThat(watch.stays(WAYPOINT)).isTrue();
+    watch.see(vehicle(0.0, 6.0));
+    assertThat(watch.stays(WAYPOINT)).isFalse();
+
+    watch.lead(new Landing(), new Plan(List.of(), Plan.Progress.COMPLETED, "stands"), 9_000_000L);
+    assertThat(watch.stays(WAYPOINT)).isTrue();
+    watch.flownByHand();
+    assertThat(watch.stays(WAYPOINT)).isFalse();
+  }
+
+  @Test
+  void raised_lowOverTheGroundItTookOffFrom_isAtTheMinimumHeight() {
+    watch.see(vehicle(100.0, 0.0));
+    lead(0.0, 1.1);
+    watch.see(vehicle(103.0, 0.5)); // in a head wind
+
+    assertThat(watch.raised(vehicle(110.0, 20.0).place()).upM()).hasValue(140.0);
+    assertThat(watch.raised(vehicle(150.0, 20.0).place()).upM()).hasValue(150.0);
+    assertThat(((Waypoint) watch.raised(waypoint(), vehicle(110.0, 20.0))).z()).hasValue(-140.0);
+    assertThat(watch.raised(waypoint().z(-5.0), vehicle(110.0, 20.0)))
+        .isEqualTo(waypoint().z(-5.0));
+    assertThat(watch.raised(waypoint(), vehicle(150.0, 20.0))).isEqualTo(waypoint());
+    isAeroplane = false;
+    assertThat(watch.raised(waypoint(), vehicle(110.0, 20.0))).isEqualTo(waypoint());
+  }
+
+  @Test
+  void raised_startedInTheAir_isUnchanged() {
+    watch.see(vehicle(100.0, 20.0));
+
+    assertThat(watch.raised(vehicle(110.0, 20.0).place()).upM()).hasValue(110.0);
+  }
+}
