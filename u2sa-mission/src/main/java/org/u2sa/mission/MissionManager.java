@@ -254,6 +254,7 @@ public final class MissionManager extends PeriodicService {
   private void onManual(ManualState state) {
     boolean isNews = clock().micros() - state.timestamp().orElse(0L) < MANUAL_NEWS_MICROS;
     MissionProgress progress = run.progress();
+    run.drivenBy(state.active() && isNews ? state.operator() : "");
     if (state.active() && isNews && !progress.isPaused() && !progress.mission().isOver()) {
       passTime();
       progress.pause(true);
@@ -375,6 +376,12 @@ public final class MissionManager extends PeriodicService {
   private void changeTo(String uid) {
     if (!run.progress().pursued().knows(uid)) {
       log(LogLevelEnum.WARN, "command to change to goal \"" + uid + "\" rejected: unknown");
+      return;
+    }
+    if (run.objection().isPresent()) {
+      log(
+          LogLevelEnum.WARN,
+          "command to change to goal \"" + uid + "\" rejected: " + run.objection().get());
       return;
     }
     passTime();

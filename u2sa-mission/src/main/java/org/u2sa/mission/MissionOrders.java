@@ -3,6 +3,7 @@ package org.u2sa.mission;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,7 @@ import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.GoalResult;
 import org.u2sa.messages.goal.Waypoint;
+import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.messages.mission.MissionOrderResult;
 import org.u2sa.messages.schema.MessageTypes;
@@ -32,6 +34,15 @@ import org.u2sa.messages.schema.MessageTypes;
  */
 final class MissionOrders {
   private static final int REMEMBERED = 64;
+
+  /** Orders that do not lead the vehicle anywhere at once, unless they say so. */
+  private static final Set<MissionAction> PLANNING =
+      EnumSet.of(
+          MissionAction.SKIP,
+          MissionAction.INSERT,
+          MissionAction.UPDATE,
+          MissionAction.PAUSE,
+          MissionAction.REPLACE);
 
   private final MissionRun run;
   private final Resumable resumable;
@@ -104,6 +115,13 @@ final class MissionOrders {
   }
 
   private String outcome(MissionOrder order) {
+    if (!PLANNING.contains(order.action()) || order.now()) {
+      run.objection()
+          .ifPresent(
+              why -> {
+                throw new BadInputException(why);
+              });
+    }
     return switch (order.action()) {
       case GOTO -> goTo(known(run.progress().pursued(), order.uid().orElse("")));
       case SKIP -> skip(order);

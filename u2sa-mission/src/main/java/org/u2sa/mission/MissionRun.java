@@ -15,6 +15,7 @@ final class MissionRun {
   private final DoubleSupplier thresholdM;
   private Mission mission; // as in its file
   private MissionProgress progress;
+  private String driver = ""; // who drives the vehicle by hand; empty: nobody
 
   /**
    * @param thresholdM default horizontal threshold of waypoints [m]
@@ -39,6 +40,18 @@ final class MissionRun {
 
   void progress(MissionProgress reached) {
     progress = reached;
+  }
+
+  void drivenBy(String operator) {
+    driver = operator;
+  }
+
+  /** Reason not to lead the vehicle to a goal; empty if there is none. */
+  Optional<String> objection() {
+    return driver.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "the vehicle is driven by hand by \"" + driver + "\"; expected the order afterwards");
   }
 
   /** Default horizontal threshold of waypoints [m]. */

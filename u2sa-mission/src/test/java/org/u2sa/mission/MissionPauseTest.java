@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.mission.GoalCommand;
 import org.u2sa.messages.mission.MissionAction;
@@ -17,6 +19,7 @@ import org.u2sa.messages.mission.MissionRequest;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.messages.safety.FailsafeAction;
 import org.u2sa.messages.safety.FailsafeState;
+import org.u2sa.messages.safety.ManualState;
 
 /** A mission that an operator pauses, and how it goes on. */
 class MissionPauseTest extends ThreeWaypoints {
@@ -215,5 +218,30 @@ class MissionPauseTest extends ThreeWaypoints {
     kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("2"));
     assertThat(current()).containsExactly("2");
     assertThat(paused()).isFalse();
+  }
+
+  private void drive(boolean active) {
+    ManualState state = new ManualState().active(active).operator("Ann");
+    state.timestamp(kit.clock().micros());
+    kit.publish(Channels.MANUAL_STATE, state);
+  }
+
+  /** They would lead the vehicle away as soon as the driver hands it back. */
+  @ParameterizedTest
+  @EnumSource(names = {"GOTO", "RESUME", "RETURN", "LAND"})
+  void obey_whileDrivenByHand_isRefusedAndTheMissionStaysPaused(MissionAction action) {
+    kit.start(MissionManager::new);
+    drive(true);
+    assertThat(paused()).isTrue();
+
+    refused(
+        order(action).uid("2"),
+        "the vehicle is driven by hand by \"Ann\"; expected the order afterwards");
+    kit.publish(Channels.GOAL_COMMANDS, new GoalCommand().uid("2"));
+    assertThat(paused()).isTrue();
+    assertThat(current()).containsExactly("1");
+    accepted(order(MissionAction.SKIP), "goal \"1\" skipped; current: 2");
+    drive(false);
+    accepted(order(MissionAction.GOTO).uid("3"), "pursuing goal \"3\"");
   }
 }

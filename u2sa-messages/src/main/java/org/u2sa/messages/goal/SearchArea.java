@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.u2sa.messages.Metric;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.schema.MessageType;
@@ -21,6 +22,8 @@ public class SearchArea extends GoalInformation {
 
   private static final int MAX_CORNERS = 200;
   private static final double MAX_RESOLUTION_M = 1.27; // of the coverage ledger
+
+  private static final double MAX_SIDE_M = 75_000.0;
 
   private static final Schema<SearchArea> SCHEMA =
       Schema.of(SearchArea.class, SearchArea::new, GoalInformation.TYPE).since(3);
@@ -143,6 +146,19 @@ public class SearchArea extends GoalInformation {
     Optional<String> crossing = Outline.crossing(outline);
     if (crossing.isPresent()) {
       return crossing;
+    }
+    Metric metric = Metric.around(referenceFrame(), outline.get(0));
+    for (Point corner : outline) {
+      Point away = metric.metres(corner);
+      double awayM = Math.hypot(away.x(), away.y());
+      if (awayM > MAX_SIDE_M) {
+        return Optional.of(
+            String.format(
+                Locale.ROOT,
+                "corners: %.0f km from the first one; expected at most %.0f km",
+                awayM / 1_000.0,
+                MAX_SIDE_M / 1_000.0));
+      }
     }
     if (lowest().isPresent() && lowest().getAsDouble() > highest().orElse(Double.MAX_VALUE)) {
       return Optional.of(

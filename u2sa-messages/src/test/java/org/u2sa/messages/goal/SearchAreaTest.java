@@ -32,6 +32,7 @@ class SearchAreaTest {
         "1 1; 2 2; 3 3 | corners: enclose nothing; expected an outline",
         "1 1; 1 1; 1 1 | corners: enclose nothing; expected an outline",
         "0 0; 2 2; 2 0; 0 2 | corners: the edge after corner 1 crosses the one after corner 3; expected an outline",
+        "0 0; 40 0; 40 40; 0 40 | corners: 4100 km from the first one; expected at most 75 km",
         "0 0; 1 0; 1 95 | corners: 1.0 95.0; expected longitude and latitude"
       })
   void fault_outlineThatIsNone_namesIt(String corners, String fault) {
@@ -41,12 +42,12 @@ class SearchAreaTest {
 
   @Test
   void fault_concaveOutline_none() {
-    assertThat(area("0 0; 3 0; 3 1; 1 1; 1 3; 0 3").fault()).isEmpty();
+    assertThat(area("0 0; 0.3 0; 0.3 0.1; 0.1 0.1; 0.1 0.3; 0 0.3").fault()).isEmpty();
   }
 
   @Test
   void fault_altitudesThatCannotBeFlown_namesThem() {
-    String square = "0 0; 1 0; 1 1; 0 1";
+    String square = "0 0; 0.1 0; 0.1 0.1; 0 0.1";
     assertThat(area(square).highest(43.0).fault())
         .hasValue("highest: 43.0 m; expected an altitude above the ground, 43.0 m");
     assertThat(area(square).lowest(120.0).highest(100.0).fault())
