@@ -55,12 +55,18 @@ final class Lz4Frame {
     return end + Integer.BYTES;
   }
 
-  /** Decodes a frame of {@link #write}; null if it has another format or size, or is damaged. */
+  /**
+   * Decodes a frame of {@link #write} or of linked blocks; null for others, another size, or
+   * damage.
+   */
   static byte[] read(byte[] frame, long size) {
     boolean isOurs =
         frame.length >= HEADER.length && Arrays.equals(Arrays.copyOf(frame, HEADER.length), HEADER);
-    if (!isOurs || size < 0 || size > MAX_TIMES * frame.length) {
+    if (size < 0 || size > MAX_TIMES * frame.length) {
       return null;
+    }
+    if (!isOurs) {
+      return LinkedLz4Frame.read(frame, (int) size);
     }
     ByteBuffer in = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
     byte[] to = new byte[(int) size];

@@ -1,11 +1,13 @@
 package org.u2sa.recorder.mcap;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.Arrays;
+import java.util.Base64;
 import java.util.Random;
 import net.jpountz.lz4.LZ4Factory;
 import net.jpountz.lz4.LZ4FrameOutputStream;
@@ -75,6 +77,35 @@ class Lz4FrameTest {
       changed[i] ^= 0x55;
       byte[] read = Lz4Frame.read(changed, bytes.length);
       assertThat(read == null || read.length == bytes.length).isTrue();
+    }
+  }
+
+  /** 140,000 bytes by the LZ4 library 1.9.4 with its defaults, but blocks of 64 KiB. */
+  private static final String LINKED =
+      "BCJNGExA4CICAAAAAAD9HwEAAP8FVTJTQSBsaW5rZWQgYmxvY2tzLiAUAP////////////////////////////////////////////////////"
+          + "//////////////////////////////////////////////////////////////////////////////////////////////////////////////"
+          + "//////////////////////////////////////////////////////////////////////////////////////////////////////////////"
+          + "/////////////////////////////////////////////////////////////////////UUCBibG9jCgEAAA/w////////////////////////"
+          + "//////////////////////////////////////////////////////////////////////////////////////////////////////////////"
+          + "//////////////////////////////////////////////////////////////////////////////////////////////////////////////"
+          + "///////////////////////////////////////////////////////////////////////////////////////////////////oUG5rZWQgLA"
+          + "AAAA8UAP/////////////////////////////////////////////qUGNrcy4gAAAAANBpO6k=";
+
+  @Test
+  void read_linkedBlocksOfTheLz4Library_areTheBytes() {
+    byte[] frame = Base64.getDecoder().decode(LINKED);
+    String text = "U2SA linked blocks. ".repeat(7_000);
+
+    assertThat(Lz4Frame.read(frame, text.length())).isEqualTo(text.getBytes(US_ASCII));
+    assertThat(Lz4Frame.read(frame, text.length() - 1)).isNull();
+    for (int length = 0; length < frame.length - 8; length++) {
+      assertThat(Lz4Frame.read(Arrays.copyOf(frame, length), text.length())).isNull();
+    }
+    for (int i = 0; i < frame.length; i++) {
+      byte[] changed = frame.clone();
+      changed[i] ^= 0x55;
+      byte[] read = Lz4Frame.read(changed, text.length());
+      assertThat(read == null || read.length == text.length()).isTrue();
     }
   }
 }
