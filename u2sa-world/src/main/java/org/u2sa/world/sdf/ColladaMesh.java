@@ -24,10 +24,10 @@ final class ColladaMesh {
   private final Map<String, List<Point>> corners = new HashMap<>(); // by the geometry's id
   private final Predicate<String> wanted;
   private final ReadBudget budget;
-  private final MeshPoints.Corners placed;
+  private final MeshCorners placed;
 
   private ColladaMesh(
-      XmlElement root, Predicate<String> wanted, ReadBudget budget, MeshPoints.Corners placed) {
+      XmlElement root, Predicate<String> wanted, ReadBudget budget, MeshCorners placed) {
     ids = new ColladaIds(root);
     geometries = new ColladaGeometry(ids);
     this.wanted = wanted;
@@ -44,8 +44,7 @@ final class ColladaMesh {
    * @throws org.u2sa.interfaces.BadInputException naming the element that cannot be read
    * @throws IOException if a corner's coordinates are not finite
    */
-  static void read(
-      Path file, Predicate<String> wanted, ReadBudget budget, MeshPoints.Corners placed)
+  static void read(Path file, Predicate<String> wanted, ReadBudget budget, MeshCorners placed)
       throws IOException {
     XmlElement root = XmlReader.read(file, "COLLADA");
     ColladaMesh mesh = new ColladaMesh(root, wanted, budget, placed);

@@ -7,7 +7,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Predicate;
@@ -28,14 +27,6 @@ final class MeshPoints {
 
   private MeshPoints() {}
 
-  /** Receives the corners of a mesh. */
-  interface Corners {
-    /**
-     * @throws IOException if a coordinate is not finite
-     */
-    void add(double x, double y, double z) throws IOException;
-  }
-
   /**
    * Reads the corners of a mesh in its own units, those of COLLADA in metres.
    *
@@ -49,8 +40,7 @@ final class MeshPoints {
       throw new IOException("has more than 64 MB");
     }
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    List<Point> points = new ArrayList<>();
-    Corners corners = (x, y, z) -> points.add(Point.of(finite(x), finite(y), finite(z)));
+    MeshCorners corners = new MeshCorners();
     if (name.endsWith(".stl")) {
       if (wanted.test("")) {
         readStl(Files.readAllBytes(file), corners);
@@ -66,13 +56,14 @@ final class MeshPoints {
     } else {
       throw new IOException("is neither STL, OBJ nor DAE");
     }
+    List<Point> points = corners.points();
     if (points.isEmpty()) {
       throw new IOException("has no corners");
     }
     return points;
   }
 
-  private static void readStl(byte[] bytes, Corners corners) throws IOException {
+  private static void readStl(byte[] bytes, MeshCorners corners) throws IOException {
     ByteBuffer stl = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     long facets =
         bytes.length < STL_HEADER ? -1 : Integer.toUnsignedLong(stl.getInt(STL_HEADER - 4));
@@ -91,25 +82,10 @@ final class MeshPoints {
     }
     Matcher found = STL_VERTEX.matcher(text);
     while (found.find()) {
-      corners.add(number(found.group(1)), number(found.group(2)), number(found.group(3)));
+      corners.add(
+          MeshCorners.number(found.group(1)),
+          MeshCorners.number(found.group(2)),
+          MeshCorners.number(found.group(3)));
     }
-  }
-
-  /**
-   * @throws IOException unless the word is a finite number
-   */
-  static double number(String word) throws IOException {
-    try {
-      return finite(Double.parseDouble(word));
-    } catch (NumberFormatException e) {
-      throw new IOException("\"" + word + "\" is not a number", e);
-    }
-  }
-
-  private static double finite(double number) throws IOException {
-    if (!Double.isFinite(number)) {
-      throw new IOException("has a corner with invalid coordinates");
-    }
-    return number;
   }
 }

@@ -27,8 +27,7 @@ final class ObjMesh {
    * @param corners receives each corner of a face once
    * @throws IOException naming the line that cannot be read
    */
-  static void read(String text, Predicate<String> wanted, MeshPoints.Corners corners)
-      throws IOException {
+  static void read(String text, Predicate<String> wanted, MeshCorners corners) throws IOException {
     ObjMesh mesh = new ObjMesh(wanted);
     BufferedReader lines = new BufferedReader(new StringReader(text));
     int number = 1;
@@ -58,7 +57,7 @@ final class ObjMesh {
         }
         double[] xyz = new double[3];
         for (int i = 0; i < xyz.length; i++) {
-          xyz[i] = MeshPoints.number(words[i + 1]);
+          xyz[i] = MeshCorners.number(words[i + 1]);
         }
         vertices.add(Point.of(xyz[0], xyz[1], xyz[2]));
       }
@@ -76,7 +75,7 @@ final class ObjMesh {
 
   /** Index of a face's corner such as 3/1/2: from 1, or backwards from the newest vertex at -1. */
   private int index(String corner) throws IOException {
-    double given = MeshPoints.number(corner.split("/", 2)[0]);
+    double given = MeshCorners.number(corner.split("/", 2)[0]);
     double index = given < 0.0 ? vertices.size() + given : given - 1.0;
     if (index != Math.rint(index) || index < 0.0 || index >= vertices.size()) {
       throw new IOException(
