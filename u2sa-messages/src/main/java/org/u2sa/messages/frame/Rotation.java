@@ -54,6 +54,21 @@ public final class Rotation {
     return rows(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
   }
 
+  /** Rotation of a quaternion other than 0, scalar first, of any length. */
+  public static Rotation ofQuaternion(double w, double x, double y, double z) {
+    double s = 2.0 / (w * w + x * x + y * y + z * z);
+    return rows(
+        1.0 - s * (y * y + z * z),
+        s * (x * y - w * z),
+        s * (x * z + w * y),
+        s * (x * y + w * z),
+        1.0 - s * (x * x + z * z),
+        s * (y * z - w * x),
+        s * (x * z - w * y),
+        s * (y * z + w * x),
+        1.0 - s * (x * x + y * y));
+  }
+
   /** Transforms a vector. */
   public Point times(Point v) {
     return Point.of(

@@ -7,11 +7,12 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
 
 /** Reads corners of STL, OBJ and COLLADA meshes, of which only the convex hull matters. */
@@ -21,103 +22,70 @@ final class MeshPoints {
   private static final int STL_FACET = 50;
   private static final int STL_NORMAL = 12;
   private static final String NUMBER = "\\s+([-+.\\deE]+)";
-  private static final Pattern STL_VERTEX = Pattern.compile("vertex" + NUMBER + NUMBER + NUMBER);
-  private static final Pattern OBJ_VERTEX = Pattern.compile("(?m)^v" + NUMBER + NUMBER + NUMBER);
-  private static final String DAE_ARRAY = "<float_array";
-  private static final Pattern DAE_POSITION = Pattern.compile("id=\"[^\"]*[Pp]osition");
-  private static final int LONGEST_TAG = 1_000;
+  private static final Pattern STL_VERTEX =
+      Pattern.compile("(?i)vertex" + NUMBER + NUMBER + NUMBER);
 
   private MeshPoints() {}
 
   /**
-   * Reads the corners of a mesh in its own units.
+   * Reads the corners of a mesh in its own units, those of COLLADA in metres.
    *
+   * @param wanted names of the parts to be read; STL's has none: ""
+   * @param budget for parts that a file contains several times
    * @throws IOException if it cannot be read, is too long, or is of another format
    */
-  static List<Point> read(Path file) throws IOException {
+  static List<Point> read(Path file, Predicate<String> wanted, ReadBudget budget)
+      throws IOException {
     if (Files.size(file) > LARGEST_BYTES) {
       throw new IOException("has more than 64 MB");
     }
-    byte[] bytes = Files.readAllBytes(file);
     String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-    List<Point> points = new ArrayList<>();
+    MeshCorners corners = new MeshCorners();
     if (name.endsWith(".stl")) {
-      readStl(bytes, points);
+      if (wanted.test("")) {
+        readStl(Files.readAllBytes(file), corners);
+      }
     } else if (name.endsWith(".obj")) {
-      match(OBJ_VERTEX, new String(bytes, ISO_8859_1), points);
+      ObjMesh.read(new String(Files.readAllBytes(file), ISO_8859_1), wanted, corners);
     } else if (name.endsWith(".dae")) {
-      readCollada(new String(bytes, ISO_8859_1), points);
+      try {
+        ColladaMesh.read(file, wanted, budget, corners);
+      } catch (BadInputException e) { // a third-party mesh may be faulty
+        throw new IOException(e.getMessage(), e);
+      }
     } else {
       throw new IOException("is neither STL, OBJ nor DAE");
     }
+    List<Point> points = corners.points();
     if (points.isEmpty()) {
       throw new IOException("has no corners");
     }
     return points;
   }
 
-  private static void readStl(byte[] bytes, List<Point> points) throws IOException {
+  private static void readStl(byte[] bytes, MeshCorners corners) throws IOException {
     ByteBuffer stl = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     long facets =
         bytes.length < STL_HEADER ? -1 : Integer.toUnsignedLong(stl.getInt(STL_HEADER - 4));
-    if (facets >= 0 && STL_HEADER + facets * STL_FACET == bytes.length) {
+    long length = STL_HEADER + facets * STL_FACET;
+    String text = new String(bytes, ISO_8859_1);
+    // Some programs begin binary files with "solid", others append to them.
+    if (facets >= 0
+        && (length == bytes.length || length < bytes.length && !text.startsWith("solid"))) {
       for (int i = 0; i < facets; i++) {
         int at = STL_HEADER + i * STL_FACET + STL_NORMAL;
         for (int corner = 0; corner < 3; corner++, at += 3 * Float.BYTES) {
-          add(stl.getFloat(at), stl.getFloat(at + 4), stl.getFloat(at + 8), points);
+          corners.add(stl.getFloat(at), stl.getFloat(at + 4), stl.getFloat(at + 8));
         }
       }
-    } else {
-      match(STL_VERTEX, new String(bytes, ISO_8859_1), points);
+      return;
     }
-  }
-
-  /** Does not use a pattern, which would backtrack excessively in a file with unclosed tags. */
-  private static void readCollada(String text, List<Point> points) throws IOException {
-    int tagEnd = -1;
-    int next;
-    for (int at = text.indexOf(DAE_ARRAY); at >= 0; at = next) {
-      next = text.indexOf(DAE_ARRAY, at + 1);
-      tagEnd = tagEnd < at ? text.indexOf('>', at) : tagEnd;
-      if (tagEnd < 0) {
-        return;
-      }
-      boolean isTag = next < 0 || tagEnd < next;
-      if (isTag
-          && tagEnd - at < LONGEST_TAG
-          && DAE_POSITION.matcher(text.substring(at, tagEnd)).find()) {
-        int end = text.indexOf('<', tagEnd);
-        readPositions(text.substring(tagEnd + 1, end < 0 ? text.length() : end), points);
-      }
-    }
-  }
-
-  private static void readPositions(String numbers, List<Point> points) throws IOException {
-    String[] words = numbers.trim().split("\\s+");
-    for (int i = 0; i + 2 < words.length; i += 3) {
-      add(number(words[i]), number(words[i + 1]), number(words[i + 2]), points);
-    }
-  }
-
-  private static void match(Pattern pattern, String text, List<Point> points) throws IOException {
-    Matcher found = pattern.matcher(text);
+    Matcher found = STL_VERTEX.matcher(text);
     while (found.find()) {
-      add(number(found.group(1)), number(found.group(2)), number(found.group(3)), points);
+      corners.add(
+          MeshCorners.number(found.group(1)),
+          MeshCorners.number(found.group(2)),
+          MeshCorners.number(found.group(3)));
     }
-  }
-
-  private static double number(String word) throws IOException {
-    try {
-      return Double.parseDouble(word);
-    } catch (NumberFormatException e) {
-      throw new IOException("\"" + word + "\" is not a number", e);
-    }
-  }
-
-  private static void add(double x, double y, double z, List<Point> points) throws IOException {
-    if (!Double.isFinite(x + y + z)) {
-      throw new IOException("has a corner with invalid coordinates");
-    }
-    points.add(Point.of(x, y, z));
   }
 }

@@ -13,7 +13,15 @@ final class ReadBudget {
   private static final long MAX_BYTES = 512L << 20;
   private static final long MIN_COST = 65_536; // for opening a file, however short
 
+  private final Path world;
   private long left = MAX_BYTES;
+
+  /**
+   * @param world its file, for the message
+   */
+  ReadBudget(Path world) {
+    this.world = world;
+  }
 
   /**
    * Takes the cost of reading a file.
@@ -25,10 +33,19 @@ final class ReadBudget {
     if (!Files.isRegularFile(file)) {
       throw new IOException("is not a regular file");
     }
-    left -= Math.max(MIN_COST, Files.size(file));
+    take(Math.max(MIN_COST, Files.size(file)));
+  }
+
+  /**
+   * Takes the cost of a part of a file that is repeated.
+   *
+   * @throws BadInputException if the budget is exhausted
+   */
+  void take(long bytes) {
+    left -= bytes;
     if (left < 0) {
       throw new BadInputException(
-          file
+          world
               + ": the world's models and meshes exceed "
               + (MAX_BYTES >> 20)
               + " MB, each counted as often as it is included");

@@ -10,12 +10,14 @@ import org.u2sa.interfaces.xml.XmlElement;
 /**
  * Poses of the elements of a world or model in its frame. An element's pose may be relative to a
  * link, model, frame or joint beside it ({@code relative_to}; a frame also {@code attached_to}), as
- * in SDFormat 1.7 and later.
+ * in SDFormat 1.7 and later, or to one inside a model beside it ({@code model::frame}). The pose of
+ * a model is that of its {@code placement_frame}.
  */
 final class SdfFrames {
-  private static final Set<String> NAMED = Set.of("link", "model", "include", "frame", "joint");
+  private static final Set<String> NAMED = Set.of("link", "model", "frame", "joint");
   private static final Set<String> SCOPE = Set.of("", "__model__", "world");
 
+  private static final String INSIDE = "::";
   private static final int DEEPEST = 64; // maximum depth of poses relative to each other
 
   private final Map<String, XmlElement> named = new HashMap<>();
@@ -29,9 +31,7 @@ final class SdfFrames {
     this.ignored = ignored;
     for (XmlElement each : scope.children()) {
       if (NAMED.contains(each.name())) {
-        each.optionalAttribute("name")
-            .or(() -> each.child("name").map(XmlElement::text))
-            .ifPresent(name -> named.putIfAbsent(name, each));
+        each.optionalAttribute("name").ifPresent(name -> named.putIfAbsent(name, each));
       }
     }
   }
@@ -55,17 +55,39 @@ final class SdfFrames {
       throw element.error(
           "poses are relative to each other more than " + DEEPEST + " deep, or in a circle");
     }
-    SdfPose own = SdfPose.of(element);
+    SdfPose own = SdfPose.of(element).then(fromPlacement(element, path, depth));
     String frame = relativeTo(element).or(() -> usual(element)).orElse("");
+    return named(frame, path, depth).then(own);
+  }
+
+  /** Pose of a frame of the scope by its name. */
+  private SdfPose named(String frame, String path, int depth) {
     if (SCOPE.contains(frame)) {
-      return own;
+      return SdfPose.NONE;
     }
-    XmlElement found = named.get(frame);
+    int inner = named.containsKey(frame) ? -1 : frame.indexOf(INSIDE);
+    XmlElement found = named.get(inner < 0 ? frame : frame.substring(0, inner));
     if (found == null) {
-      ignored.add(path + ": pose relative to " + frame + ", which is not found beside it");
-      return own;
+      ignored.add(path + ": pose relative to " + frame + ", which is not found");
+      return SdfPose.NONE;
     }
-    return of(found, path, depth + 1).then(own);
+    SdfPose pose = of(found, path, depth + 1);
+    if (inner < 0) {
+      return pose;
+    }
+    String rest = frame.substring(inner + INSIDE.length());
+    return pose.then(new SdfFrames(found, ignored).named(rest, path, depth + 1));
+  }
+
+  /** Pose of a model in its placement frame. */
+  private SdfPose fromPlacement(XmlElement element, String path, int depth) {
+    String frame =
+        element.name().equals("model")
+            ? element.optionalAttribute("placement_frame").orElse("")
+            : "";
+    return frame.isEmpty()
+        ? SdfPose.NONE
+        : new SdfFrames(element, ignored).named(frame, path, depth + 1).inverse();
   }
 
   private static Optional<String> relativeTo(XmlElement element) {

@@ -1,7 +1,6 @@
 package org.u2sa.world.sdf;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -22,17 +21,14 @@ final class SdfGeometry {
   private static final int ROUND = 24; // corners of a rim
   private static final double FLAT_M = 1e-3; // thickness of flat shapes
 
-  private final SdfResources resources;
-  private final ReadBudget budget;
+  private final SdfMesh meshes;
   private final List<String> ignored;
 
   /**
-   * @param budget for the meshes
    * @param ignored receives elements that cannot be objects, with the reason
    */
-  SdfGeometry(SdfResources resources, ReadBudget budget, List<String> ignored) {
-    this.resources = resources;
-    this.budget = budget;
+  SdfGeometry(SdfMesh meshes, List<String> ignored) {
+    this.meshes = meshes;
     this.ignored = ignored;
   }
 
@@ -41,9 +37,8 @@ final class SdfGeometry {
    *
    * @param pose of the geometry in the world
    * @param name name in reports of ignored elements
-   * @param folder of the file that it is in
    */
-  Optional<ObjectDescription> object(XmlElement geometry, SdfPose pose, String name, Path folder) {
+  Optional<ObjectDescription> object(XmlElement geometry, SdfPose pose, String name) {
     for (XmlElement shape : geometry.children()) {
       switch (shape.name()) {
         case "box":
@@ -61,9 +56,9 @@ final class SdfGeometry {
         case "sphere":
           return Optional.of(sphere(SdfNumbers.positive(shape, "radius"), pose));
         case "polyline":
-          return polyline(shape, pose, name);
+          return polylines(geometry, pose, name);
         case "mesh":
-          return mesh(shape, pose, name, folder);
+          return mesh(shape, pose, name);
         case "plane":
           ignored.add(name + ": a plane; the ground is the simulation's");
           return Optional.empty();
@@ -118,38 +113,28 @@ final class SdfGeometry {
     return at(new Sphere().radius(radius), pose.at());
   }
 
-  private Optional<ObjectDescription> polyline(XmlElement shape, SdfPose pose, String name) {
-    double height = SdfNumbers.positive(shape, "height");
+  private Optional<ObjectDescription> polylines(XmlElement geometry, SdfPose pose, String name) {
     List<Point> points = new ArrayList<>();
-    for (XmlElement point : shape.children("point")) {
-      double[] xy = SdfNumbers.of(point, 2);
-      points.add(pose.place(Point.of(xy[0], xy[1], 0.0)));
-      points.add(pose.place(Point.of(xy[0], xy[1], height)));
+    for (XmlElement shape : geometry.children("polyline")) { // the others are usually holes
+      double height = SdfNumbers.positive(shape, "height");
+      for (XmlElement point : shape.children("point")) {
+        double[] xy = SdfNumbers.of(point, 2);
+        points.add(pose.place(Point.of(xy[0], xy[1], 0.0)));
+        points.add(pose.place(Point.of(xy[0], xy[1], height)));
+      }
     }
     return hull(points, name);
   }
 
-  private Optional<ObjectDescription> mesh(
-      XmlElement shape, SdfPose pose, String name, Path folder) {
-    String uri = shape.requiredChild("uri").text();
-    double[] scale =
-        shape.child("scale").map(each -> SdfNumbers.of(each, 3)).orElse(new double[] {1, 1, 1});
-    Optional<Path> file = resources.find(uri, folder);
-    if (file.isEmpty()) {
-      ignored.add(name + ": mesh " + uri + " is not found");
-      return Optional.empty();
-    }
+  private Optional<ObjectDescription> mesh(XmlElement shape, SdfPose pose, String name) {
+    List<Point> points = new ArrayList<>();
     try {
-      budget.take(file.get());
-      List<Point> points = new ArrayList<>();
-      for (Point p : MeshPoints.read(file.get())) {
-        points.add(pose.place(Point.of(scale[0] * p.x(), scale[1] * p.y(), scale[2] * p.z())));
-      }
-      return hull(points, name);
+      meshes.points(shape).forEach(each -> points.add(pose.place(each)));
     } catch (IOException e) {
-      ignored.add(name + ": mesh " + uri + ": " + e.getMessage());
+      ignored.add(name + ": mesh " + shape.requiredChild("uri").text() + e.getMessage());
       return Optional.empty();
     }
+    return hull(points, name);
   }
 
   private Optional<ObjectDescription> hull(List<Point> points, String name) {

@@ -2,7 +2,7 @@ package org.u2sa.world.sdf;
 
 import org.u2sa.interfaces.xml.XmlElement;
 
-/** Numbers in elements of SDFormat, separated by spaces. */
+/** Numbers in elements of SDFormat and COLLADA, separated by spaces. */
 public final class SdfNumbers {
   private static final double LARGEST = 1e7;
 
@@ -37,6 +37,15 @@ public final class SdfNumbers {
       throw element.error("\"" + word + "\": expected a number up to 10,000,000");
     }
     return number;
+  }
+
+  /** Whether an element's text is SDFormat's yes. */
+  static boolean isTrue(XmlElement element) {
+    return isTrue(element.text());
+  }
+
+  static boolean isTrue(String word) {
+    return word.equals("true") || word.equals("1");
   }
 
   /** A number above 0 in a required child. */

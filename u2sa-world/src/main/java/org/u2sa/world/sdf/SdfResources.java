@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.u2sa.interfaces.xml.XmlElement;
 
 /**
  * Finds the models and meshes of a world: {@code model://name/…}, relative to the file, or by their
@@ -51,9 +52,9 @@ final class SdfResources {
   /**
    * The file or folder of a URI; empty if none of the folders contains it.
    *
-   * @param from folder of the file that names it
+   * @param from element that names it, and whose file's folder comes first
    */
-  Optional<Path> find(String uri, Path from) {
+  Optional<Path> find(String uri, XmlElement from) {
     List<Path> candidates = new ArrayList<>();
     try {
       if (uri.startsWith(MODEL)) {
@@ -63,7 +64,7 @@ final class SdfResources {
         String name = uri.substring(uri.lastIndexOf('/') + 1);
         roots.forEach(root -> candidates.add(root.resolve(name)));
       } else {
-        candidates.add(from.resolve(uri));
+        candidates.add(Paths.get(from.origin()).resolveSibling(uri));
         roots.forEach(root -> candidates.add(root.resolve(uri)));
       }
     } catch (InvalidPathException e) {

@@ -261,37 +261,6 @@ class SdfWorldTest {
                 .hasMessageContaining("as often as it is included"));
   }
 
-  @Test
-  void read_colladaWhoseTagsDoNotEnd_isReadSoon() throws IOException {
-    Files.writeString(folder.resolve("evil.dae"), "<float_array".repeat(400_000));
-
-    SdfWorld world =
-        assertTimeoutPreemptively(Duration.ofMinutes(10), () -> read(meshWorld("evil.dae")));
-
-    assertThat(world.ignored()).containsExactly("m/l: mesh evil.dae: has no corners");
-  }
-
-  @Test
-  void read_collada_takesThePositionsOnly() throws IOException {
-    Files.writeString(
-        folder.resolve("tetra.dae"),
-        """
-        <COLLADA><float_array count="9" id="mesh-positions-array"> 0 0 0  1 0 0
-          0 1 3 </float_array><float_array id="mesh-normals-array">9 9 9</float_array></COLLADA>
-        """);
-
-    Polygon mesh = object(read(meshWorld("tetra.dae")), Polygon.class, "m");
-
-    assertThat(mesh.height()).isCloseTo(3.0, within(1e-9));
-    assertThat(mesh.points()).hasSize(3).contains(Point.of(1.0, 0.0, 0.0));
-  }
-
-  private static String meshWorld(String file) {
-    return "<sdf version=\"1.9\"><model name=\"m\"><link name=\"l\"><collision name=\"c\"><geometry><mesh><uri>"
-        + file
-        + "</uri></mesh></geometry></collision></link></model></sdf>";
-  }
-
   private static byte[] stl(Point... corners) {
     ByteBuffer bytes = ByteBuffer.allocate(84 + 50).order(ByteOrder.LITTLE_ENDIAN);
     bytes.putInt(80, 1);
@@ -300,23 +269,6 @@ class SdfWorldTest {
       bytes.putFloat((float) each.x()).putFloat((float) each.y()).putFloat((float) each.z());
     }
     return bytes.array();
-  }
-
-  @ParameterizedTest
-  @CsvSource(
-      delimiter = '|',
-      value = {
-        "v 0 0 0\\nv 2 0 0\\nv 0 3 1 | .obj",
-        "solid a\\nvertex 0 0 0\\nvertex 2 0 0\\nvertex 0 3 1\\nendsolid | .stl",
-        "<float_array id=\"m-positions-array\" count=\"9\">0 0 0 2 0 0 0 3 1</float_array> | .dae"
-      })
-  void read_meshOfEachFormat_hasItsCorners(String text, String ending) throws IOException {
-    Path file = folder.resolve("mesh" + ending);
-    Files.writeString(file, text.replace("\\n", "\n"));
-
-    List<Point> points = MeshPoints.read(file);
-
-    assertThat(points).containsExactly(Point.of(0, 0, 0), Point.of(2, 0, 0), Point.of(0, 3, 1));
   }
 
   @Test
