@@ -131,7 +131,7 @@ class HostileFilesTest {
     refuses(
         root,
         "<" + root + " " + attributes + ">" + "<a>".repeat(100_000),
-        "elements within each other");
+        "nested elements");
   }
 
   @Test
