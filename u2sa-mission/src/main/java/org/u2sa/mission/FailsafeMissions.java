@@ -142,8 +142,7 @@ final class FailsafeMissions {
     if (own.get(0) instanceof Waypoint first) {
       Optional<List<Waypoint>> before = way.apply(first);
       if (before.isEmpty()) {
-        String problem =
-            "failsafe " + action + ": the fence leaves no way to its destination: holding";
+        String problem = "failsafe " + action + ": the fence leaves no way to its goal: holding";
         logger.log(LogLevelEnum.ERROR, problem);
         return Optional.of(ended());
       }

@@ -22,8 +22,7 @@ final class FenceRoute {
   /** Maximum number of corners; the time of the search grows with its square. */
   private static final int MAX_CORNERS = 150;
 
-  private static final double CHECKED =
-      0.9; // of the distance, because ways lead over the free area's corners
+  private static final double CHECKED = 0.9; // of the distance: ways lead over these corners
   private static final double ROUGH = 0.08; // of the distance, for simplification
   private static final double ROUGHEST = 20.0;
   private static final double MITRE = 2.0;

@@ -8,8 +8,7 @@ import java.util.Set;
 
 /**
  * Names for the goals of a file that have none: their number in the file, or, where goals are added
- * to a mission, the first number that names no goal of either. Takes time proportional to the
- * number of goals.
+ * to a mission, the first number that names no goal of either. Takes linear time.
  */
 final class FreeNumbers {
   private final boolean isAdding;

@@ -428,8 +428,8 @@ public final class MissionManager extends PeriodicService {
 
   /**
    * Whether a report with this goal and time has already arrived: duplicated by the network, or
-   * repeated by a planner that waits for an answer. In a loop each would count as another lap.
-   * False without a time.
+   * repeated by a planner until answered. In a loop each would count as another lap. False without
+   * a time.
    */
   private boolean isRepeated(GoalInformation report) {
     return report.timestamp().isPresent()

@@ -73,9 +73,8 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Returns the answers once the given services, or otherwise all known ones, have answered. All
-   * are asked, even for a single one, so that a mistyped name can be reported with the existing
-   * names.
+   * Returns the answers once the given services (default: all) have answered. All are asked, even
+   * for a single one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {
     DirectoryObservation heard = DirectoryObservation.begin(link);

@@ -92,9 +92,7 @@ public final class ViewServer implements AutoCloseable {
     return false;
   }
 
-  /**
-   * Reports messages that cannot be shown, less and less often because senders determine the rate.
-   */
+  /** Reports messages that cannot be shown, ever less often: senders determine the rate. */
   void notShown(String topic, RuntimeException why) {
     if (Long.bitCount(++notShown) == 1) { // 1, 2, 4, 8…
       remarks.accept("a message on " + topic + " cannot be shown, " + notShown + " so far: " + why);

@@ -23,10 +23,7 @@ final class FileOutline {
     this.dataCrc = dataCrc;
   }
 
-  /**
-   * Scans a file's records without reading its chunks; adds those outside chunks to the
-   * definitions.
-   */
+  /** Scans a file's records without reading its chunks; collects definitions outside them. */
   static FileOutline of(FileChannel channel, Definitions definitions, Consumer<String> trouble)
       throws IOException {
     Summary summary = findSummary(channel, trouble);

@@ -77,12 +77,7 @@ final class RecordStream {
     long length = prefix[1];
     if (prefix[0] == 0 || length < 0 || length > ReadLimits.MAX_LENGTH) {
       throw new McapException(
-          "at byte "
-              + position
-              + " there is no valid record: opcode "
-              + prefix[0]
-              + ", length "
-              + length);
+          "at byte " + position + ": no valid record: opcode " + prefix[0] + ", length " + length);
     }
     if (length > size - position - Opcode.PREFIX) {
       throw new EOFException("the file breaks off at byte " + size + ", within a record");

@@ -44,8 +44,7 @@ public final class CsvTables {
     Files.createDirectories(folder);
     Map<Topic, Path> files = new LinkedHashMap<>();
     Map<Path, Long> rows = new LinkedHashMap<>();
-    Map<String, Integer> namesakes =
-        new HashMap<>(); // avoids retrying numbers: there may be tens of thousands
+    Map<String, Integer> namesakes = new HashMap<>(); // counts; may be tens of thousands
     try (CsvFiles texts = new CsvFiles()) {
       for (Map.Entry<Topic, CsvColumns> table : columns.entrySet()) {
         String name = name(table.getKey());

@@ -39,10 +39,7 @@ public final class MessageFromJson {
   public U2SAData message(String origin, MessageType<?> type, Map<String, Object> json) {
     if (type.isAbstract()) {
       throw new BadInputException(
-          origin
-              + ": "
-              + type.name()
-              + " is abstract: expected \"type\" with the name of a subclass");
+          origin + ": " + type.name() + " is abstract: expected a subclass as \"type\"");
     }
     return filled(origin, type, json);
   }

@@ -15,8 +15,7 @@ public final class Track {
   public static final int DEFAULT_CAPACITY = 150_000;
 
   private static final int MIN_CAPACITY = 4;
-  private static final long LARGEST_STRIDE =
-      1L << 40; // against overflow: thinning may go on indefinitely
+  private static final long LARGEST_STRIDE = 1L << 40; // prevents overflow
 
   private final int capacity;
   private final List<TrackSample> samples = new ArrayList<>();

@@ -230,8 +230,7 @@ final class MotionMessages {
   }
 
   static int scaled(double value, double scale) {
-    return (int)
-        Math.round(value * scale); // would wrap beyond an int's range, which no value reaches
+    return (int) Math.round(value * scale); // no value exceeds an int's range
   }
 
   /** Speed [cm/s] in 16 bits. */
