@@ -214,7 +214,7 @@ def _root(file: pathlib.Path) -> ElementTree.Element:
         with file.open(encoding="utf-8") as opened:
             text = opened.read(_MAX_CHARACTERS + 1)
         if len(text) > _MAX_CHARACTERS:
-            raise BadConfiguration(f"{file}: is larger than {_MAX_CHARACTERS} characters, the most that is read")
+            raise BadConfiguration(f"{file}: is larger than {_MAX_CHARACTERS} characters, the maximum")
         if "<!DOCTYPE" in text:
             raise BadConfiguration(f"{file}: a DOCTYPE is not allowed here")
         builder = ElementTree.TreeBuilder(insert_comments=True)

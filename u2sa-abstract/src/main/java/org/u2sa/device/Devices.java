@@ -41,7 +41,7 @@ public final class Devices {
       Class<D> port, Usual usual, ServiceContext context, String service, Optional<D> made) {
     XmlConfiguration configuration = context.configuration();
     if (context.devices() != ServiceContext.DeviceSource.NONE) {
-      context.beforeDevice(); // a simulated one is a device, too
+      context.beforeDevice(); // a simulated one is also a device
     }
     Optional<D> provided =
         made.isPresent()

@@ -24,7 +24,7 @@ import org.u2sa.service.ServiceContext;
  * (thesis 4.4.1.3). In: state in GLOBAL, to position the targets; nothing is published before the
  * first state with a heading. Out: sensed-objects, uid {@code traffic}, the service's name and the
  * track number. A measurement without a target is published as a sphere of confidence 0, so that an
- * empty sea can be told from a silent radar.
+ * empty sea can be distinguished from a silent radar.
  */
 public final class RadarSensor extends DeviceSensor<TrackingRadar.Tracks> {
   private static final SensorKind<TrackingRadar> KIND =

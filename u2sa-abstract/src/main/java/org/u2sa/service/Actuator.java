@@ -62,8 +62,8 @@ public abstract class Actuator extends PeriodicService implements ActuatorOwner 
   }
 
   /**
-   * Announces the remaining effectiveness [%, 0…100], 0 if the device is lost; after the start
-   * only.
+   * Announces the remaining effectiveness [%, 0…100], 0 if the device is lost; only after the
+   * start.
    */
   protected final void available(double percent) {
     commands.available(actuatorName, percent);

@@ -45,7 +45,7 @@ public final class CommandedActuators {
           @Description(
               "Whether actuators obey only while a Safety Manager reports that the vehicle is armed.")
           boolean requiresArming,
-      // The longest restart or outage measured took 7.5 s, and it listens 0.5 s.
+      // The longest measured restart or outage took 7.5 s, after which it listens for 0.5 s.
       @Variable(unit = "s", min = 0, max = 3600, ifAbsent = 10)
           @Description(
               "Time without an arming state after which a vehicle that requires arming counts as disarmed; 0: never, for a vehicle that would fall from the air.")
@@ -322,7 +322,7 @@ public final class CommandedActuators {
     }
   }
 
-  /** Whether a state that a broker retained is of an earlier run. */
+  /** Whether a state retained by a broker is from an earlier run. */
   private boolean isOld(ArmingState state) {
     long now = service.clock().micros();
     return now - state.timestamp().orElse(now) > MAX_ARMED_AGE_MICROS;

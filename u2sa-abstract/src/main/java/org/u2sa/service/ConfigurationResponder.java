@@ -59,7 +59,7 @@ final class ConfigurationResponder {
   private long refused; // requests above the rate limit
 
   /**
-   * @param check refuses changes that do not fit together
+   * @param check refuses inconsistent changes
    * @param changed called after a change, with the names of the variables
    */
   ConfigurationResponder(
@@ -177,10 +177,10 @@ final class ConfigurationResponder {
     try {
       return change.get();
     } catch (RuntimeException e) { // thrown by the service's own check
-      String what = "a change of the configuration could not be judged: " + e;
+      String what = "a change of the configuration could not be checked: " + e;
       health.error(what);
       service.log(LogLevelEnum.WARN, what);
-      return configuration.refuse("the service could not judge it: " + e);
+      return configuration.refuse("the service could not check it: " + e);
     }
   }
 

@@ -2,7 +2,7 @@ package org.u2sa.service;
 
 /**
  * A sensor of the environment, such as a range finder or a camera (thesis 3.2.2.3). Out:
- * sensed-objects; scanning range finders scans.
+ * sensed-objects, or scans of scanning range finders.
  */
 public abstract class ExteroceptiveSensor extends Sensor {
   /** See {@link Sensor#Sensor}: registers as a publisher of Object Descriptions. */

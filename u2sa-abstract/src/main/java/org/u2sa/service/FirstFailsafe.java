@@ -37,7 +37,7 @@ public final class FirstFailsafe {
           LogLevelEnum.WARN,
           "ignored failsafe "
               + failsafe.action()
-              + ": told "
+              + ": sent "
               + (now - sent) / Clock.MICROS_PER_SECOND
               + " s ago, by an earlier run");
     } else {

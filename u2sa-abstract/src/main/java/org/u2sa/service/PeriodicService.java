@@ -141,7 +141,7 @@ public abstract class PeriodicService extends U2SAService {
     }
   }
 
-  /** Messages that are handled between steps that all throw do not make the service work. */
+  /** Counts steps only: messages handled in between do not show that the service works. */
   private void count(boolean succeeded) {
     failedSteps = succeeded ? 0 : failedSteps + 1;
     if (failedSteps >= maxErrorsInSteps && isRunning()) {

@@ -178,7 +178,7 @@ public final class ServiceContext {
     }
   }
 
-  /** Adds how to close a resource of a constructor that may fail later. */
+  /** Adds an action that closes a resource if the constructor fails later. */
   public void onAbandon(Runnable closing) {
     closings.push(closing);
   }

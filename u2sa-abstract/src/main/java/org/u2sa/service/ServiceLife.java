@@ -230,7 +230,7 @@ final class ServiceLife {
     end(); // if it was never started, or hangs in a callback
   }
 
-  /** Ends all waits of the service's threads for good. */
+  /** Ends all waits of the service's threads permanently. */
   synchronized void stopWaiting() {
     askedToStop = true;
     endLoops();

@@ -86,7 +86,7 @@ public final class ServiceSwap {
 
   private Optional<String> obstacle() {
     if (!old.isRunning()) {
-      return Optional.of("it does not run (" + old.status() + ")");
+      return Optional.of("it is not running (" + old.status() + ")");
     }
     if (successor.role() != old.role()) {
       return Optional.of(

@@ -109,12 +109,12 @@ final class Succession {
     }
   }
 
-  /** Such as for a full disk: not fatal. */
+  /** Reports that saving failed, e.g. because the disk is full; not fatal. */
   private void notRemembered(Exception why) {
     if (Long.bitCount(notRemembered.incrementAndGet()) == 1) { // 1, 2, 4, 8…: may persist
       configuration.log(
           LogLevelEnum.ERROR,
-          "the state was not saved, a restart would not resume from here: " + why);
+          "the state was not saved; a restart would not resume from here: " + why);
     }
   }
 

@@ -158,7 +158,7 @@ class ServiceConfigurationTest {
     ConfigurationTransactionResult result = undo("1");
 
     assertThat(result.accepted()).isFalse();
-    assertThat(result.reason()).contains("no change is remembered");
+    assertThat(result.reason()).contains("there is no recorded change to undo");
   }
 
   @Test

@@ -253,7 +253,7 @@ class ServiceSwapTest {
 
     assertThat(swap.outcome()).contains("it ended before");
     assertThat(new ServiceSwap(old, make(Counting::new), () -> true).order().outcome())
-        .contains("it does not run (STOPPED)");
+        .contains("it is not running (STOPPED)");
   }
 
   @Test

@@ -149,7 +149,7 @@ class MainActivityTest {
         button("EMERGENCY STOP").performClick()
         phone.await("the stop") { look().let { shows("EMERGENCY STOP by Phone") } }
 
-        button("Lift the emergency stop").performClick()
+        button("Clear the emergency stop").performClick()
         phone.await("its end") { look().let { shows("not armed") } }
     }
 

@@ -149,7 +149,7 @@ class MainTest {
         .isEqualToIgnoringNewLines(
             "u2sa: "
                 + file
-                + ": the file has 8 bytes: too few for the footer of MCAP; recover it first");
+                + ": the file has 8 bytes: too few for an MCAP footer; recover it first");
   }
 
   @Test

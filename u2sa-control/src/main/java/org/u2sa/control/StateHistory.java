@@ -57,7 +57,7 @@ final class StateHistory {
     return Optional.ofNullable(states.get(micros));
   }
 
-  /** Whether a message is at most the span older than the newest state. */
+  /** Whether a message is not older than the newest state by more than the span. */
   boolean isFresh(U2SAData message) {
     Map.Entry<Long, StateInformation> newest = states.lastEntry();
     return newest != null

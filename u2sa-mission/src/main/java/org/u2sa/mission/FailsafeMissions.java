@@ -34,7 +34,7 @@ final class FailsafeMissions {
    */
   private record Goals(List<GoalInformation> goals, Optional<GoalInformation> home) {}
 
-  /** Reads the configured files; throws if one is wrong. */
+  /** Reads the configured files; throws if one is invalid. */
   FailsafeMissions(
       MissionRun run, MissionFiles files, Supplier<MissionVariables> settings, Logger logger) {
     this.run = run;
@@ -104,7 +104,7 @@ final class FailsafeMissions {
     return copy;
   }
 
-  /** The goal that leads to a place to return to. */
+  /** Goal that leads to a return place. */
   static GoalInformation returning(Waypoint place) {
     return renamed(place, FailsafeAction.RETURN + " ");
   }
@@ -122,8 +122,8 @@ final class FailsafeMissions {
   /**
    * Goals for the action; empty if the mission continues or is merely held.
    *
-   * @param place nearest place to return to
-   * @param way waypoints that lead to another one within the fence
+   * @param place nearest return place
+   * @param way waypoints that lead to a given one within the fence
    */
   Optional<GoalSequence> sequence(
       FailsafeAction action,
@@ -142,7 +142,7 @@ final class FailsafeMissions {
     if (own.get(0) instanceof Waypoint first) {
       Optional<List<Waypoint>> before = way.apply(first);
       if (before.isEmpty()) {
-        String problem = "failsafe " + action + ": the fence leaves no way to its place: holding";
+        String problem = "failsafe " + action + ": the fence leaves no way to its goal: holding";
         logger.log(LogLevelEnum.ERROR, problem);
         return Optional.of(ended());
       }

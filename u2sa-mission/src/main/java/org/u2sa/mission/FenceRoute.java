@@ -21,8 +21,8 @@ import org.locationtech.jts.simplify.TopologyPreservingSimplifier;
 import org.u2sa.messages.shape.NearSides;
 
 /**
- * Shortest way over the corners of forbidden areas, at a distance from them (visibility graph,
- * Dijkstra). In a plane [m].
+ * Shortest way past the corners of forbidden areas at a distance from them (visibility graph,
+ * Dijkstra), in a plane [m].
  */
 final class FenceRoute {
   /** Maximum number of corners; the time of the search grows with its square. */
@@ -32,7 +32,7 @@ final class FenceRoute {
 
   private static final int MAX_NEAR_SIDES = 5_000; // pairs
 
-  private static final double CHECKED = 0.9; // of the distance: ways lead over its own corners
+  private static final double CHECKED = 0.9; // of the distance: ways lead over these corners
   private static final double ROUGH = 0.08; // of the distance, for simplification
   private static final double ROUGHEST = 20.0;
   private static final double MITRE = 2.0;
@@ -91,10 +91,10 @@ final class FenceRoute {
   }
 
   /**
-   * Corners on the way, without start and end; no corners if the straight way comes no nearer to a
-   * border than its ends, and empty if there is no way. From and to a place nearer than the
-   * distance the way leads over the nearest point of the free area that is not beyond a forbidden
-   * one; a start may be outside.
+   * Corners on the way, without start and end; none if the straight line comes no nearer to a
+   * border than its ends, and empty if there is no way. If an end is nearer to a border than the
+   * distance, the way leads over the nearest point of the free area that is not beyond a forbidden
+   * one. The start may be outside.
    */
   Optional<List<Coordinate>> between(Coordinate from, Coordinate to) {
     if (isStraight(from, to)) {

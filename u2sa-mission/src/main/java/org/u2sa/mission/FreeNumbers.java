@@ -8,12 +8,12 @@ import java.util.Set;
 
 /**
  * Names for the goals of a file that have none: their number in the file, or, where goals are added
- * to a mission, the first number that names no goal of either. In time proportional to the goals.
+ * to a mission, the first number that names no goal of either. Takes linear time.
  */
 final class FreeNumbers {
   private final boolean isAdding;
   private final Set<String> names; // of the mission and of the file
-  private int place; // of the last goal asked for
+  private int place; // of the goal requested last
   private int number; // last one tried
 
   /**
@@ -26,7 +26,7 @@ final class FreeNumbers {
     read.forEach(goal -> goal.field("uid").ifPresent(uid -> names.add(goal.message().uid())));
   }
 
-  /** A free name for the next goal in the file's order; empty if it is named. */
+  /** Free name for the next goal in file order; empty if the goal has a name. */
   Optional<String> next(GoalElement goal) {
     place++;
     if (goal.field("uid").isPresent()) {

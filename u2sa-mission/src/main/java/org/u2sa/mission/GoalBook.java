@@ -35,12 +35,12 @@ final class GoalBook {
           "repeatTimes"); // the order is up to the Mission Manager and may have changed
 
   /**
-   * All goals together, as encoded [B]: {@link org.u2sa.messages.goal.GoalList} has them up to
-   * three times, within the codec's limit.
+   * Maximum encoded size of all goals together [B]: {@link org.u2sa.messages.goal.GoalList}
+   * contains them up to three times, within the codec's limit.
    */
   private static final int MAX_BYTES = 320 * 1_024;
 
-  /** Of these, what goal updates may fill: the rest is for operators' orders. */
+  /** Part of it that goal updates may fill; the rest is reserved for operators' orders. */
   private static final int MAX_UPDATED_BYTES = MAX_BYTES / 4 * 3;
 
   private final Map<String, GoalInformation> defined = new LinkedHashMap<>();
@@ -125,7 +125,7 @@ final class GoalBook {
     }
   }
 
-  /** Whether the goals would stay short enough to be published if an update were taken over. */
+  /** Whether the goals would remain short enough to publish if an update were applied. */
   boolean hasRoomForUpdate(GoalInformation update) {
     return hasRoomFor(updated(defined.get(update.uid()), update))
         && hasRoomFor(updated(present.get(update.uid()), update));
@@ -137,7 +137,7 @@ final class GoalBook {
         .or(() -> WaypointRules.lack(updated(present.get(update.uid()), update)));
   }
 
-  /** {@link #hasRoomForUpdate} for several updates that are taken over together. */
+  /** {@link #hasRoomForUpdate} for several updates that are applied together. */
   boolean hasRoomForUpdates(Collection<? extends GoalInformation> updates) {
     return hasRoomForUpdates(defined, updates) && hasRoomForUpdates(present, updates);
   }

@@ -39,7 +39,7 @@ final class GoalClasses {
   private GoalClasses() {}
 
   /**
-   * All classes that this process knows, also those from jars, by name.
+   * All goal classes known to this process, including those from jars, by name.
    *
    * @param manager the Mission Manager's name
    */

@@ -120,7 +120,7 @@ record GoalElement(
     if (elements.size() > 1 && field.kind() != Kind.STRING_LIST) {
       throw elements
           .get(1)
-          .error("appears twice; " + field.name() + " is in line " + first.line() + " already");
+          .error("appears twice; " + field.name() + " is already in line " + first.line());
     }
     List<String> texts = new ArrayList<>();
     for (XmlElement each : elements) {

@@ -12,8 +12,8 @@ import org.u2sa.messages.goal.GoalResult;
 /** Inserts goals into a mission between a goal and its followers. */
 record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
   /**
-   * Inserts them after a known goal, and after the options that lead on to the same goals with it:
-   * otherwise those would come beside the inserted ones.
+   * Inserts the goals after a known goal and after its alternatives that lead to the same
+   * followers; otherwise those followers would become current beside the inserted goals.
    *
    * @return the goals that lead to the inserted ones
    */
@@ -65,7 +65,7 @@ record GoalInsertion(GoalSequence mission, List<GoalInformation> goals) {
     mission.putBefore(first());
   }
 
-  /** Adds the goals with an end of the mission after them, and returns the first one's name. */
+  /** Adds the goals, followed by the end of the mission, and returns the name of the first. */
   String toTheEnd() {
     add(last -> last.nextIf(GoalResult.DONE, List.of()));
     return first();

@@ -98,7 +98,7 @@ final class GoalLinks {
     child.refuseUnknownChildren();
     child.refuseText();
     if (repeat != null) {
-      throw child.error("appears twice; repeat is in line " + repeat.line() + " already");
+      throw child.error("appears twice; repeat is already in line " + repeat.line());
     }
     repeat = child;
     names.put(child, List.of(child.attribute("from")));

@@ -253,7 +253,7 @@ final class GoalSequence {
     endLoop();
   }
 
-  /** The current lap is the last. */
+  /** Makes the current lap the last. */
   void endLoop() {
     loop = false;
   }
@@ -273,7 +273,7 @@ final class GoalSequence {
   }
 
   /**
-   * The goals whose followers become current together with those of a goal, which is among them.
+   * The goals whose followers become current together with those of a goal, including that goal.
    */
   Set<String> together(String uid) {
     Set<String> together = new LinkedHashSet<>(List.of(uid));
@@ -290,7 +290,7 @@ final class GoalSequence {
     return together;
   }
 
-  /** Some of the goals that follow the current ones come later, after others. */
+  /** Postpones some of the current goals' followers until after others. */
   void postpone(List<String> uids) {
     uids.forEach(at.pending::remove);
   }

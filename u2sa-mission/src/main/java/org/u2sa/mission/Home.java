@@ -75,7 +75,7 @@ public record Home(
   }
 
   private static RuntimeException missing(XmlElement home, String name) {
-    return home.error("lacks <" + name + ">; expected x, y, and if wanted z and psi");
+    return home.error("lacks <" + name + ">; expected x, y, and optionally z and psi");
   }
 
   private static OptionalDouble optional(Optional<Double> value) {

@@ -59,7 +59,7 @@ public final class MissionManager extends PeriodicService {
   private static final String NAME = "MissionManager";
   private static final String DIGEST = "MISSION DIGEST"; // in the hand-over
   private static final long MANUAL_NEWS_MICROS =
-      5 * Clock.MICROS_PER_SECOND; // older: of another run
+      5 * Clock.MICROS_PER_SECOND; // older: from another run
   private static final double LIMITS_CHECKED_HZ = 5.0;
   private static final long REPEAT_EVERY_MICROS = Clock.MICROS_PER_SECOND;
   private static final long ALWAYS_LOGGED = 100; // later ones at 128, 256, 512…
@@ -85,7 +85,7 @@ public final class MissionManager extends PeriodicService {
   /**
    * Launcher constructor.
    *
-   * @throws org.u2sa.interfaces.BadInputException if the mission file is wrong
+   * @throws org.u2sa.interfaces.BadInputException if the mission file is invalid
    */
   public MissionManager(ServiceContext context) {
     super(context, ServiceRole.MISSION_MANAGER, NAME, LIMITS_CHECKED_HZ);
@@ -213,7 +213,7 @@ public final class MissionManager extends PeriodicService {
   protected void takeOver(HandOver state) {
     boolean isItsFile =
         state.text(MissionVariables.MISSION).filter(settings.get().mission()::equals).isPresent();
-    // a recording executed again has a copy elsewhere
+    // a re-executed recording has a copy elsewhere
     boolean same =
         (isItsFile || state.text(DIGEST).filter(digest::equals).isPresent())
             && state.number(MissionVariables.DEFAULT_THRESHOLD).orElse(0.0) == thresholdM();
@@ -246,11 +246,11 @@ public final class MissionManager extends PeriodicService {
   private void onArming(ArmingState state) {
     passTime(); // first, under the previous conditions
     if (limits.count(state.armed())) {
-      publish(Channels.GOALS, goalList()); // the mission's time counts again from here
+      publish(Channels.GOALS, goalList()); // the mission's time resumes here
     }
   }
 
-  /** After driving by hand, the vehicle holds instead of moving on. */
+  /** After manual driving, the vehicle holds instead of moving on. */
   private void onManual(ManualState state) {
     boolean isNews = clock().micros() - state.timestamp().orElse(0L) < MANUAL_NEWS_MICROS;
     MissionProgress progress = run.progress();
@@ -328,7 +328,7 @@ public final class MissionManager extends PeriodicService {
         || isRepeated(goal)
         || !run.progress()
             .finish(uid, result, Optional.of(goal), "abandoned by the planner", run.micros())) {
-      String what = current ? "came before" : known ? "is not current" : "is not known";
+      String what = current ? "has already arrived" : known ? "is not current" : "is not known";
       ignore("report of goal \"" + uid + "\" ignored: it " + what);
       if (known) {
         repeatGoals();
@@ -344,7 +344,7 @@ public final class MissionManager extends PeriodicService {
     publishGoals();
   }
 
-  /** Logs rejected messages of others, rate-limited. */
+  /** Logs rejected messages from others, rate-limited. */
   private void ignore(String what) {
     ignored++;
     if (ignored <= ALWAYS_LOGGED || Long.bitCount(ignored) == 1) {
@@ -434,8 +434,9 @@ public final class MissionManager extends PeriodicService {
   }
 
   /**
-   * Whether a report of this goal and time came before: from the network, or from a planner that
-   * waits for an answer. In a loop each would count as another lap. False without a time.
+   * Whether a report with this goal and time has already arrived: duplicated by the network, or
+   * repeated by a planner until answered. In a loop each would count as another lap. False without
+   * a time.
    */
   private boolean isRepeated(GoalInformation report) {
     return report.timestamp().isPresent()

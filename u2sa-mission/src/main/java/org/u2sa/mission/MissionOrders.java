@@ -64,8 +64,8 @@ final class MissionOrders {
 
   /**
    * @param landing goals of the LAND MISSION
-   * @param returning nearest place to return to
-   * @param way waypoints that lead to another one within the fence
+   * @param returning nearest return place
+   * @param way waypoints that lead to a given one within the fence
    * @param replacement begins another mission
    */
   MissionOrders(

@@ -31,7 +31,7 @@ final class MissionProgress {
   private final Set<String> completed = new LinkedHashSet<>();
   private final Set<String> abandoned = new LinkedHashSet<>();
   private OptionalLong beganMicros = OptionalLong.empty();
-  private OptionalLong beganElsewhere = OptionalLong.empty(); // by another process's clock
+  private OptionalLong beganElsewhere = OptionalLong.empty(); // on another process's clock
   private long elapsedMicros; // of the mission, without failsafes
   private boolean limitPassed;
   private boolean paused;

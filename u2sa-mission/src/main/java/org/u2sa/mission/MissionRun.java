@@ -9,7 +9,7 @@ import org.u2sa.interfaces.time.Clock;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.mission.MissionReport;
 
-/** The mission in progress, and its progress. Confined to the manager's thread. */
+/** The current mission and its progress. Confined to the manager's thread. */
 final class MissionRun {
   private final Clock clock;
   private final DoubleSupplier thresholdM;

@@ -21,7 +21,7 @@ final class Position {
    */
   long wanted;
 
-  /** Whether a goal that was current with these has ended the mission, if nothing is pending. */
+  /** Whether a goal that was current beside these ended the mission, if nothing is pending. */
   boolean ends;
 
   Position() {}

@@ -25,7 +25,7 @@ final class Resumable {
   private String foundDigest = ""; // of the mission whose progress was loaded
   private Mission digested; // the mission of the digest; null at first
   private String digest = "";
-  private boolean hasFile = true; // whether the mission is that of the file
+  private boolean hasFile = true; // whether the mission comes from the file
   private final AtomicLong notSaved = new AtomicLong();
 
   Resumable(
@@ -103,7 +103,7 @@ final class Resumable {
         + (progress.isLeft() ? ", after the failsafe " + progress.pursuedFor() : "");
   }
 
-  /** Stops saving: the mission is of no file, so another process could not resume it. */
+  /** Stops saving: the mission comes from no file, so another process could not resume it. */
   void leaveFile() {
     hasFile = false;
     found = Optional.empty();
@@ -112,7 +112,7 @@ final class Resumable {
     }
   }
 
-  /** Discards the loaded progress if it belongs to another mission than the starting one. */
+  /** Discards the loaded progress if it belongs to a mission other than the starting one. */
   void forgetOther() {
     hasFile = true;
     found = found.filter(before -> isOf(file()));
@@ -150,7 +150,7 @@ final class Resumable {
     }
   }
 
-  /** Taken when the mission begins, because its file may be edited while it runs. */
+  /** Digest taken when the mission begins, because its file may be edited while it runs. */
   private String digest() throws IOException {
     if (digested != run.mission()) {
       digest = SavedMission.digest(file());
@@ -159,11 +159,11 @@ final class Resumable {
     return digest;
   }
 
-  /** Such as for a full disk: not fatal. */
+  /** Reports that saving failed, e.g. because the disk is full; not fatal. */
   private void notSaved(IOException why) {
     if (Long.bitCount(notSaved.incrementAndGet()) == 1) { // 1, 2, 4, 8…: may persist
       logger.log(
-          LogLevelEnum.ERROR, "the mission was not saved, it cannot be resumed from here: " + why);
+          LogLevelEnum.ERROR, "the mission was not saved and cannot be resumed from here: " + why);
     }
   }
 }

@@ -36,7 +36,7 @@ final class ReturnPlaces {
   }
 
   /**
-   * Nearest place; the home if the vehicle's position is unknown, empty if there is none at all.
+   * Nearest place; the home if the vehicle's position is unknown, empty if no place exists.
    *
    * @param thresholdM horizontal threshold [m]
    */
@@ -61,7 +61,7 @@ final class ReturnPlaces {
     return nearest;
   }
 
-  /** Waypoints on the way to a place that keep to the fence, as {@link ReturnWay#between}. */
+  /** Waypoints on a way to a place within the fence; see {@link ReturnWay#between}. */
   Optional<List<Waypoint>> wayTo(Waypoint place) {
     return state == null ? Optional.of(List.of()) : way.between(state, place);
   }

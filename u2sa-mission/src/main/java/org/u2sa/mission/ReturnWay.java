@@ -20,14 +20,14 @@ import org.u2sa.messages.safety.FenceState;
 import org.u2sa.messages.shape.Polygon;
 
 /**
- * Leads a vehicle that returns or lands around the areas that its fence forbids. It keeps the
- * fence's margin once more, at least twice the threshold of a waypoint, or less in passages that
- * are narrower.
+ * Leads a returning or landing vehicle around the areas that its fence forbids. It keeps the
+ * fence's margin as additional distance, but at least twice a waypoint's threshold, and less in
+ * narrow passages.
  */
 final class ReturnWay {
   private static final double[] SHARES = {1.0, 0.5, 0.25, 0.1}; // of the distance
   private static final double[] FEW_SHARES = {1.0, 0.1};
-  private static final int MANY_POINTS = 300; // of which each share takes longer
+  private static final int MANY_POINTS = 300; // above this number each share takes longer
   private static final GeometryFactory FACTORY = new GeometryFactory();
 
   private FenceState fence = new FenceState();
@@ -37,8 +37,8 @@ final class ReturnWay {
   }
 
   /**
-   * Waypoints on the way to a place, which is not among them; none without a fence, in frames that
-   * cannot be compared, and if the straight way is allowed. Empty if the fence leaves no way.
+   * Waypoints on the way to a place, excluding the place; none without a fence, if the frames
+   * cannot be compared, or if the straight line is allowed. Empty if the fence leaves no way.
    */
   Optional<List<Waypoint>> between(StateInformation vehicle, Waypoint place) {
     List<Polygon> shapes = new ArrayList<>(fence.keepIn());
@@ -75,7 +75,7 @@ final class ReturnWay {
     return waypoints;
   }
 
-  /** At the largest of several distances at which there is a way, as through narrow passages. */
+  /** Way at the largest of several distances that permits one, since passages may be narrow. */
   private static Optional<List<Coordinate>> corners(
       Geometry allowed, Coordinate end, double distanceM, double marginM) {
     Coordinate start = new Coordinate(0.0, 0.0);

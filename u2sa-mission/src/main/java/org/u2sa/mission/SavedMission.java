@@ -98,7 +98,7 @@ final class SavedMission {
       byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(mission));
       return String.format("%064x", new BigInteger(1, digest));
     } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
+      throw new IllegalStateException("every Java platform has SHA-256", e);
     }
   }
 }

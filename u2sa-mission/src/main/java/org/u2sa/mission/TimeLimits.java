@@ -69,7 +69,7 @@ final class TimeLimits {
     run.progress().finish(goal.uid(), GoalResult.TIMED_OUT, Optional.empty(), reason, run.micros());
   }
 
-  /** Answers whether the current goals changed. */
+  /** Returns whether the current goals changed. */
   private boolean end(GoalSequence mission, MissionLimit limit) {
     String reason = "the mission's time limit of " + limit.seconds() + " s has passed";
     if (limit.next().containsAll(mission.currentNames())) {

@@ -35,7 +35,7 @@ class MissionErrorsTest {
           <waypoint><x>1</x><lookAt>1</lookAt></waypoint> | m.xml, line 2, <lookAt>: Waypoint.lookAt: expected a point: two or three numbers, not "1"
           <waypoint><x>1</x><lookAt>8 95 0</lookAt></waypoint> | m.xml, line 2, <lookAt>: 95.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
           <station><turns>-1</turns></station> | m.xml, line 2, <turns>: Station.turns: expected 0.0…1000.0 1, not "-1.0"
-          <waypoint><x>1</x><x>2</x></waypoint> | m.xml, line 2, <x>: appears twice; x is in line 2 already
+          <waypoint><x>1</x><x>2</x></waypoint> | m.xml, line 2, <x>: appears twice; x is already in line 2
           <waypoint><x>181</x></waypoint> | m.xml, line 2, <x>: 181.0 is outside -180.0…180.0 deg of longitude
           <waypoint><x>50</x><y>-121</y></waypoint> | m.xml, line 2, <y>: -121.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
           <waypoint><x>1</x><completed>true</completed></waypoint> | m.xml, line 2, <completed>: unknown element in <waypoint>; expected uid, next, description, timeLimit, choose, referenceFrame, x, y, z, phi, theta, psi, time, horizontalThreshold, verticalThreshold, speed, photoDistance, lookAt, landingStart, repeat, end
@@ -52,7 +52,7 @@ class MissionErrorsTest {
           <waypoint><x>1</x></waypoint><waypoint><name>1</name><x>2</x></waypoint> | m.xml, line 2, <name>: the goal in line 2 already has the name "1"; names must differ (without one, a goal's name is its number in the file)
           <waypoint colour="red"><x>1</x></waypoint> | m.xml, line 2, <waypoint>: unknown attribute "colour"; no attribute is expected here
           <waypoint><name unit="m">1</name><x>1</x></waypoint> | m.xml, line 2, <name>: has a unit, but uid is not a number
-          <home><y>50</y></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <home>: lacks <x>; expected x, y, and if wanted z and psi
+          <home><y>50</y></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <home>: lacks <x>; expected x, y, and optionally z and psi
           <home><x>8</x><y>500</y></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <y>: 500.0 is outside -90.0…90.0 deg of latitude (x is longitude, y is latitude)
           <home><x>8</x><y>50</y><psi>north</psi></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <psi>: "north" is not a number of deg
           <home><x>8</x><y>50</y><reference>Body FRD</reference></home><waypoint><x>1</x></waypoint> | m.xml, line 2, <reference>: "BODY_FRD" moves with the vehicle; expected GLOBAL, LOCAL_ENU, LOCAL_NED or UTM

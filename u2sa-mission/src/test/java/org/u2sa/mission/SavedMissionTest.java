@@ -202,6 +202,6 @@ class SavedMissionTest extends ThreeWaypoints {
     nextProcess(before);
 
     assertThat(current()).containsExactly("1");
-    assertThat(logged("not whole")).isTrue();
+    assertThat(logged("incomplete")).isTrue();
   }
 }

@@ -71,7 +71,7 @@ class PlannerFailsafeTest {
     state(150.0);
     assertThat(point().y()).isCloseTo(0.0, within(1e-9));
     assertThat(kit.log("PathPlanner"))
-        .anyMatch(line -> line.contains("ignored failsafe HOLD: told 6 s ago, by an earlier run"));
+        .anyMatch(line -> line.contains("ignored failsafe HOLD: sent 6 s ago, by an earlier run"));
 
     failsafe(FailsafeAction.HOLD);
     state(200.0);

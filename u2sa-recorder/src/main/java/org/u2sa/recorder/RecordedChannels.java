@@ -53,7 +53,7 @@ final class RecordedChannels {
     file++;
   }
 
-  /** Channel of native messages; its topic is the one at a broker. */
+  /** Channel of native messages; its topic is the one used at a broker. */
   Track of(String systemId, Channel<?> channel, U2SAData message) {
     Topic its = Topic.of(systemId, channel, message);
     String topic = its.toString();
@@ -69,7 +69,7 @@ final class RecordedChannels {
             && Channels.named(channel.name()).isPresent();
     if (!isStandard && tracks.size() >= MAX_OF_ANY_NAME) {
       throw new IllegalStateException(
-          "a recording cannot have more than " + MAX_OF_ANY_NAME + " channels of any name");
+          "a recording cannot have more than " + MAX_OF_ANY_NAME + " channels of arbitrary names");
     }
     // An unknown type is described as its nearest known ancestor; its bytes hold all fields.
     byte[] text =

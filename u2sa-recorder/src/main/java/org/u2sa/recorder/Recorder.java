@@ -74,7 +74,7 @@ public final class Recorder extends EventDrivenService implements ServiceContext
     bus.ifPresent(direct -> direct.attach(recording));
     recording.start();
     if (!refused.isEmpty()) {
-      trouble("not allowed to hear, and so not recorded: " + String.join(", ", refused));
+      trouble("no permission to receive, so not recorded: " + String.join(", ", refused));
     }
   }
 

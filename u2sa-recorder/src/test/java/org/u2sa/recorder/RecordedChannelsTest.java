@@ -30,7 +30,7 @@ class RecordedChannelsTest {
               }
             })
         .isInstanceOf(IllegalStateException.class)
-        .hasMessageContaining("61439 channels of any name");
+        .hasMessageContaining("61439 channels of arbitrary names");
 
     assertThat(actuator(7)).as("one that is known").isSameAs(actuator(7));
     assertThat(channels.of("cessna", Channels.EMERGENCY_STOP, new EmergencyStop().active(true)))

@@ -41,7 +41,7 @@ public final class ReportFile {
   /**
    * Writes UTF-8.
    *
-   * @throws RunFailedException if it cannot be written; nothing is left behind then
+   * @throws RunFailedException if it cannot be written; leaves nothing behind
    * @throws BadInputException if the file is a recording
    */
   public static void writeText(Path file, Text content) {
@@ -55,7 +55,7 @@ public final class ReportFile {
   }
 
   /**
-   * @throws RunFailedException if it cannot be written; nothing is left behind then
+   * @throws RunFailedException if it cannot be written; leaves nothing behind
    * @throws BadInputException if the file is a recording
    */
   public static void write(Path file, Bytes content) {
@@ -88,7 +88,7 @@ public final class ReportFile {
     }
   }
 
-  /** Whether there is a file that begins as recordings do, and exports for their viewers. */
+  /** Whether the file exists and begins like a recording or an export for viewers. */
   public static boolean isMcap(Path file) {
     if (!Files.isRegularFile(file)) {
       return false;
@@ -97,7 +97,7 @@ public final class ReportFile {
     try (InputStream in = Files.newInputStream(file)) {
       return Arrays.equals(in.readNBytes(magic.length), magic);
     } catch (IOException e) {
-      throw new RunFailedException("cannot read what " + file + " is: " + reason(e), e);
+      throw new RunFailedException("cannot determine what " + file + " is: " + reason(e), e);
     }
   }
 

@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import org.u2sa.scenarios.campaign.RunBackend;
 import org.u2sa.scenarios.campaign.WorkerProcess;
 
-/** The start-up files of {@link SparkDriver}, in a temporary folder with its lifetime. */
+/** The start-up files of {@link SparkDriver}, in a temporary folder that is deleted on close. */
 final class DriverFiles implements AutoCloseable {
   private static final String OURS_FOR_SPARK = "-Dspark.";
 
@@ -56,7 +56,7 @@ final class DriverFiles implements AutoCloseable {
     return files;
   }
 
-  /** Whether a JVM option is valid on another host, too. */
+  /** Whether a JVM option is also valid on another host. */
   private static boolean isPortable(String option) {
     return !option.startsWith(OURS_FOR_SPARK)
         && !option.startsWith("-Du2sa.home=")

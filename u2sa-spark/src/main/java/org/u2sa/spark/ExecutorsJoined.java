@@ -31,11 +31,11 @@ final class ExecutorsJoined extends SparkListener {
       if (!isThereAlready && !listener.joined.await(WITHIN_S, TimeUnit.SECONDS)) {
         throw new IllegalStateException(
             spark.master()
-                + " has given no core within "
+                + " has allocated no core within "
                 + WITHIN_S
                 + " s: it has no worker with a free core and "
                 + spark.getConf().get("spark.executor.memory", "1g")
-                + " of memory, its workers do not reach this host, or they want a secret (spark.authenticate)");
+                + " of memory, its workers cannot reach this host, or they require a secret (spark.authenticate)");
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -61,7 +61,7 @@ final class ProgramArchive {
     try {
       source = Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI());
     } catch (URISyntaxException e) {
-      throw new IOException("where " + type.getName() + " is from is not a file: " + e, e);
+      throw new IOException("the origin of " + type.getName() + " is not a file: " + e, e);
     }
     if (!Files.isDirectory(source)) {
       return source;

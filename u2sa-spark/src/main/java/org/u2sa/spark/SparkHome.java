@@ -55,6 +55,6 @@ record SparkHome(Path jars, String version) {
             + why
             + "; expected the folder of a Spark 4 for Scala "
             + SCALA
-            + ": scripts/spark/install DIR makes one (docs/campaigns.md)");
+            + ": scripts/spark/install DIR creates one (docs/campaigns.md)");
   }
 }

@@ -34,7 +34,7 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
       return new SparkMaster(text, List.of());
     }
     if (!text.startsWith(STANDALONE)) {
-      throw refused(text, "is not an address of Spark");
+      throw refused(text, "is not a Spark address");
     }
     List<InetSocketAddress> hosts = new ArrayList<>();
     for (String part : text.substring(STANDALONE.length()).split(",", -1)) {
@@ -87,6 +87,6 @@ record SparkMaster(String text, List<InetSocketAddress> hosts) {
             + text
             + "\": no master answers at "
             + String.join(", ", reasons)
-            + "; expected one that runs: scripts/spark/node master, or Spark's sbin/start-master.sh");
+            + "; expected a running one: scripts/spark/node master, or Spark's sbin/start-master.sh");
   }
 }

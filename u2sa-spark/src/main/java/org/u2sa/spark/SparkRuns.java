@@ -124,7 +124,7 @@ final class SparkRuns implements RunBackend {
 
   private RunAnswer answer(RunRequest request, String line) {
     if (line.equals(ExecutorWorkers.LOST)) {
-      return RunAnswer.lost("two processes of the campaign have died of this run");
+      return RunAnswer.lost("this run has killed two processes of the campaign");
     }
     try {
       return RunLine.answer(line, directory.resolve(request.folder()));
@@ -138,7 +138,7 @@ final class SparkRuns implements RunBackend {
 
   private RunFailedException broken(String why) {
     return new RunFailedException(
-        "Spark broke the campaign off: "
+        "Spark aborted the campaign: "
             + why
             + "; its output is in "
             + directory.resolve(LOG)

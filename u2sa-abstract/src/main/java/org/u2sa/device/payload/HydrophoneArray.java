@@ -22,7 +22,7 @@ public interface HydrophoneArray extends Device<HydrophoneArray.Heard> {
    * @param azimuthRad direction of the source, relative to the array's zero, positive to the left
    *     [rad], −π…π
    * @param elevationRad above the array's plane, up positive [rad], −π/2…π/2
-   * @param sigmaRad standard deviation of either angle [rad]; empty if the array does not say
+   * @param sigmaRad standard deviation of either angle [rad]; empty if the array reports none
    */
   record Ping(
       long measuredAtMicros,

@@ -20,7 +20,7 @@ import org.u2sa.service.ServiceContext;
 
 /**
  * Publishes an acoustic pinger as a point object in BODY, once per ping (thesis 2.2, 3.2.2.3). Out:
- * sensed-objects, uid {@code pinger} and the kilohertz.
+ * sensed-objects, uid {@code pinger} and its frequency in kHz.
  *
  * <p>An array that measures arrival times needs HYDROPHONE PLACES: the direction is then computed
  * ({@link ArrivalDirection}).
@@ -45,7 +45,8 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
           @Description("Frequency of the pinger; 0: any.")
           double frequency,
       @Variable(unit = "Hz", min = 1, max = 1e5, ifAbsent = 500)
-          @Description("Difference from FREQUENCY beyond which a ping is another pinger's.")
+          @Description(
+              "Difference from FREQUENCY beyond which a ping is attributed to another pinger.")
           double frequencyTolerance,
       @Variable(ifAbsentText = "pinger") @Description("Type of the object.") String objectType,
       @Variable(unit = "m", min = 0.1, max = 10_000, ifAbsent = 10)
@@ -55,7 +56,7 @@ public final class PingerSensor extends DeviceSensor<HydrophoneArray.Heard> {
           @Description("Standard deviation of that distance.")
           double rangeSigma,
       @Variable(unit = "rad", min = 0.0001, max = 3, ifAbsent = 0.1)
-          @Description("Standard deviation of the angles, if the array does not say.")
+          @Description("Standard deviation of the angles, if the array reports none.")
           double angleSigma,
       @Variable(ifAbsentText = "")
           @Description(

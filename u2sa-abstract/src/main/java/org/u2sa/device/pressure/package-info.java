@@ -1,2 +1,2 @@
-/** Altitude by air pressure, and what the pressure is compared with. */
+/** Altitude from air pressure, and the reference pressure. */
 package org.u2sa.device.pressure;

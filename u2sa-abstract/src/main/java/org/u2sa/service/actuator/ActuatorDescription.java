@@ -18,7 +18,7 @@ public record ActuatorDescription(
             "Force and moment on the vehicle at full command, in forward, right and down axes: \"thrust 40 / 30 at 0.16 -0.11 0 towards 1 1 0\" in N and m, the second number being the reverse thrust, or \"wrench X Y Z K M N\" in N and N m; empty: no effect is announced.")
         String effect,
     @Variable(min = 0.1, max = 10, ifAbsent = 1)
-        @Description("Exponent of the effect over the command; about 2 for propellers.")
+        @Description("The effect grows with this power of the command; about 2 for propellers.")
         double effectExponent,
     @Variable(unit = "m/s", min = 0, max = 1000, ifAbsent = 0)
         @Description(

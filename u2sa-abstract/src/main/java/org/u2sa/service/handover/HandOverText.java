@@ -48,11 +48,11 @@ public final class HandOverText {
     String[] first = lines.isEmpty() ? new String[0] : lines.get(0).split("\t", -1);
     int last = lines.size() - 1;
     if (first.length != 3 || !first[0].equals(FIRST_WORDS) || !lines.get(last).equals(LAST_WORDS)) {
-      throw new IOException(file + ": not whole, or not the progress of a service");
+      throw new IOException(file + ": incomplete, or not the progress of a service");
     }
     if (!first[1].equals(systemId)) {
       throw new IOException(
-          file + ", line 1: of system \"" + first[1] + "\", expected \"" + systemId + "\"");
+          file + ", line 1: belongs to system \"" + first[1] + "\", expected \"" + systemId + "\"");
     }
     HandOver state = new HandOver(first[2]);
     for (int i = 1; i < last; i++) {

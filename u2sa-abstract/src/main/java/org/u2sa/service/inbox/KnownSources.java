@@ -10,7 +10,7 @@ import org.u2sa.interfaces.time.Clock;
  * the memory of their last messages, because services keep state per source. If full, a source that
  * has been silent for a while makes room for a new one. Guarded by the inbox.
  *
- * @param <W> what waits of a source
+ * @param <W> type of a source's queued message
  */
 final class KnownSources<W> {
   /**

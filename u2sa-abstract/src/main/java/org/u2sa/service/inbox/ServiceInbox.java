@@ -17,7 +17,7 @@ import org.u2sa.messages.schema.U2SAData;
  * queue position. A full queue rejects the newest. Both are counted separately, because only the
  * latter is a loss. Urgent messages (emergency stops) have a separate queue with priority. Arming
  * and failsafes wait among the others, but in reserved room. Requests of the service contract fill
- * a quarter of the rest at most.
+ * at most a quarter of the rest.
  *
  * <p>Also limits the number of sources and the memory of their last messages ({@link
  * KnownSources}), and the memory of waiting messages from other processes, so that invented names

@@ -1,5 +1,5 @@
 /**
- * What services of several roles must know of a vehicle's motion besides its estimated state.
+ * Properties of a vehicle's motion that services of several roles need besides its estimated state.
  * Estimating the state itself belongs to org.u2sa.estimation.
  */
 package org.u2sa.service.motion;

@@ -53,7 +53,7 @@ internal class UsbConnection(private val usb: UsbManager, link: BoardLink) : Pho
         descriptor?.close()
     }
 
-    /** The library then ends the session by a message, because an accessory cannot be closed from this side alone. */
+    /** The library then ends the session with a message, because an accessory cannot be closed from this side alone. */
     override fun canClose() = false
 
     companion object {

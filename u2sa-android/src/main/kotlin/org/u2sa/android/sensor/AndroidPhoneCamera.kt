@@ -67,7 +67,7 @@ class AndroidPhoneCamera(private val context: Context, private val clock: Clock)
         when {
             context.checkSelfPermission(Manifest.permission.CAMERA) != PackageManager.PERMISSION_GRANTED ->
                 trouble = "camera permission was denied"
-            back == null -> trouble = "the phone has no camera on its back"
+            back == null -> trouble = "the phone has no rear camera"
             else -> {
                 age = PictureAge.of(manager.getCameraCharacteristics(back).get(CameraCharacteristics.SENSOR_INFO_TIMESTAMP_SOURCE))
                 manager.openCamera(back, opening, handler)

@@ -51,7 +51,7 @@ class PhoneStateSensor(context: ServiceContext, private val sensors: PhoneSensor
     private val gpsName = sensorName() + " GPS"
     private val attitudeName = sensorName() + " attitude"
     private var said = ""
-    private var refused = 0L // measurements that no message takes
+    private var refused = 0L // measurements that no message accepts
     private var lastFix: GpsFix? = null // last published
     private var lastOrientation: PhoneOrientation? = null // last published
 

@@ -38,7 +38,8 @@ class VehicleHost(
         val isActive: Boolean get() = phase == Phase.STARTING || phase == Phase.RUNNING || phase == Phase.STOPPING
     }
 
-    /** * A system to start.
+    /**
+     * A system to start.
      *
      * @property systemFile system file
      * @property logDirectory folder for logs

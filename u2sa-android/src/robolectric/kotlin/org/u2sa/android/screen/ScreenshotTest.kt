@@ -72,7 +72,7 @@ class ScreenshotTest {
     private fun panel(name: String, phase: VehicleHost.Phase, snapshot: VehicleSnapshot, trouble: String = "") {
         Robolectric.buildActivity(MainActivity::class.java).setup().use { controller ->
             val panel = Panel(controller.get(), controller.get())
-            panel.show(VehicleHost.State(phase), snapshot, trouble, "System shipped/config/ugv/system.xml, mission of the configuration")
+            panel.show(VehicleHost.State(phase), snapshot, trouble, "System shipped/config/ugv/system.xml, mission from the configuration")
             controller.get().setContentView(panel.root)
             draw(controller.get(), name)
         }

@@ -41,7 +41,7 @@ class AndroidPhoneCameraTest {
         phone.allow(Manifest.permission.CAMERA)
         has(CameraCharacteristics.LENS_FACING_FRONT)
 
-        assertThat(camera().trouble()).contains("no camera on its back")
+        assertThat(camera().trouble()).contains("no rear camera")
     }
 
     @Test

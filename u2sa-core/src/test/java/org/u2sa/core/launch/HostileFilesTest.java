@@ -128,10 +128,7 @@ class HostileFilesTest {
   @ParameterizedTest
   @MethodSource("readersAndRoots")
   void read_hugeDepth_isRefused(String root, String attributes) throws IOException {
-    refuses(
-        root,
-        "<" + root + " " + attributes + ">" + "<a>".repeat(100_000),
-        "elements within each other");
+    refuses(root, "<" + root + " " + attributes + ">" + "<a>".repeat(100_000), "nested elements");
   }
 
   @Test

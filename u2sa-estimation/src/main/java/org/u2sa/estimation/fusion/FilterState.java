@@ -14,7 +14,7 @@ import org.ejml.data.DMatrixRMaj;
  * sources (positions, north and east [m]; headings [rad]), {@link DelayErrors} of position sources
  * [s].
  *
- * <p>The nominal position is geodetic, in double precision, as soon as a source provides one. Error
+ * <p>The nominal position is geodetic, in double precision, once a source provides one. Error
  * vectors are along north, east and down at the vehicle itself, so there is no tangent plane with a
  * limited range. The position relative to the start (north, east, down) is kept as well.
  */

@@ -52,7 +52,7 @@ final class SourceTrust {
   static final int DISTRUST = 27; // minimum factor, if dead reckoning contradicts the claim
   static final int RESET_MICROS = 28; // last reset of the estimate from this source; 0: never
   static final int DOUBT_MPS = 29; // difference of positions from this speed; 0: none
-  static final int DOUBT_MEAN = 30; // mean innovation since: three
+  static final int DOUBT_MEAN = 30; // mean innovation since the doubt began: three
   static final int WANDER = 33; // actual over claimed variance of its persistent error; 0: unknown
   static final int WANDER_S = 34; // time over which that was learned
   static final int WANDER_MICROS = 35; // time of that update

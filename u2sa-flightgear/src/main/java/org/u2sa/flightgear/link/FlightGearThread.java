@@ -103,7 +103,7 @@ final class FlightGearThread extends Thread {
       }
     } catch (IOException
         | RuntimeException e) { // reported to the service, which continues without an aircraft
-      troubles.event("the link to FlightGear ended by an error: " + e);
+      troubles.event("the link to FlightGear ended with an error: " + e);
     } finally {
       seen = new Seen(seen.reading(), false, seen.lastLineMicros());
       out.close();

@@ -134,7 +134,7 @@ final class OutChannel {
       troubles.event(
           String.format(
               Locale.ROOT,
-              "FlightGear's lines are back after %.1f s",
+              "FlightGear's lines resumed after %.1f s",
               Clock.seconds(now - lastLineMicros)));
     }
     lastLineMicros = now;
@@ -188,7 +188,7 @@ final class OutChannel {
     }
   }
 
-  /** Notices silence. */
+  /** Detects silence. */
   void tick(long nowMicros) {
     if (flightGear != null && !silent && nowMicros - lastLineMicros > SILENCE_MICROS) {
       silent = true;
@@ -206,17 +206,17 @@ final class OutChannel {
         : Optional.empty();
   }
 
-  /** The newest reading there ever was. */
+  /** The newest reading ever received. */
   AircraftReading newest() {
     return newest;
   }
 
-  /** When the newest good line came [µs]. */
+  /** Arrival time of the newest valid line [µs]. */
   long lastLineMicros() {
     return lastLineMicros;
   }
 
-  /** Number of the newest line that FlightGear has received from us. */
+  /** Number of the newest line that FlightGear has received from this program. */
   long count() {
     return count;
   }

@@ -17,8 +17,8 @@ final class Readings {
   private Readings() {}
 
   /**
-   * The reading of a line. Airspeed and engine speed, which FlightGear lets fall a little below 0,
-   * are at least 0.
+   * The reading of a line. Airspeed and engine speed, which FlightGear may report slightly below 0,
+   * are clamped to 0.
    *
    * @throws IllegalArgumentException if a value cannot be published
    */

@@ -59,8 +59,8 @@ final class Troubles {
     if (refusedUnsaid > 0 && now - refusedSaidMicros >= PAUSE_MICROS) {
       String lines =
           refusedUnsaid == 1
-              ? "1 line of FlightGear refused: "
-              : refusedUnsaid + " lines of FlightGear refused, the last: ";
+              ? "1 line from FlightGear refused: "
+              : refusedUnsaid + " lines from FlightGear refused, the last: ";
       event(lines + refusedWhy);
       refusedUnsaid = 0;
       refusedSaidMicros = now;

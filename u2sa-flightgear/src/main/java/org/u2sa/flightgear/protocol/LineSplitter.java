@@ -9,7 +9,7 @@ import java.util.function.Consumer;
  * skipped to its end, so memory is bounded. Confined to one thread.
  */
 public final class LineSplitter {
-  /** Longest line taken [bytes]; U2SA's own are below 500. */
+  /** Longest line accepted [bytes]; U2SA's own are below 500. */
   public static final int LONGEST = 2_048;
 
   private final byte[] line = new byte[LONGEST];

@@ -36,11 +36,11 @@ public enum OutField {
   SPEED_DOWN("/velocities/speed-down-fps", Unit.FOOT_PER_SECOND, -2_000.0, 2_000.0),
   /** Calibrated [m/s]. */
   CALIBRATED_AIRSPEED("/velocities/airspeed-kt", Unit.KNOT, -100.0, 1_000.0),
-  /** Through the air, along the body's axis to the front [m/s]. */
+  /** Through the air, along the body's forward axis [m/s]. */
   AIR_FORWARD("/fdm/jsbsim/velocities/u-aero-fps", Unit.FOOT_PER_SECOND, -2_000.0, 2_000.0),
-  /** Through the air, along the body's axis to the right [m/s]. */
+  /** Through the air, along the body's right axis [m/s]. */
   AIR_RIGHT("/fdm/jsbsim/velocities/v-aero-fps", Unit.FOOT_PER_SECOND, -2_000.0, 2_000.0),
-  /** Through the air, along the body's axis to the bottom [m/s]. */
+  /** Through the air, along the body's down axis [m/s]. */
   AIR_DOWN("/fdm/jsbsim/velocities/w-aero-fps", Unit.FOOT_PER_SECOND, -2_000.0, 2_000.0),
   /** Engine speed [1/min]. */
   ENGINE_SPEED("/engines/engine[0]/rpm", Unit.PER_MINUTE, -100.0, 10_000.0),
@@ -74,7 +74,7 @@ public enum OutField {
     return unit;
   }
 
-  /** Whether a number of a line, in FlightGear's unit, can be true. */
+  /** Whether a number of a line, in FlightGear's unit, is plausible. */
   boolean isPlausible(double onTheLine) {
     return onTheLine >= lowest && onTheLine <= highest;
   }

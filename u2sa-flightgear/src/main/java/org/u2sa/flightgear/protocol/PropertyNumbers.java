@@ -31,7 +31,7 @@ final class PropertyNumbers {
     return Double.parseDouble(text);
   }
 
-  /** The beginning of a text, without what would spoil a log. */
+  /** The beginning of a text, without characters that would garble a log. */
   static String shown(String text) {
     boolean isLong = text.length() > SHOWN;
     String begin = isLong ? text.substring(0, SHOWN) : text;

@@ -1,6 +1,6 @@
 package org.u2sa.flightgear.protocol;
 
-/** Units on FlightGear's side of the line, each with its factor to the unit that U2SA uses. */
+/** Units in FlightGear's lines, each with its factor to the unit that U2SA uses. */
 enum Unit {
   SECOND("s", 1.0),
   DEGREE_OF_EARTH("deg", 1.0), // longitude and latitude stay in degrees

@@ -83,7 +83,7 @@ final class FlightGearLinesTest extends RawLink {
         .isBetween(1.24, 1.26);
     assertThat(link.refusedLines()).isEqualTo(5);
     awaitTrouble(
-        "5 lines of FlightGear refused, the last: /sim/time/elapsed-sec: \"nan\" is not a number");
+        "5 lines from FlightGear refused, the last: /sim/time/elapsed-sec: \"nan\" is not a number");
   }
 
   @Test
@@ -91,7 +91,7 @@ final class FlightGearLinesTest extends RawLink {
     flightGear.connect(link.outPort());
     flightGear.send("7".repeat(3 * LineSplitter.LONGEST) + "\n" + RawFlightGear.line(5.0, 1.25));
     readUntil(AircraftReading::connected);
-    awaitTrouble("1 line of FlightGear refused: longer than 2048 bytes");
+    awaitTrouble("1 line from FlightGear refused: longer than 2048 bytes");
   }
 
   @Test
@@ -119,7 +119,7 @@ final class FlightGearLinesTest extends RawLink {
     awaitTrouble("silent for more than 1 s");
     flightGear.send(RawFlightGear.line(6.5, 1.0));
     readUntil(AircraftReading::connected);
-    awaitTrouble("FlightGear's lines are back after 1.");
+    awaitTrouble("FlightGear's lines resumed after 1.");
   }
 
   @Test

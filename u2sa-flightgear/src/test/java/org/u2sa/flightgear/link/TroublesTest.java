@@ -20,13 +20,13 @@ final class TroublesTest {
   @Test
   void take_refusedLines_firstAtOnceThenOnePauseApartWithTheirNumber() throws InterruptedException {
     troubles.refusedLine("a");
-    assertThat(troubles.take()).isEqualTo("1 line of FlightGear refused: a");
+    assertThat(troubles.take()).isEqualTo("1 line from FlightGear refused: a");
     for (int i = 0; i < 500; i++) {
       troubles.refusedLine("b");
     }
     assertThat(troubles.take()).isEmpty();
     clock.advance(Troubles.PAUSE_MICROS);
-    assertThat(troubles.take()).isEqualTo("500 lines of FlightGear refused, the last: b");
+    assertThat(troubles.take()).isEqualTo("500 lines from FlightGear refused, the last: b");
     assertThat(troubles.refusedLines()).isEqualTo(501);
   }
 

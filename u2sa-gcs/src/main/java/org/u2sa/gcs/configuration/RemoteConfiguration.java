@@ -73,7 +73,7 @@ public final class RemoteConfiguration {
   }
 
   /**
-   * Answers received when the given services have answered, or otherwise all. All are asked, even
+   * Returns the answers once the given services (default: all) have answered. All are asked, even
    * for a single one, so that a mistyped name can be reported with the existing names.
    */
   private List<ConfigurationResponse> answersOr(Set<String> these) throws InterruptedException {

@@ -16,7 +16,7 @@ import org.u2sa.gcs.mavlink.vehicle.VehicleKind;
  * @param place link to the stations
  * @param systemId MAVLink system ID of the vehicle, 1…250
  * @param kind kind of the vehicle; empty: determined by its control service
- * @param key file with the passphrase of message signing; empty: unsigned
+ * @param key file with the message-signing passphrase; empty: unsigned
  * @param logs folder whose recordings stations may download; empty: none
  */
 public record BridgeOptions(
@@ -78,14 +78,14 @@ public record BridgeOptions(
     InetSocketAddress address = address(text, target, tcp);
     if (!address.getAddress().isLoopbackAddress() && !isSigned) {
       throw wrong(
-          text, "an address beyond this host needs message signing; expected key=FILE as well");
+          text, "addresses other than this host's need message signing; expected key=FILE as well");
     }
     return tcp ? new StationPlace.Tcp(address) : new StationPlace.Udp(address);
   }
 
   private static Path folder(String text, String value) {
     if (value.isEmpty()) {
-      throw wrong(text, "logs: expected the folder of the recordings");
+      throw wrong(text, "logs: expected the recordings' folder");
     }
     return Path.of(value);
   }

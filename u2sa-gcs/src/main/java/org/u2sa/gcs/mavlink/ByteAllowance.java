@@ -2,7 +2,7 @@ package org.u2sa.gcs.mavlink;
 
 /**
  * Limits the bytes handled per link, on average and in a burst. Each message, or byte that looks
- * like the start of one, counts as 400 more bytes because it costs a checksum of 280 bytes.
+ * like the start of one, counts as 400 extra bytes because it costs a checksum of 280 bytes.
  */
 final class ByteAllowance {
   private static final double BYTES_PER_S = 100_000.0;

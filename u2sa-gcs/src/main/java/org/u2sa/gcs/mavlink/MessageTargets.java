@@ -41,7 +41,7 @@ final class MessageTargets {
     try {
       return (Integer) getter.invoke(message);
     } catch (IllegalAccessException | InvocationTargetException e) {
-      throw new IllegalStateException(getter + " is public and only reads", e);
+      throw new IllegalStateException(getter + ": expected a public getter that does not throw", e);
     }
   }
 }

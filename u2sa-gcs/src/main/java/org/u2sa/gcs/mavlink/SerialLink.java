@@ -4,7 +4,7 @@ import java.util.List;
 import org.u2sa.interfaces.communication.SerialLine;
 
 /**
- * One station at a serial line. Sends no faster than the line's rate, so that answers are not
+ * One station on a serial line. Sends no faster than the line's rate, so that answers are not
  * queued behind telemetry.
  */
 final class SerialLink implements StationLink {
@@ -20,7 +20,7 @@ final class SerialLink implements StationLink {
   private final StationSession session;
   private final double bytesPerS;
   private final byte[] buffer = new byte[CHUNK];
-  private double allowed; // bytes that may be sent; negative after a longer packet
+  private double allowed; // bytes that may be sent; negative if the last packet was longer
   private long filledMicros = Long.MIN_VALUE;
 
   SerialLink(SerialLine line, int baud, StationSession session) {
@@ -49,7 +49,7 @@ final class SerialLink implements StationLink {
 
   private void send() {
     for (byte[] packet = next(); packet != null; packet = next()) {
-      line.write(packet); // dropped if nobody listens, as by radio: later packets are newer
+      line.write(packet); // dropped if nobody listens, as with a radio; later packets are newer
       allowed -= packet.length;
     }
   }

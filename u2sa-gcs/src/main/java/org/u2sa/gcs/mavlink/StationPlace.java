@@ -29,7 +29,7 @@ sealed interface StationPlace {
   }
 
   /**
-   * One station is at a serial port, often by radio.
+   * One station on a serial port, often a telemetry radio.
    *
    * @param path device file
    * @param baud bits per second

@@ -159,7 +159,7 @@ final class StationSession implements GroundStation {
     }
   }
 
-  /** Sets the number of bytes that may wait before telemetry and bulk messages wait, too. */
+  /** Sets the number of queued bytes at which telemetry and bulk messages pause. */
   void room(int bytes) {
     roomBytes = bytes;
   }
@@ -199,7 +199,7 @@ final class StationSession implements GroundStation {
     return queuedBytes < roomBytes;
   }
 
-  /** Next packet to send; null if none waits. */
+  /** Next packet to send; null if none is queued. */
   byte[] poll() {
     byte[] packet = queue.poll();
     queuedBytes -= packet == null ? 0 : packet.length;

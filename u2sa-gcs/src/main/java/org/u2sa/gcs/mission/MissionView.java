@@ -49,7 +49,7 @@ public final class MissionView {
     return result.name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
-  /** Time of arrival [s since the start of the mission]; empty before. */
+  /** Time of arrival [s since the start of the mission]; empty before arrival. */
   public OptionalDouble arrivedS(GoalInformation goal) {
     return goal.arrivedAt().isPresent() && report.began().isPresent()
         ? OptionalDouble.of(

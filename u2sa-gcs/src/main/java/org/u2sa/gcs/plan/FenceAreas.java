@@ -24,7 +24,7 @@ public final class FenceAreas {
         .filter(reference -> !reference.text().equalsIgnoreCase("Global"))
         .ifPresent(
             reference -> {
-              throw reference.error("\"" + reference.text() + "\": a plan is in Global only");
+              throw reference.error("\"" + reference.text() + "\": plans support Global only");
             });
     for (String limit : List.of("floor", "ceiling")) {
       root.child(limit).ifPresent(each -> lost.add("fence: its " + limit + " " + each.text()));

@@ -19,7 +19,7 @@ import org.u2sa.messages.schema.MessageType;
 
 /**
  * Goals as items: a waypoint is NAV_WAYPOINT with its threshold as acceptance radius, a take-off
- * NAV_TAKEOFF, a landing NAV_LAND, a station as {@link StationItems} says; {@link WayOrders} come
+ * NAV_TAKEOFF, a landing NAV_LAND, a station as in {@link StationItems}; {@link WayOrders} come
  * before them, repetitions are DO_JUMP.
  */
 public final class GoalItems {
@@ -117,7 +117,7 @@ public final class GoalItems {
     }
     goals.stream()
         .filter(goal -> !idOfGoal.containsKey(goal.uid()))
-        .forEach(goal -> lose(goal, "is not on the way from goal to goal"));
+        .forEach(goal -> lose(goal, "cannot be reached from the first goal"));
   }
 
   /** The chain of goals from the first, until one recurs or has no successor. */
@@ -169,7 +169,7 @@ public final class GoalItems {
     boolean isStation = goal.type() == Station.TYPE;
     boolean isTakeOff = goal.type() == TakeOff.TYPE;
     if (!isStation && !isTakeOff && !ITEMS.contains(goal.type())) {
-      lose(goal, "is a " + goal.type().name() + ", which no item is");
+      lose(goal, "is of type " + goal.type().name() + ", which no item can express");
       return;
     }
     loseOthers(goal, fields);
@@ -178,7 +178,7 @@ public final class GoalItems {
     boolean isPlace = isGlobal && fields.containsKey("x") && fields.containsKey("y");
     boolean isZero = isPlace && (double) fields.get("x") == 0.0 && (double) fields.get("y") == 0.0;
     if (isZero && !isTakeOff) {
-      lose(goal, "is at 0, 0, which items take for the present position");
+      lose(goal, "is at 0, 0, which in items means the present position");
       return;
     }
     if (isHere ? fields.containsKey("z") && !isGlobal : !isPlace) {

@@ -76,7 +76,7 @@ public final class ItemGoals {
   private void add(PlanItem item) {
     pending.add(item.id());
     if (isOver) {
-      lose(item, "comes after the end of the way");
+      lose(item, "comes after the end of the route");
       return;
     }
     if (item.parameters().stream().anyMatch(each -> Math.abs(each) > LARGEST)) {
@@ -113,7 +113,7 @@ public final class ItemGoals {
     Integer target = goalFrom.get((int) item.parameter(1));
     double times = item.parameter(2);
     if (target == null || goals.isEmpty()) {
-      lose(item, "jumps to item " + item.parameter(1) + ", which no goal before it is");
+      lose(item, "jumps to item " + item.parameter(1) + ", which is not an earlier goal");
       return;
     }
     orders.jump(item, (Waypoint) goals.get(target), target);
@@ -124,7 +124,7 @@ public final class ItemGoals {
     } else if (times >= 1.0 && last.repeatFrom().isEmpty()) {
       last.repeatFrom(Integer.toString(target + 1)).repeatTimes((long) times);
     } else if (times != 0.0) {
-      lose(item, "jumps " + times + " times, or is the second jump at its place");
+      lose(item, "jumps " + times + " times, or is the second jump at the same point");
     }
   }
 

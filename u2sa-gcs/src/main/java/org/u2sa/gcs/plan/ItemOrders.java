@@ -126,7 +126,7 @@ final class ItemOrders {
     }
   }
 
-  /** Whether a start of the landing has no goal after it. */
+  /** Whether a landing start has no goal after it. */
   boolean isIncomplete() {
     return startsLanding;
   }

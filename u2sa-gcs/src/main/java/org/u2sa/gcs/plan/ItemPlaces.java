@@ -80,7 +80,7 @@ final class ItemPlaces {
 
   private Optional<Waypoint> hold(PlanItem item) {
     if (item.parameter(3) != 0.0 && !Double.isNaN(item.parameter(3))) {
-      detail(item, "a radius of " + item.parameter(3) + " m to pass");
+      detail(item, "a pass-by radius of " + item.parameter(3) + " m");
     }
     double stayS = stay(item);
     Optional<Waypoint> goal =
@@ -116,7 +116,7 @@ final class ItemPlaces {
 
   private Optional<Waypoint> landing(PlanItem item) {
     if (item.parameter(1) > 0.0 || item.parameter(2) > 0.0) {
-      detail(item, "an altitude to abort or a precise landing");
+      detail(item, "an abort altitude or a precision landing");
     }
     Optional<Waypoint> goal = position(item, new Landing());
     return goal.filter(at -> at.z().isEmpty()).isPresent()

@@ -11,7 +11,7 @@ import java.util.Set;
  * @param command number of its MAV_CMD
  * @param frame number of its MAV_FRAME
  * @param parameters seven numbers, as the command defines them; NaN where empty
- * @param goesOn whether the next item follows by itself
+ * @param goesOn whether the next item follows automatically
  * @param id number by which jumps name it
  */
 public record PlanItem(int command, int frame, List<Double> parameters, boolean goesOn, int id) {
@@ -128,7 +128,7 @@ public record PlanItem(int command, int frame, List<Double> parameters, boolean 
     return !isOrder() && !isView();
   }
 
-  /** For items of a writer that has no empty heading and writes 0. */
+  /** For items from a writer that stores an empty heading as 0. */
   public PlanItem withoutHeading0() {
     return hasHeading() && parameter(HEADING) == 0.0 ? with(HEADING, Double.NaN) : this;
   }

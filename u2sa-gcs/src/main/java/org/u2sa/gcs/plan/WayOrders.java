@@ -12,7 +12,7 @@ import org.u2sa.messages.goal.Waypoint;
  * order of their kind, and the start of the landing.
  */
 final class WayOrders {
-  static final double AIRSPEED = 0.0; // through the air or water, as goals have it
+  static final double AIRSPEED = 0.0; // through the air or water, as in goals
   static final double VEHICLE_CHOOSES = -2.0; // speed of DO_CHANGE_SPEED
   static final double UNCHANGED = -1.0; // speed, throttle and distance
   static final double NO_IMAGES = 0.0; // distance of DO_SET_CAM_TRIGG_DIST
@@ -25,8 +25,7 @@ final class WayOrders {
   private Optional<Point> view = Optional.empty();
 
   /**
-   * @param goals all goals of the mission; without any that uses the camera, no camera orders are
-   *     written
+   * @param goals all goals of the mission; if none uses the camera, no camera orders are written
    */
   WayOrders(List<GoalInformation> goals) {
     hasImages = goals.stream().anyMatch(goal -> imageDistanceM(goal) > 0.0);

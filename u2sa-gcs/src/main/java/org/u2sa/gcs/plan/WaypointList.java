@@ -8,8 +8,8 @@ import java.util.OptionalDouble;
 import org.u2sa.interfaces.BadInputException;
 
 /**
- * The text format {@code QGC WPL 110} of QGroundControl, Mission Planner and MAVProxy: a line for
- * each item, of twelve columns separated by tabs; item 0 is the home.
+ * The text format {@code QGC WPL 110} of QGroundControl, Mission Planner and MAVProxy: one line per
+ * item, with twelve columns separated by tabs; item 0 is the home.
  */
 public final class WaypointList {
   private static final String HEADER = "QGC WPL 110";

@@ -84,7 +84,7 @@ public final class LocalSystems {
             systemId + " " + reached + " " + start,
             failure ->
                 console.accept(
-                    "Commands that look there find this system by --broker "
+                    "Commands that look there find this system only with --broker "
                         + reached
                         + " only: "
                         + failure));

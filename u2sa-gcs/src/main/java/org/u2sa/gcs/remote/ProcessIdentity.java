@@ -30,7 +30,7 @@ final class ProcessIdentity {
       // The program's name is in parentheses, and may itself contain spaces and parentheses.
       String[] fields = stat.substring(stat.lastIndexOf(')') + 2).split(" ");
       return Optional.of(Files.readString(BOOT).trim() + "/" + fields[START_FIELD - STATE_FIELD]);
-    } catch (IOException e) { // no Linux, or ended just now
+    } catch (IOException e) { // not Linux, or it ended just now
       return process
           .filter(ProcessHandle::isAlive)
           .map(alive -> alive.info().startInstant().map(Instant::toString).orElse("unknown"));

@@ -28,7 +28,7 @@ public final class RemoteLink implements AutoCloseable {
   private final Consumer<String> trouble;
   private final Map<String, List<Consumer<U2SAData>>> listeners = new ConcurrentHashMap<>();
   private final Connection connection;
-  private final Thread ending; // an interrupted command disconnects cleanly, too
+  private final Thread ending; // also disconnects an interrupted command cleanly
 
   /**
    * Connects.
@@ -109,7 +109,7 @@ public final class RemoteLink implements AutoCloseable {
     }
     if (!connection.publish(channel, message)) {
       throw new CommunicationException(
-          "the broker did not take a message on \"" + channel + "\": is the connection lost?");
+          "the broker did not accept a message on \"" + channel + "\": is the connection lost?");
     }
   }
 

@@ -19,8 +19,8 @@ import org.u2sa.interfaces.time.SystemClock;
 import org.u2sa.messages.schema.MessageType;
 
 /**
- * The broker's user for whom a bridge client acts, with its own connection, so that the broker
- * checks everything the client sends. Thread-safe.
+ * The broker user that a bridge client acts as, with its own connection, so that the broker checks
+ * everything the client sends. Thread-safe.
  */
 final class RosAccount {
   private static final double ANSWER_WITHIN_S = 3.0;
@@ -82,7 +82,7 @@ final class RosAccount {
   }
 
   /**
-   * The connection, made at the first use.
+   * The connection, created on first use.
    *
    * @throws org.u2sa.interfaces.communication.CommunicationException if the broker refuses the user
    */

@@ -17,7 +17,7 @@ import org.u2sa.service.directory.DataOffer;
 import org.u2sa.service.directory.KnownService;
 
 /**
- * Services that clients may call: rosapi, with which ROS tools list topics, services, nodes and
+ * Services that clients may call: rosapi, which ROS tools use to list topics, services, nodes and
  * parameters. Calls may take seconds.
  */
 final class RosServices {
@@ -217,7 +217,7 @@ final class RosServices {
         "DeleteParam",
         call -> {
           throw new BadInputException(
-              "parameter \"" + call.text(NAME) + "\" belongs to its service; it can only be set");
+              "parameter \"" + call.text(NAME) + "\" belongs to its service and cannot be deleted");
         });
   }
 

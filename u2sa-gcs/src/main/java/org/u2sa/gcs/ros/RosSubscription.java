@@ -37,7 +37,7 @@ final class RosSubscription {
    * @param throttleMs minimum time between messages [ms]
    * @param backlog backlog of the client
    * @param writer serializes a message; it waits as text, because its size is then known
-   * @param out sends a text, or skips requesting it
+   * @param out sends a text, or drops the message without requesting its text
    * @param later runs a task after a time [ms], unless cancelled first
    */
   RosSubscription(

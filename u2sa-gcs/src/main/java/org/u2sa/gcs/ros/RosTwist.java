@@ -8,9 +8,9 @@ import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.safety.ManualDrive;
 
-/** {@code geometry_msgs/Twist} as motion wanted by hand, and back. */
+/** {@code geometry_msgs/Twist} as a manual driving command, and back. */
 final class RosTwist {
-  /** Topic on which ROS tools drive by hand. */
+  /** Topic for manual driving with ROS tools. */
   static final String TOPIC = "/cmd_vel";
 
   private RosTwist() {}
@@ -49,7 +49,7 @@ final class RosTwist {
 
   static Optional<Object> of(ManualDrive drive) {
     return drive.speed().isEmpty() || drive.turnRate().isEmpty()
-        ? Optional.empty() // shares of what the vehicle allows
+        ? Optional.empty() // fractions of the vehicle's limits
         : Optional.of(
             fields(
                 "linear",

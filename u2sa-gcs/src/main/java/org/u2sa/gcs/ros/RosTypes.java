@@ -33,7 +33,7 @@ final class RosTypes {
    */
   record Field(String type, int length, String name) {}
 
-  private final Map<String, List<Field>> types = new LinkedHashMap<>(); // by name of ROS 1
+  private final Map<String, List<Field>> types = new LinkedHashMap<>(); // by ROS 1 name
 
   RosTypes() {
     try (InputStream in = RosTypes.class.getResourceAsStream("messages.txt")) {

@@ -111,7 +111,7 @@ final class RosbridgeServer implements ClientBridge {
     server.close();
   }
 
-  /** One client: its operations and calls are done on two threads of its own, in order. */
+  /** One client, with one thread for its operations and one for its calls, each in order. */
   private final class Client implements WebSocketServer.Conversation {
     private final ClientSocket socket;
     private final RosbridgeSession session;
@@ -166,7 +166,8 @@ final class RosbridgeServer implements ClientBridge {
     @Override
     public void text(String text) {
       if (!rate.isOpen(clock.micros())) {
-        session.status("error", "more than " + PER_S + " operations, or KiB of them, a second", "");
+        session.status(
+            "error", "more than " + PER_S + " operations, or KiB of them, per second", "");
         socket.close();
         return;
       }
@@ -187,7 +188,7 @@ final class RosbridgeServer implements ClientBridge {
       session.status("error", "too many " + what + " at once; this one is dropped", id);
     }
 
-    /** Parses a text only when its turn comes, because it then takes many times its length. */
+    /** Parses a text only when its turn comes, because the result takes many times its length. */
     private void take(String text) {
       boolean isCalled = false;
       try {
@@ -207,7 +208,7 @@ final class RosbridgeServer implements ClientBridge {
       }
     }
 
-    /** Whether the call waits for its turn. */
+    /** Queues a call; false if too many are waiting. */
     private boolean call(String text, String id) {
       try {
         calls.execute(() -> answer(text, id));

@@ -171,7 +171,7 @@ final class RosbridgeSession {
     }
     long count = dropped.incrementAndGet();
     if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: reports need space too
-      status("warning", "reads too slowly: " + count + " messages were not sent so far", "");
+      status("warning", "reads too slowly: " + count + " messages not sent so far", "");
     }
   }
 
@@ -258,7 +258,7 @@ final class RosbridgeSession {
             () ->
                 new BadInputException(
                     RosTwist.TOPIC
-                        + " counts after a ManualOrder on /u2sa/manual_orders (docs/ros.md#drive)"));
+                        + " takes effect only after a ManualOrder on /u2sa/manual_orders (docs/ros.md#drive)"));
     account.link().publish(Channels.MANUAL_DRIVE, RosTwist.drive(twist, operator));
   }
 
@@ -274,7 +274,7 @@ final class RosbridgeSession {
         : Optional.empty();
   }
 
-  /** Calls a service and answers; on a thread of its own, as it may take seconds. */
+  /** Calls a service and answers; called on its own thread, because it may take seconds. */
   void call(RosOperation operation) throws InterruptedException {
     JsonText answer = new JsonText().put("op", "service_response");
     String service = operation.text("service");

@@ -22,7 +22,7 @@ public final class StopOrder {
   /** The Safety Manager's arming state is retained, so it arrives immediately if it exists. */
   private static final double RETAINED_WITHIN_S = 0.1;
 
-  /** Systems that one order stops. */
+  /** Maximum number of systems that one order stops. */
   public static final int MAX_SYSTEMS = 64; // caps memory against spoofed systems
 
   private final RemoteLink link;
@@ -37,8 +37,8 @@ public final class StopOrder {
   /**
    * @param link to one system, or to all
    * @param waiter used by {@link #await} only
-   * @param operator who stops
-   * @param reason why, for the logs
+   * @param operator author of the stop
+   * @param reason reason for the stop, for the logs
    */
   public StopOrder(RemoteLink link, Clock.Waiter waiter, String operator, String reason) {
     this.link = link;
@@ -69,7 +69,7 @@ public final class StopOrder {
     try {
       link.publish(Channels.EMERGENCY_STOP, stop);
       return "";
-    } catch (CommunicationException | IllegalArgumentException e) { // or no valid system ID
+    } catch (CommunicationException | IllegalArgumentException e) { // or an invalid system ID
       return e.getMessage();
     }
   }
@@ -99,7 +99,7 @@ public final class StopOrder {
   }
 
   /**
-   * Waits until every known system has confirmed the stop, at least for as long as two reports
+   * Waits until every known system has confirmed the stop, but at least as long as two reports
    * take.
    *
    * @return the systems to which the stop was sent; empty if none was found

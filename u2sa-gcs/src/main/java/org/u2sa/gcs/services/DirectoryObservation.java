@@ -91,7 +91,7 @@ public final class DirectoryObservation {
     return directory.services().stream().map(KnownService::name).toList();
   }
 
-  /** Last condition of each service by the health monitor, including services that are gone. */
+  /** Last condition of each service from the health monitor; also of services that are gone. */
   Map<String, ServiceCondition> conditions() {
     synchronized (conditions) {
       return new TreeMap<>(conditions);

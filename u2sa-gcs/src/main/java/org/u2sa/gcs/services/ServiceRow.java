@@ -16,7 +16,7 @@ import org.u2sa.service.directory.KnownService;
  * @param status its reported status, "no answer" if it does not answer discovery, "gone" if absent
  * @param discovery its discovery response
  * @param health its latest health report
- * @param condition its condition by the health monitor
+ * @param condition its condition as reported by the health monitor
  */
 public record ServiceRow(
     String name,

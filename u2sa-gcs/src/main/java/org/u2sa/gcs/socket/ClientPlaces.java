@@ -16,7 +16,7 @@ final class ClientPlaces {
   private static final int HANDSHAKE_WITHIN_S = 10;
 
   private final int most;
-  private final Map<Channel, Future<?>> handshakes = new LinkedHashMap<>(); // oldest first; limits
+  private final Map<Channel, Future<?>> handshakes = new LinkedHashMap<>(); // limits, oldest first
   private final Map<ClientSocket, Conversation> clients = new LinkedHashMap<>(); // oldest first
 
   ClientPlaces(int most) {
@@ -34,7 +34,7 @@ final class ClientPlaces {
     }
   }
 
-  /** A time limit that stayed would keep a closed connection in memory, thousands a second. */
+  /** Cancels the time limit, which would keep the closed connection in memory. */
   private void endHandshake(Channel channel) {
     Future<?> limit = handshakes.remove(channel);
     if (limit != null) {

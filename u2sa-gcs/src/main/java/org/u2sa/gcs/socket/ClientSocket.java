@@ -25,7 +25,7 @@ public final class ClientSocket {
     return String.valueOf(channel.remoteAddress());
   }
 
-  /** Header of the handshake's request. */
+  /** Header of the handshake request. */
   public Optional<String> header(String name) {
     return Optional.ofNullable(headers.get(name));
   }

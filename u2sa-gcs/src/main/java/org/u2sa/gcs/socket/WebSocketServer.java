@@ -48,8 +48,8 @@ public final class WebSocketServer implements AutoCloseable {
 
   /**
    * Incomplete messages are kept on the heap in chunks of 256 KiB instead of 4 MiB: a small heap
-   * comes with equally little buffer memory, and without any the broker's network thread waits for
-   * the garbage collector.
+   * comes with equally little buffer memory, and when that is used up the broker's network thread
+   * waits for the garbage collector.
    */
   private static final ByteBufAllocator MEMORY =
       new PooledByteBufAllocator(false, 1, 1, 8_192, 5, 0, 0, false);

@@ -16,7 +16,7 @@ import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.recorder.playback.RecordedSpan;
 import org.u2sa.report.message.ViewerJson;
 
-/** Plays a recording to viewers as soon as one is connected. */
+/** Plays a recording to viewers once one is connected. */
 public final class RecordedView {
   private static final double WAIT_FOR_SUBSCRIPTIONS_S = 2.0;
   private static final double LOOK_S = 0.05;

@@ -16,7 +16,7 @@ import org.u2sa.interfaces.JsonText;
 import org.u2sa.report.message.JsonReader;
 
 /**
- * Serves channels to viewers by the Foxglove WebSocket protocol, version 1: server info,
+ * Serves channels to viewers through the Foxglove WebSocket protocol, version 1: server info,
  * advertisements, status, messages. Reads subscriptions, and answers everything else with an error.
  */
 public final class ViewServer implements AutoCloseable {
@@ -92,7 +92,7 @@ public final class ViewServer implements AutoCloseable {
     return false;
   }
 
-  /** Reports messages that cannot be shown, ever more rarely: senders determine the rate. */
+  /** Reports messages that cannot be shown, ever less often: senders determine the rate. */
   void notShown(String topic, RuntimeException why) {
     if (Long.bitCount(++notShown) == 1) { // 1, 2, 4, 8…
       remarks.accept("a message on " + topic + " cannot be shown, " + notShown + " so far: " + why);
@@ -166,7 +166,7 @@ public final class ViewServer implements AutoCloseable {
     if (!known.isEmpty()) {
       viewer.send(advertise(known));
     }
-    remarks.accept("viewer " + viewer.address() + " came (" + socket.subprotocol() + ")");
+    remarks.accept("viewer " + viewer.address() + " connected (" + socket.subprotocol() + ")");
     return new Conversation(viewer);
   }
 
@@ -183,7 +183,7 @@ public final class ViewServer implements AutoCloseable {
       remarks.accept(
           "viewer "
               + viewer.address()
-              + " left; "
+              + " disconnected; "
               + viewer.sent()
               + " messages sent, "
               + viewer.dropped()

@@ -114,7 +114,7 @@ final class ViewerSession {
     if (!socket.isWritable()) {
       long count = dropped.incrementAndGet();
       if (Long.bitCount(count) == 1) { // 1, 2, 4, 8…: reports need space too
-        status(Level.WARNING, "reads too slowly: " + count + " messages were not sent so far");
+        status(Level.WARNING, "reads too slowly: " + count + " messages not sent so far");
       }
       return;
     }

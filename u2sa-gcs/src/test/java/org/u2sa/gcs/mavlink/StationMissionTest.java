@@ -194,7 +194,8 @@ class StationMissionTest {
             new ObjectGoal().uid("buoy").objectType("Buoy").within(2.0)),
         false);
     assertThat(downloaded(kit)).isEmpty();
-    assertThat(kit.texts()).contains("goal \"buoy\": is a ObjectGoal, which no item is");
+    assertThat(kit.texts())
+        .contains("goal \"buoy\": is of type ObjectGoal, which no item can express");
   }
 
   @Test

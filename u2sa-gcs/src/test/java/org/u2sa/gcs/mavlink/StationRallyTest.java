@@ -99,7 +99,7 @@ class StationRallyTest {
   @CsvSource({
     "5100, 10, 50, is in MAV_FRAME 10",
     "16, 0, 50, is a command 16",
-    "5100, 3, 0, is not above the altitude of the home",
+    "5100, 3, 0, is not above the home's altitude",
     "5100, 0, NaN, has no altitude",
   })
   void upload_unusableItem_isRefusedByName(int command, int frame, double z, String why) {

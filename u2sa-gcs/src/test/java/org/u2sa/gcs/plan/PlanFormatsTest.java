@@ -214,8 +214,8 @@ class PlanFormatsTest {
     assertThat(made.items()).isEmpty();
     assertThat(lost)
         .containsExactly(
-            "goal \"1\": is at 0, 0, which items take for the present position",
-            "goal \"2\": is at 0, 0, which items take for the present position");
+            "goal \"1\": is at 0, 0, which in items means the present position",
+            "goal \"2\": is at 0, 0, which in items means the present position");
   }
 
   @Test
@@ -237,7 +237,7 @@ class PlanFormatsTest {
   @ParameterizedTest
   @CsvSource({
     "'205,2,0,0,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_MOUNT_CONTROL): no goal can express that'",
-    "'21,0,10,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): an altitude to abort'",
+    "'21,0,10,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LAND): an abort altitude'",
     "'21,0,0,0,0,0,50,8,nan,1', 'item 1 (MAV_CMD_NAV_LAND): no altitude of the ground'",
     "'18,0,0,0,0,0,50,8,30,1', 'item 1 (MAV_CMD_NAV_LOITER_TURNS): 0.0 turns'",
     "'93,2,-1,12,0,0,0,0,0,1', 'item 1 (MAV_CMD_NAV_DELAY): until a time of day'",
@@ -248,9 +248,9 @@ class PlanFormatsTest {
     "'206,2,25,9,0,0,0,0,0,1', 'item 1 (MAV_CMD_DO_SET_CAM_TRIGG_DIST): a shutter time of 9.0'",
     "'16,10,0,0,0,0,50,8,30,1', 'an altitude in frame 10'",
     "'16,3,0,0,0,0,0,0,30,1', 'latitude 0.0, longitude 0.0 is not a position'",
-    "'16,3,0,0,50,0,50,8,30,1', 'a radius of 50.0 m'",
+    "'16,3,0,0,50,0,50,8,30,1', 'a pass-by radius of 50.0 m'",
     "'16,3,0,0,0,0,50,8,30,0', 'waits for an operator'",
-    "'177,2,5,1,0,0,0,0,0,1', 'jumps to item 5.0, which no goal before it is'",
+    "'177,2,5,1,0,0,0,0,0,1', 'jumps to item 5.0, which is not an earlier goal'",
     "'178,2,2,5,-1,0,0,0,0,1', 'a speed of type 2.0; expected 0 or 1'",
     "'178,2,0,0,-1,0,0,0,0,1', 'a speed of 0.0 m/s; expected more than 0'",
     "'16,1,0,0,0,0,50,8,30,1', 'frame 1'",

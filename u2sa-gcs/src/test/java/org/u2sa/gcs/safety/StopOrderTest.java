@@ -151,7 +151,7 @@ class StopOrderTest {
 
     order.send("cessna");
 
-    assertThat(order.failure("cessna")).contains("did not take");
+    assertThat(order.failure("cessna")).contains("did not accept");
     assertThat(order.failure("boat")).isEmpty();
   }
 

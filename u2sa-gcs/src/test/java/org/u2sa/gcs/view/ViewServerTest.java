@@ -205,7 +205,7 @@ class ViewServerTest {
       }
       asleep.close();
       String left = remarks.poll(30, TimeUnit.SECONDS);
-      while (left != null && !left.contains(" left; ")) {
+      while (left != null && !left.contains(" disconnected; ")) {
         left = remarks.poll(30, TimeUnit.SECONDS);
       }
       assertThat(left).containsPattern(" [1-9]\\d* dropped because it read too slowly");

@@ -50,7 +50,7 @@ public final class LocalBus implements Transport {
 
     /**
      * Handles a retained message from another process that is now the last one on a topic that a
-     * local service publishes, too. A bridge with its own retained store forwards it, because a
+     * local service also publishes. A bridge with its own retained store forwards it, because a
      * copy of an older message may have arrived there later.
      */
     default void restate(Channel<?> channel, U2SAData message) {

@@ -37,7 +37,7 @@ public final class TopicLevel {
    */
   static String name(String level) {
     if (level.isEmpty()) {
-      throw new IllegalArgumentException("expected the source's name behind '='");
+      throw new IllegalArgumentException("expected the source's name after '='");
     }
     StringBuilder decoded = new StringBuilder();
     for (int i = 0; i < level.length(); i++) {

@@ -19,7 +19,7 @@ import org.u2sa.interfaces.JsonText;
 /**
  * A line of a configuration's audit log.
  *
- * @param revision after the change; of a failed change, the one it would have had
+ * @param revision revision after the change; for a failed change, the one it would have had
  * @param reason reason for rejection; empty if accepted
  * @param undoes revision of the change it undoes; empty if none
  */

@@ -181,7 +181,7 @@ final class BoundVariable {
       return;
     }
     if (unit().isEmpty()) {
-      throw error("unit \"" + fileUnit() + "\" is given, the variable has none");
+      throw error("unit \"" + fileUnit() + "\" is given, but the variable has none");
     }
     if (type == VariableType.INTEGER) {
       throw error("unit is \"" + fileUnit() + "\", expected \"" + unit() + "\"");

@@ -63,7 +63,7 @@ final class ChangePlanner {
       throw new ConfigurationException(
           place(name)
               + String.format(
-                  "is %s in the file, not %s as the service read it; to overwrite it, name no revision",
+                  "is %s in the file, not %s as the service read it; to overwrite it, omit the revision",
                   now.map(FileVariable::text).orElse("absent"), seen.orElse("absent")));
     }
   }
@@ -88,7 +88,7 @@ final class ChangePlanner {
       throw new ConfigurationException(
           place(name)
               + String.format(
-                  "is %s, not %s as revision %s left it: not taken back",
+                  "is %s, not %s as revision %s left it: not undone",
                   before.map(FileVariable::text).orElse("absent"),
                   value.textAfter().orElse("absent"),
                   revision));

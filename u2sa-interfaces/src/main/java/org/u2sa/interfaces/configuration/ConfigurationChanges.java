@@ -99,7 +99,7 @@ final class ConfigurationChanges {
                   .orElseThrow(
                       () ->
                           new ConfigurationException(
-                              live.origin() + ": no change is remembered that could be undone"));
+                              live.origin() + ": there is no recorded change to undo"));
           List<ChangePlanner.PlannedChange> plan = new ChangePlanner(memory, file).undo(last);
           return make(memory, plan, file, by, OptionalLong.of(last.revision()), check);
         });

@@ -134,7 +134,7 @@ record FileVariable(
     Optional<String> min = element.optionalAttribute("min");
     Optional<String> max = element.optionalAttribute("max");
     if (!type.isNumber() && (min.isPresent() || max.isPresent())) {
-      throw error(place, name, "min and max are for numbers, the type is " + type.xmlName());
+      throw error(place, name, "min and max are for numbers, but the type is " + type.xmlName());
     }
     double lowest = min.map(text -> limit(place, name, "min", text)).orElse(Range.any().min());
     double highest = max.map(text -> limit(place, name, "max", text)).orElse(Range.any().max());

@@ -19,7 +19,7 @@ public record Range(double min, double max, boolean minExcluded) {
   public Range {
     if (!(min < max || min == max && !minExcluded)) {
       throw new IllegalArgumentException(
-          "a range " + (minExcluded ? "above " : "from ") + min + " to " + max + " holds nothing");
+          "a range " + (minExcluded ? "above " : "from ") + min + " to " + max + " is empty");
     }
   }
 
@@ -79,7 +79,7 @@ public record Range(double min, double max, boolean minExcluded) {
     if (Double.isInfinite(min) || Double.isInfinite(max)) {
       return value + " is not " + withUnit(unit);
     }
-    String without = minExcluded ? " (" + NumberText.of(min) + " itself is outside, too)" : "";
+    String without = minExcluded ? " (" + NumberText.of(min) + " itself is also outside)" : "";
     return value + " is outside " + of(min, max).withUnit(unit) + without;
   }
 

@@ -113,7 +113,8 @@ final class RecordBinding<T> {
       return said.name();
     }
     if (!parameter.isNamePresent()) {
-      throw new IllegalArgumentException(said + ": give a name, or compile with -parameters");
+      throw new IllegalArgumentException(
+          said + ": expected a name, or compilation with -parameters");
     }
     return parameter.getName().replaceAll("(?<=[a-z0-9])(?=[A-Z])", " ").toUpperCase(Locale.ROOT);
   }

@@ -215,7 +215,7 @@ public final class XmlConfiguration implements Configurator {
   }
 
   /**
-   * Undoes the latest change not undone yet, by any process; the audit log remembers some hundred.
+   * Undoes the latest change not undone yet, by any process; the audit log keeps about a hundred.
    *
    * @param check validates the combination before anything is written
    */
@@ -223,7 +223,7 @@ public final class XmlConfiguration implements Configurator {
     return writeUndo(by, check).takeEffect();
   }
 
-  /** The blocking part of {@link #undo}, as {@link #write}. */
+  /** The blocking part of {@link #undo}; see {@link #write}. */
   public WrittenChange writeUndo(ChangeOrigin by, ConfigurationCheck check) {
     return changes.undo(by, check);
   }

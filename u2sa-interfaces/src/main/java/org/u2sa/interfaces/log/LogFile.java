@@ -280,7 +280,7 @@ public final class LogFile implements AutoCloseable {
     synchronized (waiting) {
       FileLine oldest = waiting.peek();
       if (oldest != null && stopwatch.micros() - oldest.micros() > HANGS_AFTER_MICROS) {
-        return "the disk does not answer, " + waiting.size() + " lines wait";
+        return "the disk does not answer; lines waiting: " + waiting.size();
       }
     }
     return failures.get() == 0 ? "" : failures.get() + " lines could not be written";

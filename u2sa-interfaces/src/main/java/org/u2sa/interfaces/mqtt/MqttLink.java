@@ -218,7 +218,7 @@ final class MqttLink {
   private void noWayBack(String failure) {
     if (!failure.equals(lastFailure) && !closed) {
       lastFailure = failure; // reported once
-      owner.trouble("cannot reconnect to " + address + " yet: " + failure + "; tries on");
+      owner.trouble("cannot reconnect to " + address + " yet: " + failure + "; still trying");
     }
   }
 

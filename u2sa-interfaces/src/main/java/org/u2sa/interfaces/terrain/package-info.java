@@ -1,5 +1,5 @@
 /**
- * The shape of the ground that services know, from a file. Mapping by sensors belongs to
- * u2sa-world, simulation to u2sa-sim.
+ * Terrain known to services, from a file. Mapping by sensors belongs to u2sa-world, simulation to
+ * u2sa-sim.
  */
 package org.u2sa.interfaces.terrain;

@@ -116,7 +116,7 @@ final class XmlParser {
   private void start() {
     if (open.size() == MAX_DEPTH) {
       throw new BadInputException(
-          origin + ", line " + line() + ": more than " + MAX_DEPTH + " elements within each other");
+          origin + ", line " + line() + ": more than " + MAX_DEPTH + " nested elements");
     }
     if (++elements > MAX_ELEMENTS) {
       throw new BadInputException(
@@ -144,8 +144,7 @@ final class XmlParser {
             closed.children,
             text);
     if (!closed.children.isEmpty() && !text.isEmpty()) {
-      throw element.error(
-          "text \"" + XmlElement.shortened(text) + "\" stands between its elements");
+      throw element.error("text \"" + XmlElement.shortened(text) + "\" is between its elements");
     }
     if (!open.isEmpty()) {
       open.peek().children.add(element);

@@ -55,7 +55,7 @@ public final class XmlText {
             file
                 + (attributes.isDirectory()
                     ? ": is a directory, expected an XML file"
-                    : ": is a device or the like, expected a regular file"));
+                    : ": is a device or similar, expected a regular file"));
       }
       if (attributes.size() == 0) {
         throw new BadInputException(file + ": is empty, expected an XML file");
@@ -224,6 +224,6 @@ public final class XmlText {
 
   private static BadInputException tooLarge(String origin) {
     return new BadInputException(
-        origin + ": is larger than " + MAX_BYTES / (1024 * 1024) + " MB, the most that is read");
+        origin + ": is larger than " + MAX_BYTES / (1024 * 1024) + " MB, the maximum");
   }
 }

@@ -44,7 +44,7 @@ class TopicLevelTest {
       delimiter = '|',
       textBlock =
           """
-          ''        | expected the source's name behind '='
+          ''        | expected the source's name after '='
           a b%0020c | source "a b%0020c": expected "a%0020b%0020c"
           a%002     | source "a%002": expected four hexadecimal digits after '%'
           %00+F     | source "%00+F": expected four hexadecimal digits after '%'

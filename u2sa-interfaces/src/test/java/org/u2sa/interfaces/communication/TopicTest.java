@@ -82,7 +82,7 @@ class TopicTest {
           u2sa/a b/state/T             | system ID "a b": expected 1 to 64 letters
           u2sa/a/State/T               | expected a channel's name and then names of types
           u2sa/a/state/=GPS            | expected a type before the source "=GPS"
-          u2sa/a/actuators/T/=         | expected the source's name behind '='
+          u2sa/a/actuators/T/=         | expected the source's name after '='
           u2sa/a/actuators/T/=%2F      | expected four hexadecimal digits after '%'
           u2sa/a/actuators/T/=%0041    | source "%0041": expected "A"
           u2sa/a/actuators/T/=%002f    | source "%002f": expected "%002F"

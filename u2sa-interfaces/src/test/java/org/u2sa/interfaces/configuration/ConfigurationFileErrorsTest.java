@@ -32,7 +32,7 @@ class ConfigurationFileErrorsTest extends RefusedFile {
           name='A' type='double' value='1e999' | variable "A": value "1e999" is too large for a number
           name='A' type='BOOLEAN' value='yes' | variable "A": value "yes" is not true or false
           name='A' type='double' value='1' min='5' max='4' | variable "A": min 5 is above max 4
-          name='A' type='string' value='1' min='5' | variable "A": min and max are for numbers, the type is string
+          name='A' type='string' value='1' min='5' | variable "A": min and max are for numbers, but the type is string
           name='A' type='int' value='1' min='low' | variable "A": min "low" is not a number
           name='A' type='double' value='95' unit='deg' min='0' max='60' | variable "A": 95 deg is outside 0…60 deg
           name='B' type='int' value='1'/><variable name='B' type='int' value='2' | variable "B": appears twice; first in line 2
@@ -101,6 +101,6 @@ class ConfigurationFileErrorsTest extends RefusedFile {
     for (int i = 0; i < 10_000; i++) {
       text.append("<a>\n");
     }
-    assertLoadRefused(text.toString(), ", line 101: more than 100 elements within each other");
+    assertLoadRefused(text.toString(), ", line 101: more than 100 nested elements");
   }
 }

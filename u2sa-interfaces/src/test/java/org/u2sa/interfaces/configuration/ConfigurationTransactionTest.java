@@ -152,7 +152,7 @@ class ConfigurationTransactionTest {
         .contains(
             file
                 + ", variable \"BANK\": is 20 in the file, not 30 as the service read it;"
-                + " to overwrite it, name no revision");
+                + " to overwrite it, omit the revision");
     assertThat(change(Map.of("BANK", 0.1)).assignments().get(0).previous())
         .contains(String.valueOf(Math.toRadians(20.0)));
   }
@@ -181,7 +181,7 @@ class ConfigurationTransactionTest {
     assertThat(configuration.getVariable("BANK")).isEqualTo(Math.toRadians(30.0));
     assertThat(configuration.getVariable("SPEED")).isEqualTo(45.0);
     assertThat(configuration.revision()).isEqualTo(4);
-    assertThat(undo().refusal()).contains(file + ": no change is remembered that could be undone");
+    assertThat(undo().refusal()).contains(file + ": there is no recorded change to undo");
   }
 
   @Test
@@ -203,7 +203,7 @@ class ConfigurationTransactionTest {
 
     assertThat(undo().refusal())
         .contains(
-            file + ", variable \"LOOP\": is TRUE, not true as revision 1 left it: not taken back");
+            file + ", variable \"LOOP\": is TRUE, not true as revision 1 left it: not undone");
   }
 
   @Test

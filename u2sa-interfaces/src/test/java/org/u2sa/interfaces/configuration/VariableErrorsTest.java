@@ -36,7 +36,7 @@ class VariableErrorsTest extends RefusedFile {
           """
           PORT | type='string' value='1883' | type is string, expected int
           PORT | type='int' value='70000' | 70000 is outside 1…65535
-          PORT | type='int' value='1' unit='m' | unit "m" is given, the variable has none
+          PORT | type='int' value='1' unit='m' | unit "m" is given, but the variable has none
           BANK LIMIT | type='double' value='95' unit='deg' | 95 deg is outside 0…60 deg
           BANK LIMIT | type='double' value='1' unit='ft' | unit "ft" measures length, expected angle: rad, deg, °
           BANK LIMIT | type='double' value='1' unit='degr' | unknown unit "degr"; expected angle: rad, deg, °; did you mean "deg"?

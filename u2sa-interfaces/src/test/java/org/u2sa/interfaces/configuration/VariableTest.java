@@ -35,7 +35,7 @@ class VariableTest {
     assertThat(Range.positive().refusal("-3 m", "m")).isEqualTo("-3 m is not above 0 m");
     assertThat(Range.nonNegative().refusal("-3", "")).isEqualTo("-3 is not at least 0");
     assertThat(Range.above(0, 1).refusal("2 m", "m"))
-        .isEqualTo("2 m is outside 0…1 m (0 itself is outside, too)");
+        .isEqualTo("2 m is outside 0…1 m (0 itself is also outside)");
   }
 
   @Test
@@ -60,7 +60,7 @@ class VariableTest {
     assertThat(Range.nonNegative().contains(-1e-300)).isFalse();
     assertThat(Range.any().contains(Double.NaN)).isFalse();
     assertThat(Range.any().contains(Double.POSITIVE_INFINITY)).isFalse();
-    assertThatThrownBy(() -> Range.of(2, 1)).hasMessage("a range from 2.0 to 1.0 holds nothing");
+    assertThatThrownBy(() -> Range.of(2, 1)).hasMessage("a range from 2.0 to 1.0 is empty");
     assertThatThrownBy(() -> Range.of(Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class);
     assertThat(
             new Range[] {

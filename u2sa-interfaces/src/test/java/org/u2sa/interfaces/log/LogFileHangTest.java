@@ -151,7 +151,7 @@ class LogFileHangTest extends LogFileFixture {
       nowMicros.addAndGet(2_000_000L);
       assertThat(log.trouble()).isEmpty();
       nowMicros.addAndGet(1L);
-      assertThat(log.trouble()).isEqualTo("the disk does not answer, 1 lines wait");
+      assertThat(log.trouble()).isEqualTo("the disk does not answer; lines waiting: 1");
 
       answers.countDown();
     }

@@ -40,14 +40,14 @@ class XmlLimitsTest {
   @Test
   @DisabledOnOs(OS.WINDOWS)
   void read_device_isRefusedUnread() {
-    assertRefused(Paths.get("/dev/zero"), ": is a device or the like, expected a regular file");
+    assertRefused(Paths.get("/dev/zero"), ": is a device or similar, expected a regular file");
   }
 
   @Test
   @DisabledOnOs(OS.WINDOWS)
   void read_linkToADevice_isRefusedUnread() throws IOException {
     Path link = Files.createSymbolicLink(folder.resolve("m.xml"), Paths.get("/dev/zero"));
-    assertRefused(link, ": is a device or the like, expected a regular file");
+    assertRefused(link, ": is a device or similar, expected a regular file");
   }
 
   @Test
@@ -55,7 +55,7 @@ class XmlLimitsTest {
   void read_namedPipe_isRefusedWithoutWaitingForAWriter() throws Exception {
     Path pipe = folder.resolve("pipe.xml");
     assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
-    assertRefused(pipe, ": is a device or the like, expected a regular file");
+    assertRefused(pipe, ": is a device or similar, expected a regular file");
   }
 
   @Test
@@ -91,7 +91,7 @@ class XmlLimitsTest {
     try (RandomAccessFile sparse = new RandomAccessFile(file.toFile(), "rw")) {
       sparse.setLength(1L << 40);
     }
-    assertRefused(file, ": is larger than 16 MB, the most that is read");
+    assertRefused(file, ": is larger than 16 MB, the maximum");
   }
 
   @Test
@@ -104,14 +104,13 @@ class XmlLimitsTest {
           }
         };
     assertThatThrownBy(() -> XmlReader.read(endless, "m.xml", "mission"))
-        .hasMessage("m.xml: is larger than 16 MB, the most that is read");
+        .hasMessage("m.xml: is larger than 16 MB, the maximum");
   }
 
   @Test
   void read_elementsWithinEachOther_areRefusedInTheirLine() {
     assertRefused(
-        "<mission>\n" + "<a>".repeat(4_000_000),
-        "m\\.xml, line 2: more than 100 elements within each other");
+        "<mission>\n" + "<a>".repeat(4_000_000), "m\\.xml, line 2: more than 100 nested elements");
   }
 
   @Test

@@ -94,7 +94,7 @@ class XmlReaderTest {
       textBlock =
           """
           <?xml version='1.0' encoding='KLINGON-8'?><mission/> | 1: unknown encoding "KLINGON-8"; expected UTF-8
-          <mission>⏎<home><x>1</x> 5 </home></mission> | 2, <home>: text "5" stands between its elements
+          <mission>⏎<home><x>1</x> 5 </home></mission> | 2, <home>: text "5" is between its elements
           <mission>⏎&nbsp;</mission> | 2: not well-formed XML: Undeclared general entity "nbsp"
           <mission a='1' a='2'/> | 1: not well-formed XML: Duplicate attribute 'a'.
           """)

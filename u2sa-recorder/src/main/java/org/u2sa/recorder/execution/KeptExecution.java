@@ -38,7 +38,7 @@ public final class KeptExecution implements Execution {
   /**
    * Creates an execution that starts on the calling thread, which constructs the service.
    *
-   * @param clock of the run
+   * @param clock the run's clock
    * @param awaitsPlace whether the service is to replace another, which may be refused
    * @param onBegin called when it is certain that the service will run; may call {@link #keepAs} to
    *     keep the execution

@@ -306,7 +306,7 @@ final class RecordedCourse {
   }
 
   /**
-   * Reports the remaining recorded outputs after a service ended early. * *
+   * Reports the remaining recorded outputs after a service ended early.
    *
    * @throws IOException if the recording cannot be read
    */

@@ -113,7 +113,7 @@ public final class Rerun {
       remarks.add("publishes from its own threads, whose output cannot be re-executed");
     }
     if (course.hasStrayed()) {
-      remarks.add("read the clock, waited or published in another order than in the recording");
+      remarks.add("read the clock, waited or published in a different order than in the recording");
     }
     return new Outcome(
         execution,

@@ -28,7 +28,7 @@ import org.u2sa.service.handover.HandOverText;
  * is written, whatever the recording contains.
  */
 final class RestoredInputs {
-  /** Nesting that lets a configuration use paths up to this many folders up. */
+  /** Nested folders, so that a configuration may use paths that go up this many levels. */
   private static final String DEPTH = "1/2/3/4/5/6";
 
   private static final Set<String> NO_NAMES = Set.of("", ".", "..");

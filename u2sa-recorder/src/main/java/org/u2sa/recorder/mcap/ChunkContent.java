@@ -53,7 +53,7 @@ record ChunkContent(long size, long crc, ChunkCompression compression, byte[] co
   /** Bytes of its records, whose size must match the summary. */
   byte[] decompressed(long indexed) throws McapException {
     if (size != indexed) {
-      throw new McapException("it says " + size + " bytes, and the summary " + indexed);
+      throw new McapException("its header states " + size + " bytes, but the summary " + indexed);
     }
     return decompressed();
   }

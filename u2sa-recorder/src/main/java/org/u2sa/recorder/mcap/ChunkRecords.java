@@ -65,7 +65,7 @@ final class ChunkRecords implements Iterable<RecordStream.Entry> {
         return new RecordStream.Entry(
             offset, opcode, Arrays.copyOfRange(bytes, from, in.position()));
       } catch (McapException e) {
-        throw new IllegalStateException("a record that was whole is not", e);
+        throw new IllegalStateException("a record that was complete no longer is", e);
       }
     }
   }

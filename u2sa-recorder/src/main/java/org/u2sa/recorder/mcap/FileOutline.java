@@ -23,7 +23,7 @@ final class FileOutline {
     this.dataCrc = dataCrc;
   }
 
-  /** Scans a file's records without reading its chunks; definitions get those outside chunks. */
+  /** Scans a file's records without reading its chunks; collects definitions outside them. */
   static FileOutline of(FileChannel channel, Definitions definitions, Consumer<String> trouble)
       throws IOException {
     Summary summary = findSummary(channel, trouble);
@@ -90,7 +90,7 @@ final class FileOutline {
     return new Summary(begin, isIntact, end, dataCrc);
   }
 
-  /** Number of messages, if an intact summary has it. */
+  /** Number of messages, if an intact summary states it. */
   OptionalLong messages() {
     return messages;
   }

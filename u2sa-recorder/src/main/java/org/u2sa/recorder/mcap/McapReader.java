@@ -77,8 +77,7 @@ public final class McapReader implements AutoCloseable {
     long endMagic = file.size() - Opcode.magic().length;
     RecordStream.requireMagic(file, endMagic);
     if (endMagic < Opcode.magic().length + FOOTER_LENGTH) {
-      throw new McapException(
-          "the file has " + file.size() + " bytes: too few for the footer of MCAP");
+      throw new McapException("the file has " + file.size() + " bytes: too few for an MCAP footer");
     }
     RecordStream.Entry footer = new RecordStream(file, endMagic - FOOTER_LENGTH).next();
     if (footer.opcode() != Opcode.FOOTER) {

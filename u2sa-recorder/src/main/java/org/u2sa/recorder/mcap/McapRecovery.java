@@ -160,7 +160,7 @@ public final class McapRecovery {
   private void copy(McapMessage message) throws IOException {
     McapChannel channel = definitions.channel(message.channelId());
     if (channel == null) {
-      note("a message is of channel " + message.channelId() + ", unknown");
+      note("a message belongs to the unknown channel " + message.channelId());
       return;
     }
     define(channel);

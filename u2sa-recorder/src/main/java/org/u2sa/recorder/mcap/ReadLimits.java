@@ -1,6 +1,6 @@
 package org.u2sa.recorder.mcap;
 
-/** Memory limits of reading, independent of the sizes a file claims. */
+/** Memory limits for reading, independent of the sizes a file claims. */
 final class ReadLimits {
   /** Maximum size of a record or decompressed chunk [B]; a larger claim means damage. */
   static final long MAX_LENGTH = 1L << 30;

@@ -6,8 +6,8 @@ import org.u2sa.recorder.mcap.record.McapMessage;
 import org.u2sa.recorder.mcap.record.Opcode;
 
 /**
- * Field layout of each record type, as far as it determines a record's length, which is redundant:
- * in the prefix and in the fields' lengths. Source: mcap.dev/spec.
+ * Field layout of each record type, as far as it determines a record's length. The length is
+ * redundant: the prefix and the fields' lengths both contain it. Source: mcap.dev/spec.
  */
 final class RecordLayout {
   private static final int SHORT_LENGTH = -4; // field with a 4-byte length prefix
@@ -40,7 +40,7 @@ final class RecordLayout {
 
   /**
    * Length of a record's fields according to their own lengths [B]; excludes the payload of a
-   * message, whose length is not stored. -1 if the file ends before.
+   * message, whose length is not stored. -1 if the file ends earlier.
    *
    * @param at offset of the record's content
    */

@@ -83,7 +83,7 @@ final class RecordSearch {
       trouble.accept(
           found == null && breaksOffWithin(position)
               ? breaksOffWithinRecord()
-              : "at byte " + position + " is not a record, or is damaged");
+              : "at byte " + position + " there is no record, or it is damaged");
     }
     position = found == null ? end : found.end();
     hasChunks |= found != null && found.opcode == Opcode.CHUNK;

@@ -45,7 +45,7 @@ final class RecordStream {
       continue; // a channel may return a part
     }
     if (!Arrays.equals(magic.array(), Opcode.magic())) {
-      throw new McapException("at byte " + at + " are not the bytes that mark MCAP's version 0");
+      throw new McapException("at byte " + at + " the bytes do not mark MCAP version 0");
     }
   }
 
@@ -77,7 +77,7 @@ final class RecordStream {
     long length = prefix[1];
     if (prefix[0] == 0 || length < 0 || length > ReadLimits.MAX_LENGTH) {
       throw new McapException(
-          "at byte " + position + " is not a record: opcode " + prefix[0] + ", length " + length);
+          "at byte " + position + ": no valid record: opcode " + prefix[0] + ", length " + length);
     }
     if (length > size - position - Opcode.PREFIX) {
       throw new EOFException("the file breaks off at byte " + size + ", within a record");

@@ -176,7 +176,7 @@ public final class Playback {
     return anchorNanos + Math.round((micros - anchorMicros) * rate * NANOS_PER_MICRO);
   }
 
-  /** Pauses at the end of the span instead of ending, so that one can go back. Before play. */
+  /** Pauses at the span's end, so that one can go back. Call before {@link #play}. */
   public void holdAtEnd() {
     holdsAtEnd = true;
   }

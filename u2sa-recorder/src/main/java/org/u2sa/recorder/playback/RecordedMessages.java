@@ -100,13 +100,12 @@ public final class RecordedMessages implements AutoCloseable {
    * Rejects a recording without native messages.
    *
    * @return this
-   * @throws BadInputException saying how to record them
+   * @throws BadInputException explaining how to record them
    */
   public RecordedMessages requireMessages() {
     if (topics.isEmpty()) {
       throw new BadInputException(
-          file
-              + ": holds no message as it was published; expected one recorded with --form u2sa or both");
+          file + ": holds no native messages; expected a recording made with --form u2sa or both");
     }
     return this;
   }

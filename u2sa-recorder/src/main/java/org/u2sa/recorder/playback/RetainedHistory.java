@@ -43,7 +43,7 @@ public final class RetainedHistory {
   private final RecordedMessages recording;
   private final TreeMap<Integer, Times> byTopic = new TreeMap<>(); // by channel ID
 
-  /** Reads the times of the retained messages, of at most the first four million. */
+  /** Reads the times of the retained messages, up to the first four million. */
   public RetainedHistory(RecordedMessages recording) throws IOException {
     this.recording = recording;
     McapCursor cursor =

@@ -146,7 +146,7 @@ class RerunDifferenceTest {
             });
     assertThat(state(outcome).now()).isBetween(95L, 105L);
     assertThat(state(outcome).recorded()).isBetween(45L, 55L);
-    assertThat(outcome.remarks()).anyMatch(remark -> remark.contains("another order"));
+    assertThat(outcome.remarks()).anyMatch(remark -> remark.contains("different order"));
   }
 
   @Test

@@ -188,7 +188,7 @@ class HostileFileTest {
     try (McapReader reader = McapReader.open(file())) {
       assertThatThrownBy(() -> reader.messages(0, channel -> true).next())
           .isInstanceOf(McapException.class)
-          .hasMessageContaining("and the summary 1");
+          .hasMessageContaining("but the summary 1");
     }
   }
 
@@ -215,7 +215,7 @@ class HostileFileTest {
     byte[] bytes = Files.readAllBytes(file());
     bytes[atTheEnd ? bytes.length - 3 : 3] ^= 1;
     Files.write(file(), bytes);
-    requireRefused("at byte " + (atTheEnd ? bytes.length - 8 : 0) + " are not the bytes");
+    requireRefused("at byte " + (atTheEnd ? bytes.length - 8 : 0) + " the bytes do not mark");
   }
 
   @ParameterizedTest
@@ -386,7 +386,7 @@ class HostileFileTest {
   void next_longerRecord_isNone(long length) throws IOException {
     assertThat(nextOf(length))
         .isInstanceOf(McapException.class)
-        .hasMessageContaining("not a record: opcode 12, length " + length);
+        .hasMessageContaining("no valid record: opcode 12, length " + length);
   }
 
   private RecordBuffer twoRecords() {

@@ -44,12 +44,12 @@ public final class CsvTables {
     Files.createDirectories(folder);
     Map<Topic, Path> files = new LinkedHashMap<>();
     Map<Path, Long> rows = new LinkedHashMap<>();
-    Map<String, Integer> namesakes = new HashMap<>(); // so far: there may be tens of thousands
+    Map<String, Integer> namesakes = new HashMap<>(); // counts; may be tens of thousands
     try (CsvFiles texts = new CsvFiles()) {
       for (Map.Entry<Topic, CsvColumns> table : columns.entrySet()) {
         String name = name(table.getKey());
         Path file = folder.resolve(name + SUFFIX);
-        while (rows.containsKey(file)) { // sources may differ in non-letters only
+        while (rows.containsKey(file)) { // sources may differ only in non-letters
           file = folder.resolve(name + "-" + (1 + namesakes.merge(name, 1, Integer::sum)) + SUFFIX);
         }
         files.put(table.getKey(), file);

@@ -76,7 +76,7 @@ public final class KmlText {
     out.write("    </gx:Track>\n");
   }
 
-  /** Writes all before the first place; KML's colours are alpha, blue, green, red. */
+  /** Writes everything before the first place; KML's colours are alpha, blue, green, red. */
   static void begin(Writer out, String title, String styles) throws IOException {
     out.write(
         """

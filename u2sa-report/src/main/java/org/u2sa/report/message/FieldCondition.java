@@ -44,7 +44,7 @@ public final class FieldCondition {
         new FieldCondition(FieldPath.parse(form.group(1)), form.group(2), form.group(3));
     if (condition.operator.matches("[<>]=?") && condition.typed().isEmpty()) {
       throw new IllegalArgumentException(
-          "\"" + text + "\": expected a number behind " + condition.operator);
+          "\"" + text + "\": expected a number after " + condition.operator);
     }
     return condition;
   }

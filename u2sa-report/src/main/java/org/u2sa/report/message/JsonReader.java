@@ -56,7 +56,7 @@ public final class JsonReader {
     try (JsonParser parser = FACTORY.createParser(text)) {
       if (parser.nextToken() != JsonToken.START_OBJECT) {
         throw new BadInputException(
-            origin + ": expected an object of JSON, such as {\"x\": 1.5}, not \"" + text + "\"");
+            origin + ": expected a JSON object, such as {\"x\": 1.5}, not \"" + text + "\"");
       }
       Map<String, Object> object = new JsonReader(parser, origin, most).map(1);
       if (parser.nextToken() != null) {

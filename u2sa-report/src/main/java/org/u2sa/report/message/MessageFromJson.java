@@ -39,7 +39,7 @@ public final class MessageFromJson {
   public U2SAData message(String origin, MessageType<?> type, Map<String, Object> json) {
     if (type.isAbstract()) {
       throw new BadInputException(
-          origin + ": " + type.name() + " is abstract: \"type\" names one of its subclasses");
+          origin + ": " + type.name() + " is abstract: expected a subclass as \"type\"");
     }
     return filled(origin, type, json);
   }
@@ -101,7 +101,7 @@ public final class MessageFromJson {
         case LONG -> field.set(message, as(Long.class, at, "a whole number", value));
         case BOOLEAN -> field.set(message, as(Boolean.class, at, "true or false", value));
         case STRING -> field.set(message, as(String.class, at, "a text", value));
-        case BYTES -> field.setText(message, as(String.class, at, "a text of base64", value));
+        case BYTES -> field.setText(message, as(String.class, at, "a base64 text", value));
         case ENUM, FRAME -> field.setText(message, as(String.class, at, "a name", value));
         case POINT -> field.set(message, point(at, value));
         default -> field.set(message, elements(at, message.type(), field, value));

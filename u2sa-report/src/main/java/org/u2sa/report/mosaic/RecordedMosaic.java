@@ -19,7 +19,7 @@ import org.u2sa.recorder.mcap.record.McapChannel;
 import org.u2sa.recorder.playback.RecordedMessages;
 import org.u2sa.recorder.playback.RecordedSpan;
 
-/** Makes the mosaic of a recording: of its search areas or, without any, of everything seen. */
+/** Makes the mosaic of a recording: its search areas or, if it has none, everything seen. */
 public final class RecordedMosaic {
   private static final double MARGIN_M = 10.0;
 

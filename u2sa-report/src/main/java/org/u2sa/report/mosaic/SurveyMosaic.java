@@ -20,8 +20,8 @@ import org.u2sa.messages.schema.U2SAData;
 import org.u2sa.messages.shape.ImageFootprint;
 
 /**
- * Joins images and their footprints, by sensor and time of exposure, to a mosaic. The ground within
- * an image is assumed to be a plane. Not thread-safe.
+ * Combines images and their footprints, matched by sensor and exposure time, into a mosaic. The
+ * ground within an image is assumed to be a plane. Not thread-safe.
  */
 public final class SurveyMosaic {
   private static final int MAX_WAITING = 32; // images or footprints without the other
@@ -47,7 +47,7 @@ public final class SurveyMosaic {
     canvas = new MosaicCanvas(grid);
   }
 
-  /** Whether an image is seen steeply enough, in GLOBAL, to be used. */
+  /** Whether an image is usable: its footprint is in GLOBAL and seen steeply enough. */
   static boolean isUsable(ImageFootprint footprint) {
     return footprint.referenceFrame().equals(ReferenceFrame.GLOBAL)
         && footprint.points().size() == 4

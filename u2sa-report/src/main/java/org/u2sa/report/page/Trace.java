@@ -122,7 +122,7 @@ public final class Trace {
 
   /**
    * Five decimals are finer than visible and keep the file small. Very small numbers keep six
-   * significant digits instead; of very large ones, such as timestamps, nothing is rounded.
+   * significant digits instead; very large ones, such as timestamps, are not rounded.
    */
   public static double rounded(double value) {
     if (Math.abs(value) > LARGE) {

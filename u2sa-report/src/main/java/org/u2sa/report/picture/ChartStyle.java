@@ -188,7 +188,7 @@ final class ChartStyle {
     add(plot, lines, renderer);
   }
 
-  /** Marks waypoints: a dot if captured, a cross if not, so that shape is redundant to colour. */
+  /** Marks waypoints: a dot if captured, a cross if not, distinguishable without colour. */
   static void addMarks(XYPlot plot, List<Point2D> captured, List<Point2D> missed) {
     XYSeriesCollection marks = new XYSeriesCollection();
     XYLineAndShapeRenderer renderer = new XYLineAndShapeRenderer(false, true);

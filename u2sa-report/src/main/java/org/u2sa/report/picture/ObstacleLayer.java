@@ -106,7 +106,7 @@ final class ObstacleLayer {
     if (!(object instanceof Polygon area) || area.points().isEmpty()) {
       return object.center();
     }
-    // in metres, because a mean of longitudes is elsewhere if some are beyond the antimeridian
+    // in metres, because the mean of longitudes on both sides of the antimeridian is far away
     Metric metric = Metric.around(object.referenceFrame(), area.points().get(0));
     Point sum = area.points().stream().map(metric::metres).reduce(Point.ORIGIN, Point::plus);
     double share = 1.0 / area.points().size();

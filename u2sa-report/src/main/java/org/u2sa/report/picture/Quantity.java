@@ -29,7 +29,7 @@ record Quantity(
     String plannedName,
     Function<RunPlan.Waypoint, OptionalDouble> planned) {
 
-  private static final double MAP_PER_ALTITUDE = 5.0; // of their smallest extents
+  private static final double MAP_PER_ALTITUDE = 5.0; // ratio of their minimum extents
   private static final double MIN_SPEED_SPAN_MPS = 0.5;
   private static final double MIN_OFF_TRACK_M = 0.5;
   private static final double MAX_OFF_TRACK_M = 2.0; // jumps between two legs

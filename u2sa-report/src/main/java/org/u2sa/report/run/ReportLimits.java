@@ -7,7 +7,7 @@ package org.u2sa.report.run;
 final class ReportLimits {
   static final int MAX_GOALS = 20_000;
   static final int MAX_OBJECTS = 2_000;
-  static final int MAX_SOURCES = 300; // services or channels of which a curve is drawn
+  static final int MAX_SOURCES = 300; // services or channels with a curve
   static final int MAX_CORNERS = 500; // of an outline
   static final int MAX_EVENTS = 2_000;
   static final int MAX_CHANGES = 10_000; // of services' conditions

@@ -35,7 +35,7 @@ final class StateCharts {
   private Point legFrom; // null before the first goal is reached
   private Point lastAt;
 
-  /** Truth may be null; it starts at {@code truthFromS} of the recording [s]. */
+  /** Truth may be null; it starts {@code truthFromS} seconds into the recording. */
   StateCharts(RunMap map, TruthTrack truth, double truthFromS) {
     this.map = map;
     this.truth = truth;

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 
 /**
- * Metrics of aircraft only. Empty if the flight was never in the state to be measured.
+ * Metrics of aircraft only. Empty if the flight was never in a state in which they are measured.
  *
  * @param altitudeRmsM RMS over time of the altitude error on level legs [m], i.e. between waypoints
  *     of equal altitude

@@ -12,8 +12,8 @@ import java.util.Map;
  * @param contacts number of collisions, including ground contacts beyond the landing gear's limit
  * @param stalled whether a wing stalled in the air
  * @param violations other rule violations, one sentence each
- * @param counts other counts by the rules, by name in {@code summary.json}, in order
- * @param figures other metrics by the rules, likewise
+ * @param counts other counts defined by the rules, by name in {@code summary.json}, in order
+ * @param figures other metrics defined by the rules, likewise
  */
 public record RunOutcome(
     int contacts,

@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Score of a run by ground truth. A number is empty if the vehicle was never in the state to be
- * measured.
+ * Score of a run by ground truth. A number is empty if the vehicle was never in a state in which it
+ * is measured.
  *
  * @param waypoints one result for each planned waypoint, in order
  * @param crossTrackRmsM RMS cross-track error over time relative to the straight line between

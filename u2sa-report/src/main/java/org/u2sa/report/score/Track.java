@@ -15,7 +15,7 @@ public final class Track {
   public static final int DEFAULT_CAPACITY = 150_000;
 
   private static final int MIN_CAPACITY = 4;
-  private static final long LARGEST_STRIDE = 1L << 40; // thinning may never end
+  private static final long LARGEST_STRIDE = 1L << 40; // prevents overflow
 
   private final int capacity;
   private final List<TrackSample> samples = new ArrayList<>();
@@ -62,7 +62,7 @@ public final class Track {
 
   /**
    * Changes the target of the samples after a time, once it is known which of several goals was
-   * pursued. They are on no line between waypoints.
+   * pursued. These samples then belong to no line between waypoints.
    */
   public void pursued(double afterS, int leg) {
     for (int i = samples.size() - 1; i >= 0 && samples.get(i).timeS() > afterS; i--) {

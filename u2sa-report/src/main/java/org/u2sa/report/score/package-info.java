@@ -1,5 +1,5 @@
 /**
- * A run against its mission, by truth: plan, track, surroundings, and the score that comes of them.
- * Independent of simulators and control.
+ * Comparison of a run with its mission by ground truth: plan, track, surroundings, and the
+ * resulting score. Independent of simulators and control.
  */
 package org.u2sa.report.score;

@@ -79,7 +79,7 @@ public record RunSeries(List<RunReport> reports) {
     out.flush();
   }
 
-  /** Sums of the counts by the rules. */
+  /** Sums of the counts defined by the rules. */
   private Map<String, Integer> totals() {
     Map<String, Integer> totals = new LinkedHashMap<>();
     reports.forEach(

@@ -67,7 +67,7 @@ final class SummaryJson {
   }
 
   private JsonText waypoint(Domain domain, WaypointResult result) {
-    String never = "never was the target";
+    String never = "was never the target";
     SummaryNumbers waypoint =
         new SummaryNumbers(absent, result.waypoint().name())
             .put("name", result.waypoint().name())

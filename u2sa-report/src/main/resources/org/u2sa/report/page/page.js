@@ -177,9 +177,9 @@
       if (best >= 0) setCursor(track[best]);
     });
     document.getElementById("map-note").textContent = "Metres east and north of the first state. Circles are goals with their threshold: filled, reached; red, not. "
-      + (runs[0].map.truth && !several ? "Wide grey: where the vehicle really was. " : "") + (runs[0].map.objects.length || runs[0].map.cells.squares.length ? "Orange: what was seen in the way. " : "") + "Click: move the cursor there.";
+      + (runs[0].map.truth && !several ? "Wide grey: true track. " : "") + (runs[0].map.objects.length || runs[0].map.cells.squares.length ? "Orange: what was seen in the way. " : "") + "Click: move the cursor there.";
   };
-  // Leaves a section out of which no run says anything.
+  // Omits a section without content in any run.
   const section = (id, isThere, draw) => {
     if (runs.some(isThere)) draw(); else document.getElementById(id).remove();
   };
@@ -236,7 +236,7 @@
         dash: several ? ["", "5 3", "2 3"][i % 3] : line.name === "true" ? "5 3" : "" }));
     });
     if (lines.length === 0 && !sigma) return;
-    const crowded = lines.length > 4; // then the legend has a line of its own
+    const crowded = lines.length > 4; // then the legend has a separate line
     const TOP = crowded ? 50 : 30;
     const root = svg("svg", { class: "plot", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": title }, document.getElementById("charts"));
     svg("text", { x: LEFT, y: 19, "font-weight": 600, style: "font-weight:600" }, root, title + (unit ? ` [${unit}]` : ""));
@@ -256,7 +256,7 @@
         return [from, Math.min(line.t.length - 1, before(line.t, view.to) + 1)];
       };
       lines.forEach(({ line }) => { const [a, b] = span(line); for (let i = a; i <= b; i++) include(line.v[i]); });
-      if (sigma) { // the band counts, but a start without knowledge does not hide the rest
+      if (sigma) { // includes the band, but not its large values before the estimate converges
         const [a, b] = span(sigma);
         const sorted = sigma.v.slice(a, b + 1).sort((p, q) => p - q);
         const usual = 2 * (sorted[Math.floor(sorted.length * 0.95)] || 0);
@@ -318,7 +318,7 @@
     const rows = runs.flatMap(run => run.timeline.conditions.map(row => ({ ...row, run })));
     const fills = { ALIVE: "var(--c2)", STOPPED: "var(--c7)", STARTING: "var(--c6)", UNWATCHED: "var(--c7)" };
     if (rows.length === 0) {
-      element("p", { class: "note" }, parent, "No health monitor spoke.");
+      element("p", { class: "note" }, parent, "No reports from a health monitor.");
     } else {
       const height = TOP + rows.length * 22 + BOTTOM;
       const names = 170;
@@ -391,7 +391,7 @@
     const place = document.getElementById("facts");
     const facts = element("table", {}, place);
     const folded = element("details", {}, place);
-    element("summary", {}, folded, "What services were given when they were made");
+    element("summary", {}, folded, "Initial inputs of services");
     const executions = element("table", {}, folded);
     runs.forEach(run => run.facts.forEach(fact => {
       const row = element("tr", {}, fact.name.startsWith("execution/") ? executions : facts);

@@ -76,7 +76,7 @@ class MessageFromJsonTest {
         .hasMessageContaining("field \"data\"")
         .hasMessageContaining("expected bytes in base64");
     assertThatThrownBy(() -> read(CameraImage.TYPE, json.replace("\"/9gA\"", "7")))
-        .hasMessageContaining("expected a text of base64");
+        .hasMessageContaining("expected a base64 text");
   }
 
   @Test
@@ -118,7 +118,7 @@ class MessageFromJsonTest {
         "{\"percentage\": 3} | field \"actuatorName\" of PercentageCommand is required",
         "{\"actuatorName\": \"a\", \"timestamp\": 1.5, \"percentage\": 1} | expected a whole number, not 1.5",
         "{\"actuatorName\": \"a\" | line 1, column",
-        "[1] | expected an object of JSON",
+        "[1] | expected a JSON object",
         "{\"percentage\": 1, \"percentage\": 2} | Duplicate field 'percentage'",
         "{\"percentage\": 1} {} | unexpected text after the object"
       })

@@ -97,7 +97,7 @@ class RunReportTest {
     JsonNode json = summary();
     assertThat(json.get("crossTrackRmsM").isNull()).isTrue();
     assertThat(json.get("absent").get("crossTrackRmsM").asText()).contains("no straight");
-    assertThat(json.get("absent").get("Ridge: missM").asText()).contains("never was the target");
+    assertThat(json.get("absent").get("Ridge: missM").asText()).contains("was never the target");
     assertThat(Files.readString(directory.resolve(RunReport.SUMMARY))).doesNotContain("NaN");
   }
 

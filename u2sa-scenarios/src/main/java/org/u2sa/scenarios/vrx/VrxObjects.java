@@ -120,7 +120,7 @@ final class VrxObjects {
         : colour + (model.contains("round") ? " buoy" : " marker");
   }
 
-  /** A model in a folder "models" of the world's folder or of a folder above it. */
+  /** A model in a folder "models" beside the world's file or in a parent folder. */
   private Optional<Path> modelFile(String model) {
     Path folder = file.toAbsolutePath().normalize().getParent();
     for (int i = 0; i < 3 && folder != null; i++) {

@@ -12,7 +12,7 @@ import org.u2sa.sim.vehicle.VehicleTruth;
 /**
  * Pose of a sensor on its vehicle.
  *
- * @param place forward, right, down of the reference point [m]
+ * @param place position relative to the reference point: forward, right, down [m]
  * @param turn roll, pitch and yaw of the sensor relative to the vehicle [rad]
  */
 record Mount(Point place, Point turn) {
@@ -36,7 +36,7 @@ record Mount(Point place, Point turn) {
 
   /**
    * Current states at the position of one sensor. The angular acceleration in them is the mean
-   * since the previous state, as of a sensor that averages between readings.
+   * since the previous state, as measured by a sensor that averages between readings.
    */
   Supplier<VehicleTruth> following(Supplier<VehicleTruth> vehicle) {
     AtomicReference<VehicleTruth> previous = new AtomicReference<>();

@@ -64,7 +64,7 @@ record Command(
     return wire == Integer.MAX_VALUE ? Double.NaN : wire / PER_DEGREE; // stands for NaN
   }
 
-  /** Why its place cannot be used: the frame is unknown here, such as above the terrain. */
+  /** Reason why its position cannot be used, such as an unsupported frame; empty if it can. */
   Optional<String> frameRefusal(Optional<Geodetic> home) {
     if (!Set.of(GLOBAL, RELATIVE, GLOBAL_INT, RELATIVE_INT).contains(frame)) {
       return Optional.of("MAV_FRAME " + frame + "; expected one above sea level or above home");

@@ -17,8 +17,8 @@ import org.u2sa.gcs.mavlink.vehicle.Identity;
 import org.u2sa.gcs.mavlink.vehicle.VehicleOrders.Answer;
 
 /**
- * The command protocol towards one station (mavlink.io/en/services/command). Every command is
- * acknowledged; a repetition is not executed again while the vehicle works on the first.
+ * Command protocol for one station (mavlink.io/en/services/command). Every command is acknowledged;
+ * a repeated command is not executed again while the vehicle executes the first.
  */
 public final class CommandService {
   private final GroundStation station;
@@ -57,7 +57,7 @@ public final class CommandService {
       return;
     }
     if (!pending.add(command.id())) {
-      return; // a repetition: the first has not been answered yet
+      return; // repeated before the first was answered
     }
     boolean isKnown =
         vehicle.obey(

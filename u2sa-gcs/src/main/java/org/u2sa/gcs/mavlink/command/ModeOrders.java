@@ -19,7 +19,7 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 import org.u2sa.report.EscapedXml;
 
-/** Changes what the vehicle does, by orders to its Mission Manager. */
+/** Changes what the vehicle does, through orders to its Mission Manager. */
 final class ModeOrders {
   private static final double USUAL_THRESHOLD_M = 2.0;
   private static final double VERTICAL_THRESHOLD_M = 1.0;
@@ -53,7 +53,7 @@ final class ModeOrders {
   }
 
   /**
-   * Resumes the mission with another class of the Path Planner.
+   * Resumes the mission with another Path Planner class.
    *
    * @param planner index of the class; empty: that of the mode Mission
    */
@@ -79,7 +79,7 @@ final class ModeOrders {
     if (vehicle.current().isEmpty()) {
       goTo(book.firstGoal(), answer);
     } else if (vehicle.mode() == VehicleMode.MISSION) {
-      answer.done(true, "the mission is pursued");
+      answer.done(true, "the mission is being pursued");
     } else {
       resume(vehicle.isHeldAside() ? 2 : 1, answer);
     }
@@ -148,7 +148,7 @@ final class ModeOrders {
         .orElse(USUAL_THRESHOLD_M);
   }
 
-  /** Sets the speed of the goals that are still to be reached. */
+  /** Sets the speed of the remaining goals. */
   void speed(double metresPerSecond, Answer answer) {
     StringBuilder goals = new StringBuilder("<mission>");
     vehicle

@@ -13,8 +13,8 @@ import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.safety.ManualDrive;
 
 /**
- * Sticks of one station: MANUAL_CONTROL and RC_CHANNELS_OVERRIDE. They count only in the mode
- * Manual and on the connection on which the station chose it.
+ * Sticks of one station: MANUAL_CONTROL and RC_CHANNELS_OVERRIDE. They take effect only in the mode
+ * Manual, and only on the connection that selected it.
  */
 public final class StickInput {
   private static final double FULL = 1000.0;

@@ -84,7 +84,7 @@ public final class VehicleCommands {
     }
   }
 
-  /** Ends driving by hand, if active, before an order that hands the vehicle to navigation. */
+  /** Ends manual driving, if active, before an order that hands the vehicle to navigation. */
   private void byNavigation(Runnable then, Answer answer) {
     Optional<String> driver = vehicle.driver();
     if (driver.isEmpty()) {
@@ -152,7 +152,7 @@ public final class VehicleCommands {
     }
   }
 
-  /** Whether the vehicle is in the air: by its wheels or, without any, its height above home. */
+  /** Whether the vehicle is airborne, judged by its wheels or else by its height above home. */
   private boolean flies() {
     if (vehicle.kind().isOnSurface() || !vehicle.isArmed()) {
       return false;
@@ -184,7 +184,7 @@ public final class VehicleCommands {
 
   private void terminate(Command command, Answer answer) {
     if (command.param1() < 0.5f) {
-      answer.done(false, "an emergency stop is lifted by ./u2sa estop --clear only");
+      answer.done(false, "only ./u2sa estop --clear can lift an emergency stop");
     } else {
       orders.stop("terminated by a ground station", answer);
     }

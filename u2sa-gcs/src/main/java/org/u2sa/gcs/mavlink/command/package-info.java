@@ -1,2 +1,2 @@
-/** Commands of ground stations: each is answered, at last as unsupported. */
+/** Commands of ground stations: each is answered, unknown ones as unsupported. */
 package org.u2sa.gcs.mavlink.command;

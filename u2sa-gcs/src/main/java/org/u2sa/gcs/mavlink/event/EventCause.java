@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Causes of a failsafe or a refusal to arm: an event carries numbers only, no texts. The order is
- * that of the bits.
+ * Causes of a failsafe or a refusal to arm, as bits because an event carries no text. Declared in
+ * bit order.
  */
 enum EventCause {
   OPERATOR_LINK,

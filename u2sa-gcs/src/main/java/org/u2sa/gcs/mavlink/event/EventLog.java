@@ -45,7 +45,7 @@ final class EventLog {
     }
   }
 
-  /** Room for the arguments of an event. */
+  /** Buffer for the arguments of an event. */
   static ByteBuffer arguments() {
     return ByteBuffer.allocate(ARGUMENT_BYTES).order(ByteOrder.LITTLE_ENDIAN);
   }
@@ -60,12 +60,12 @@ final class EventLog {
     return (int) (count % SEQUENCES);
   }
 
-  /** Sequence number of the oldest event that is kept, or of the next one. */
+  /** Sequence number of the oldest kept event; of the next event if none is kept. */
   int oldest() {
     return (int) ((count - kept.size() + 1) % SEQUENCES);
   }
 
-  /** Event of a sequence number; empty if it is not kept. */
+  /** Event with a sequence number; empty if it is not kept. */
   Optional<Event> get(int sequence) {
     return kept.stream().filter(each -> each.sequence() == sequence).findFirst();
   }

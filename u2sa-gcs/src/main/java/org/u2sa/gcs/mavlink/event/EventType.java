@@ -2,7 +2,7 @@ package org.u2sa.gcs.mavlink.event;
 
 import java.util.List;
 
-/** The events of a vehicle. The order is that of their numbers. */
+/** The events of a vehicle, in the order of their numbers. */
 enum EventType {
   FAILSAFE(
       "Failsafe {1}: {2}",

@@ -29,7 +29,7 @@ public final class VehicleEvents {
   private final Uptime uptime;
   private final EventLog log;
   private volatile String arming = ""; // request ID of the newest order to arm
-  private volatile ArmingState refusal; // null until there was one
+  private volatile ArmingState refusal; // null before the first
   private ArmingState toldRefusal;
   private FailsafeAction action = FailsafeAction.CONTINUE;
   private int causes;

@@ -27,7 +27,7 @@ final class ChecksumJob {
     at = 0;
   }
 
-  /** Sender to which the answer of {@link #step} goes. */
+  /** Sender that receives the answer of {@link #step}. */
   Sender from() {
     return from;
   }

@@ -27,7 +27,7 @@ public final class ComponentMetadataFiles {
   private final ServiceConfigurations configurations;
   private final String systemId;
   private final Uptime uptime;
-  private long madeOf = Long.MIN_VALUE; // number of configurations heard
+  private long madeOf = Long.MIN_VALUE; // number of configurations received
   private final byte[] events = EventMetadata.json().getBytes(StandardCharsets.UTF_8);
   private byte[] parameters = new byte[0];
   private byte[] general = new byte[0];
@@ -42,7 +42,7 @@ public final class ComponentMetadataFiles {
     this.uptime = uptime;
   }
 
-  /** Content of a file; empty if there is none of that name. */
+  /** Content of a file; empty if the name is unknown. */
   Optional<byte[]> content(String name) {
     renew();
     return switch (name) {

@@ -10,7 +10,7 @@ import java.util.Arrays;
  *
  * @param sequence number of the packet, 0…65535
  * @param size stated number of bytes; a malformed request may state more than fit
- * @param requestOpcode of an answer: opcode of the request
+ * @param requestOpcode in an answer, opcode of the request
  * @param data 239 bytes, or fewer in an answer
  */
 record FilePacket(
@@ -75,7 +75,7 @@ record FilePacket(
     return out.putInt((int) offset).put(data).array();
   }
 
-  /** The path in a request: as many bytes as its size says, up to the first zero. */
+  /** Path in a request: the stated number of bytes, up to the first zero. */
   String path() {
     int end = 0;
     while (end < Math.min(size, data.length) && data[end] != 0) {

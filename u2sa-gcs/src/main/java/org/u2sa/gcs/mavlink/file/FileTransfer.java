@@ -16,7 +16,7 @@ import org.u2sa.gcs.mavlink.station.GroundStation;
 import org.u2sa.gcs.mavlink.station.GroundStation.Sender;
 
 /**
- * MAVLink FTP towards one station (mavlink.io/en/services/ftp), read-only. Each sender has its own
+ * MAVLink FTP for one station (mavlink.io/en/services/ftp), read-only. Each sender has its own
  * sessions, numbered from 0, because MAVSDK 4.1 uses 0 regardless of the number in the answer.
  */
 public final class FileTransfer {

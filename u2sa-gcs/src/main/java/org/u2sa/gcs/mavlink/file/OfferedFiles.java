@@ -28,7 +28,7 @@ public final class OfferedFiles {
     return recordings.isPresent() ? recordings.get().entries() : List.of();
   }
 
-  /** Opens a file; empty if there is none of that path. */
+  /** Opens a file; empty if the path does not exist. */
   Optional<ReadableFile> open(String path) throws IOException {
     String relative = relative(path);
     if (relative.startsWith(LOGS + "/") && recordings.isPresent()) {
@@ -42,7 +42,7 @@ public final class OfferedFiles {
 
   /**
    * Entries of a folder as MAVLink FTP lists them: {@code F<name>\t<size>} or {@code D<name>}.
-   * Empty if there is no such folder.
+   * Empty if the folder does not exist.
    */
   Optional<List<String>> list(String path) throws IOException {
     String relative = relative(path);

@@ -5,7 +5,7 @@ import java.util.Arrays;
 
 /** Content that stations can download. */
 interface ReadableFile {
-  /** Number of bytes; stays the same although a recording grows. */
+  /** Number of bytes; stays the same even if a recording grows. */
   long size();
 
   /**

@@ -68,7 +68,7 @@ public final class RecordingFolder {
     return entries;
   }
 
-  /** The recording of a name; empty if there is none. */
+  /** Recording with a name; empty if it does not exist. */
   Optional<Entry> entry(String name) throws IOException {
     return entries().stream().filter(each -> each.name().equals(name)).findFirst();
   }

@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.u2sa.messages.contract.ConfigurationVariable;
 
 /**
- * A configuration variable as a parameter: numbers as they are, flags as 0 and 1, choices as their
+ * A configuration variable as a parameter: numbers unchanged, flags as 0 and 1, choices as their
  * index. Free texts are not parameters.
  *
  * @param name at most 16 characters
@@ -73,12 +73,12 @@ record Parameter(String name, String service, ConfigurationVariable variable) {
     };
   }
 
-  /** The shortest decimal that is this float: a station's 0.1 is not 0.10000000149. */
+  /** Shortest decimal that represents a float: a station's 0.1 is not 0.10000000149. */
   private static String shortest(float number) {
     return new BigDecimal(Float.toString(number)).toPlainString();
   }
 
-  /** Whether a station's number is the present value, up to the precision of the wire. */
+  /** Whether a station's number equals the present value, within the precision of the wire. */
   boolean has(double number) {
     Value now = value();
     return now.type() == MavParamType.MAV_PARAM_TYPE_REAL32

@@ -15,8 +15,8 @@ import org.u2sa.messages.contract.ConfigurationAssignment;
 import org.u2sa.messages.contract.ConfigurationTransaction;
 
 /**
- * The parameter protocol towards one station (mavlink.io/en/services/parameter). Count and indices
- * stay the same from one request of the list to the next.
+ * Parameter protocol for one station (mavlink.io/en/services/parameter). Count and indices stay the
+ * same from one request of the list to the next.
  */
 public final class ParameterService {
   private static final String HASH_CHECK = "_HASH_CHECK";
@@ -28,8 +28,8 @@ public final class ParameterService {
   private final GroundStation station;
   private final boolean casts;
   private ParameterTable table;
-  private long tableMicros = Long.MIN_VALUE; // number of configurations heard when it was made
-  private int next = Integer.MAX_VALUE; // of the list being sent
+  private long tableMicros = Long.MIN_VALUE; // number of configurations received when it was made
+  private int next = Integer.MAX_VALUE; // index in the list being sent
 
   /**
    * @param casts whether integers travel cast to float

@@ -50,7 +50,7 @@ final class ParameterTable {
     return parameters.get(index);
   }
 
-  /** Index of a name; empty if there is none. */
+  /** Index of a name; empty if it is unknown. */
   Optional<Integer> index(String name) {
     return Optional.ofNullable(indices.get(name));
   }

@@ -17,7 +17,7 @@ final class FenceItems implements ItemStore {
 
   /**
    * @param type MAV_MISSION_TYPE
-   * @param noun name of the items in texts
+   * @param what name of the items in texts
    */
   FenceItems(int type, String what, VehicleOrders orders, FenceBook book, MissionAnswers answers) {
     this.type = type;

@@ -18,7 +18,7 @@ final class ItemTransfer {
   private List<MissionItem> outgoing = List.of(); // as they were when the list was requested
 
   /**
-   * @param noun name of the items in texts
+   * @param what name of the items in texts
    */
   ItemTransfer(int type, String what, ItemStore store, MissionAnswers answers) {
     this.type = type;

@@ -12,7 +12,7 @@ import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 
-/** The mission as items; an upload is acknowledged as soon as it can be read back. */
+/** The mission as items; an upload is acknowledged once it can be read back. */
 final class MissionItems implements ItemStore {
   private static final int MISSION = MissionAnswers.MISSION;
   private static final long REPORT_MICROS = 1_000_000;

@@ -16,7 +16,7 @@ record MissionPlan(String origin, List<MissionItem> items, List<String> goals) {
     goals = List.copyOf(goals);
   }
 
-  /** Index of the item that is a goal; −1 if none is. */
+  /** Index of the item that represents a goal; −1 if none does. */
   int indexOf(String goal) {
     return goals.lastIndexOf(goal); // actions before the place also have its name
   }

@@ -26,7 +26,7 @@ public final class MissionProgressMessages {
 
   private final VehicleStatus vehicle;
   private final PlanBook book;
-  private final Map<String, Double> completed = new HashMap<>(); // times, by goal
+  private final Map<String, Double> completed = new HashMap<>(); // number of completions, by goal
   private MissionReport seen;
   private String mission = "";
   private int current; // last known item

@@ -23,8 +23,8 @@ import org.u2sa.messages.mission.MissionAction;
 import org.u2sa.messages.mission.MissionOrder;
 
 /**
- * The mission protocol towards one station (mavlink.io/en/services/mission): mission, fence and
- * rally points.
+ * Mission protocol for one station (mavlink.io/en/services/mission): mission, fence and rally
+ * points.
  */
 public final class MissionService {
   private static final int MISSION = MissionAnswers.MISSION;

@@ -53,7 +53,7 @@ final class MissionUpload {
 
   /**
    * @param type MAV_MISSION_TYPE
-   * @param noun name of the upload in texts
+   * @param what name of the upload in texts
    */
   MissionUpload(int type, String what, MissionAnswers answers, Complete complete) {
     this.type = type;
@@ -108,7 +108,7 @@ final class MissionUpload {
       if (item.seq() == upload.asked) {
         ask(upload, upload.asked + 1);
       }
-      return; // a repetition: the requested item is on its way or will be requested again
+      return; // repeated: the requested item is on its way or will be requested again
     }
     upload.items.add(MissionItem.of(item));
     upload.retries = 0;

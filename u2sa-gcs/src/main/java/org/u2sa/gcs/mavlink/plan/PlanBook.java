@@ -121,7 +121,7 @@ public final class PlanBook {
             && Math.abs(waypoint.y().orElse(0.0) - item.latitudeDeg()) < DEGREES;
   }
 
-  /** Items as stations count them: with home as item 0 where the identity has it so. */
+  /** Items as stations count them: with home as item 0 if the identity requires it. */
   List<MissionItem> listed() {
     List<MissionItem> items = plan().items();
     if (!identity.startsWithHome()) {
@@ -156,14 +156,14 @@ public final class PlanBook {
     return plan.items().size() + (plan.items().isEmpty() ? 0 : first());
   }
 
-  /** Index of a goal as stations count it; empty if it is no item. */
+  /** Index of a goal as stations count it; empty if no item represents it. */
   public Optional<Integer> index(String goal) {
     view();
     int index = plan.indexOf(goal);
     return index < 0 ? Optional.empty() : Optional.of(index + first());
   }
 
-  /** Goal of an index as stations count it; empty if there is none. */
+  /** Goal at an index as stations count it; empty if there is none. */
   public Optional<String> goal(int index) {
     view();
     int own = index - first();

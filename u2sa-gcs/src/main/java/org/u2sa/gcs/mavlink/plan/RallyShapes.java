@@ -41,7 +41,7 @@ final class RallyShapes {
       OptionalDouble altitudeM = altitudeM(item, i, home);
       boolean flies = kind == VehicleKind.PLANE || kind == VehicleKind.COPTER;
       if (flies && home.isPresent() && altitudeM.orElse(0.0) <= home.get().altitudeM()) {
-        throw refusal(i, "is not above the altitude of the home");
+        throw refusal(i, "is not above the home's altitude");
       }
       places.add(
           new StationPlan.Place(

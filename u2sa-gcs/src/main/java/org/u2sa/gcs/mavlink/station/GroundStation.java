@@ -7,7 +7,7 @@ public interface GroundStation {
   /** Sender of a message. */
   record Sender(int system, int component) {}
 
-  /** Component ID of an autopilot, under which the vehicle answers. */
+  /** Component ID of an autopilot, which the vehicle uses in its answers. */
   int AUTOPILOT = 1;
 
   /** Sends a message; it is lost if the link is full. */

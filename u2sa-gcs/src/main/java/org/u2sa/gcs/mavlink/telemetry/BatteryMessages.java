@@ -47,7 +47,7 @@ final class BatteryMessages {
         .orElse(-1);
   }
 
-  /** BATTERY_STATUS; the whole voltage is that of cell 0. */
+  /** BATTERY_STATUS; cell 0 carries the total voltage. */
   static Optional<Object> status(Optional<BatteryState> battery) {
     return battery.map(
         state -> {

@@ -39,7 +39,7 @@ public final class MessageRates {
     return hz > 0.0 ? Math.round(MICROS_PER_S / Math.min(MAX_HZ, hz)) : OFF;
   }
 
-  /** Sends due messages: the heartbeat, then those waiting longest, as far as there is room. */
+  /** Sends due messages: the heartbeat, then those waiting longest, while there is room. */
   public void step(long nowMicros, GroundStation to) {
     List<Integer> waiting = new ArrayList<>();
     intervals.forEach(
@@ -87,7 +87,7 @@ public final class MessageRates {
     return true;
   }
 
-  /** Interval of a message [µs]: −1 if it is off, 0 if there is none. */
+  /** Interval of a message [µs]: −1 if it is off, 0 if the message does not exist. */
   public int get(int id) {
     return intervals.getOrDefault(id, 0L).intValue();
   }

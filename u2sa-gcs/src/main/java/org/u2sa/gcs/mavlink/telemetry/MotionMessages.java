@@ -230,10 +230,10 @@ final class MotionMessages {
   }
 
   static int scaled(double value, double scale) {
-    return (int) Math.round(value * scale); // a long beyond an int's range wraps; none is that far
+    return (int) Math.round(value * scale); // no value exceeds an int's range
   }
 
-  /** A speed in the 16 bits of [cm/s]. */
+  /** Speed [cm/s] in 16 bits. */
   private static int small(double metresPerSecond) {
     return (int)
         Math.max(Short.MIN_VALUE, Math.min(Short.MAX_VALUE, Math.round(metresPerSecond * CENTI)));

@@ -80,8 +80,8 @@ public final class Placement {
   }
 
   /**
-   * Velocity along north, east, down [m/s]; unknown components are 0; empty if no horizontal one is
-   * known.
+   * Velocity along north, east, down [m/s]; unknown components are 0; empty if neither horizontal
+   * one is known.
    */
   public Optional<Point> velocity() {
     return vehicle.state().flatMap(Placement::velocity);

@@ -78,7 +78,7 @@ final class StatusMessages {
     return EnumValue.of(flag).value();
   }
 
-  /** While the mission is pursued, a planner of another class is a mode of its own. */
+  /** While the mission is pursued, each other planner class is a separate mode. */
   private long custom(VehicleMode mode) {
     Optional<Integer> planner = vehicle.planners().running();
     if (mode == VehicleMode.MISSION && planner.isPresent()) {
@@ -102,7 +102,7 @@ final class StatusMessages {
     return Optional.of(new CurrentMode(mode.standard(), custom(mode), 0));
   }
 
-  /** AVAILABLE_MODES of one index from 1; empty beyond the last. */
+  /** AVAILABLE_MODES at an index from 1; empty beyond the last. */
   Optional<Object> mode(int index) {
     Map<VehicleMode, Long> modes = identity.modes(vehicle.kind());
     List<VehicleMode> listed =

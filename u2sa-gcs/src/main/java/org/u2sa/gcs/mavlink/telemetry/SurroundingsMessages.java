@@ -83,7 +83,7 @@ final class SurroundingsMessages {
     return (int) Math.max(0, Math.min(UNKNOWN_CM - 2, Math.round(metres * CENTI)));
   }
 
-  /** The other aircraft in turn, those with a transponder address. */
+  /** The next of the other aircraft that have a transponder address, in turn. */
   Optional<Object> traffic() {
     List<MovingSphere> known =
         surroundings.aircraft().stream()
@@ -152,7 +152,7 @@ final class SurroundingsMessages {
             .build());
   }
 
-  /** Commands as pulses of 1000…2000 µs, by the actuators' names. */
+  /** Commands as pulses of 1000…2000 µs, in the order of the actuators' names. */
   Optional<Object> outputs() {
     List<Integer> pulses = new ArrayList<>();
     for (double percent : surroundings.outputs()) {

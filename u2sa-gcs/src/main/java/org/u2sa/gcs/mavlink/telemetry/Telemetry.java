@@ -83,7 +83,7 @@ public final class Telemetry {
     return sources;
   }
 
-  /** AVAILABLE_MODES of one index from 1; empty beyond the last. */
+  /** AVAILABLE_MODES at an index from 1; empty beyond the last. */
   public Optional<Object> mode(int index) {
     return status.mode(index);
   }

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
 
 /**
  * The autopilot that the vehicle presents to stations. It determines their buttons and conventions:
- * numbers of modes, encoding of parameters, home as mission item 0.
+ * mode numbers, parameter encoding, home as mission item 0.
  */
 public enum Identity {
   PX4(MavAutopilot.MAV_AUTOPILOT_PX4),
@@ -90,7 +90,7 @@ public enum Identity {
     return modes;
   }
 
-  /** Custom mode of another class of the Path Planner, by its index from 0. */
+  /** Custom mode of another Path Planner class, by its index from 0. */
   public long planner(int index) {
     return this == PX4 ? px4(PX4_EXTERNAL + index) : FIRST_PLANNER + index;
   }

@@ -35,7 +35,7 @@ public final class PlannerModes {
     String running = response.className().get();
     boolean isSame = response.serviceName().equals(before.service());
     if (!isSame && !before.service().isEmpty()) {
-      return; // one planner has modes
+      return; // only one planner provides modes
     }
     String usual = isSame ? before.usual() : running;
     List<String> others =

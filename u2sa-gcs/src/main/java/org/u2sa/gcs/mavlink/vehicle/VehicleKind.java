@@ -52,7 +52,7 @@ public enum VehicleKind {
     return name().toLowerCase(Locale.ROOT);
   }
 
-  /** Kind of vehicle of a control service's class; GENERIC if it controls several kinds. */
+  /** Kind of vehicle for a control service's class; GENERIC if it controls several kinds. */
   static VehicleKind ofControl(String className) {
     if (className.startsWith("org.u2sa.control.fixedwing.")) {
       return PLANE;

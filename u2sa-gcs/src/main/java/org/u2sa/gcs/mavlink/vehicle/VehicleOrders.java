@@ -74,7 +74,7 @@ public final class VehicleOrders {
   private final String operator;
   private final Map<String, Pending> pending = new ConcurrentHashMap<>();
   private final Queue<Result> results = new ConcurrentLinkedQueue<>();
-  private final String stopId; // one: stations repeat a stop until it is acknowledged
+  private final String stopId; // the same for all: stations repeat a stop until it is acknowledged
   private long nowMicros;
 
   /**

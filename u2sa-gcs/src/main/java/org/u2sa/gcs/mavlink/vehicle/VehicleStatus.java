@@ -75,7 +75,7 @@ public final class VehicleStatus {
   private final Set<String> stops = ConcurrentHashMap.newKeySet();
   private volatile boolean isReportWanted;
   private volatile VehicleKind heardKind = VehicleKind.GENERIC;
-  private volatile StateInformation state; // null until heard, as the others
+  private volatile StateInformation state; // null until received, like the others
   private volatile long stateMicros;
   private volatile StateInformation first;
   private volatile GoalList goals;
@@ -164,7 +164,7 @@ public final class VehicleStatus {
     isReportWanted = true;
   }
 
-  /** Classes of the Path Planner as modes. */
+  /** Path Planner classes as modes. */
   public PlannerModes planners() {
     return planners;
   }
@@ -271,7 +271,7 @@ public final class VehicleStatus {
     };
   }
 
-  /** Whether the vehicle is held on its way to home or to another place beside the mission. */
+  /** Whether the vehicle is held on its way to home or to another place outside the mission. */
   public boolean isHeldAside() {
     return goals != null
         && goals.paused()

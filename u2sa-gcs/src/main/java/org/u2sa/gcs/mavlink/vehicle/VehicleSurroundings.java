@@ -60,7 +60,7 @@ public final class VehicleSurroundings {
     return Optional.ofNullable(scan).filter(this::isFresh).map(Heard::message);
   }
 
-  /** Other aircraft that the World Modeler knows, on the earth. */
+  /** Other aircraft known to the World Modeler, if their position is global. */
   public List<MovingSphere> aircraft() {
     return Optional.ofNullable(objects).stream()
         .flatMap(list -> list.objects().stream())

@@ -1,5 +1,5 @@
 /**
  * The vehicle as the MAVLink bridge knows it: its latest messages, and orders to it with their
- * answers. Nothing here knows a packet.
+ * answers. Packets are handled elsewhere.
  */
 package org.u2sa.gcs.mavlink.vehicle;
