@@ -10,14 +10,17 @@ import java.util.stream.Stream;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.LineString;
 import org.locationtech.jts.geom.prep.PreparedGeometry;
 import org.locationtech.jts.geom.prep.PreparedGeometryFactory;
+import org.locationtech.jts.geom.util.LinearComponentExtracter;
 import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.distance.DistanceOp;
 import org.locationtech.jts.operation.distance.IndexedFacetDistance;
 import org.locationtech.jts.simplify.DouglasPeuckerSimplifier;
 import org.locationtech.jts.simplify.TopologyPreservingSimplifier;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.shape.NearSides;
 
 /**
@@ -78,7 +81,7 @@ final class FenceRoute {
 
   /** Nothing of areas with so many sides near each other that it would take too long. */
   private static Geometry smaller(Geometry area, double byM) {
-    if (NearSides.count(area, 2.0 * byM, MAX_NEAR_SIDES) > MAX_NEAR_SIDES) {
+    if (NearSides.count(borders(area), 2.0 * byM, MAX_NEAR_SIDES) > MAX_NEAR_SIDES) {
       return FACTORY.createPolygon();
     }
     BufferParameters sharp =
@@ -88,6 +91,18 @@ final class FenceRoute {
             BufferParameters.JOIN_MITRE,
             MITRE);
     return BufferOp.bufferOp(area, -byM, sharp);
+  }
+
+  private static List<List<Point>> borders(Geometry area) {
+    List<List<Point>> borders = new ArrayList<>();
+    for (Object line : LinearComponentExtracter.getLines(area)) {
+      List<Point> corners = new ArrayList<>();
+      for (Coordinate corner : ((LineString) line).getCoordinates()) {
+        corners.add(Point.of(corner.x, corner.y, 0.0));
+      }
+      borders.add(corners.subList(1, corners.size())); // the first is the last
+    }
+    return borders;
   }
 
   /**

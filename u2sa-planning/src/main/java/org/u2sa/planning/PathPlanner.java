@@ -51,7 +51,7 @@ public class PathPlanner extends EventDrivenService {
   private final Settings<PlanningVariables> settings = settings(PlanningVariables.class);
   private final PlannerStates states;
   private final EndOfMission end;
-  private final GroundWatch ground;
+  private final GroundStay ground;
   private final Avoidance avoidance;
   private final RightOfWayWatch rightOfWay;
   private final BlindStand blind;
@@ -114,7 +114,7 @@ public class PathPlanner extends EventDrivenService {
                 new LandingState(detour, this::lines, circle, flight),
                 new PayloadDropState(detour, this::lines, flight)));
     states.discover(this, new PlannerSurroundings(avoidance, this::missionS));
-    ground = new GroundWatch(flight, () -> lines().turns().accelerationMps2() > 0.0);
+    ground = new GroundStay(flight, () -> lines().turns().accelerationMps2() > 0.0);
     end = new EndOfMission(settings, this::lines, guidance, ground::raised);
     registerPublisher(Channels.NAVIGATION);
     registerPublisher(Channels.GOAL_REPORTS);

@@ -105,7 +105,7 @@ final class Fence {
     keepIn.ifPresent(areas::add);
     int pairs = 0;
     for (Polygon area : areas) {
-      pairs += NearSides.count(area, 2.0 * marginM, MAX_NEAR_SIDES - pairs);
+      pairs += NearSides.count(List.of(border(area)), 2.0 * marginM, MAX_NEAR_SIDES - pairs);
       if (pairs > MAX_NEAR_SIDES) {
         throw new IllegalArgumentException(
             "more than "
@@ -115,6 +115,14 @@ final class Fence {
                 + "; expected fewer corners");
       }
     }
+  }
+
+  private static List<Point> border(Polygon area) {
+    List<Point> corners = new ArrayList<>();
+    for (Coordinate corner : area.getExteriorRing().getCoordinates()) {
+      corners.add(Point.of(corner.x, corner.y, 0.0));
+    }
+    return corners.subList(1, corners.size()); // the first is the last
   }
 
   private static Polygon shrunk(Polygon area, double marginM) {

@@ -1,14 +1,9 @@
 package org.u2sa.messages.shape;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import org.locationtech.jts.geom.Coordinate;
-import org.locationtech.jts.geom.Envelope;
-import org.locationtech.jts.geom.Geometry;
-import org.locationtech.jts.geom.LineSegment;
-import org.locationtech.jts.geom.LineString;
-import org.locationtech.jts.geom.util.LinearComponentExtracter;
-import org.locationtech.jts.index.strtree.STRtree;
+import org.u2sa.messages.frame.Point;
 
 /**
  * Counts sides of areas that are near each other. Moving the borders by a distance (a buffer) takes
@@ -21,46 +16,83 @@ public final class NearSides {
   /**
    * Number of pairs nearer to each other than a distance; counting ends above a limit. Pairs of one
    * convex border do not count.
+   *
+   * @param borders corners of closed borders, in order [m]; z is ignored
    */
-  public static int count(Geometry areas, double distanceM, int limit) {
-    STRtree tree = new STRtree();
+  public static int count(List<List<Point>> borders, double distanceM, int limit) {
     List<Side> sides = new ArrayList<>();
-    for (Object each : LinearComponentExtracter.getLines(areas)) {
-      LineString line = (LineString) each;
-      boolean isConvex = line.convexHull().getNumPoints() == line.getNumPoints();
-      Coordinate[] corners = line.getCoordinates();
-      for (int i = 1; i < corners.length; i++) {
-        Side side = new Side(new LineSegment(corners[i - 1], corners[i]), line, isConvex);
-        sides.add(side);
-        tree.insert(new Envelope(corners[i - 1], corners[i]), side);
+    for (int border = 0; border < borders.size(); border++) {
+      List<Point> corners = borders.get(border);
+      boolean isConvex = isConvex(corners);
+      for (int i = 0; i < corners.size(); i++) {
+        Point to = corners.get((i + 1) % corners.size());
+        sides.add(new Side(corners.get(i), to, border, isConvex));
       }
     }
-    int twice = 0;
-    for (int i = 0; i < sides.size() && twice <= 2 * limit; i++) {
+    sides.sort(Comparator.comparingDouble(Side::west));
+    int pairs = 0;
+    for (int i = 0; i < sides.size() && pairs <= limit; i++) {
       Side side = sides.get(i);
-      Envelope around = new Envelope(side.line.p0, side.line.p1);
-      around.expandBy(distanceM);
-      for (Object other : tree.query(around)) {
-        twice += side.isNear((Side) other, distanceM) ? 1 : 0;
+      double until = side.east() + distanceM;
+      for (int k = i + 1; k < sides.size() && sides.get(k).west() < until; k++) {
+        pairs += side.isNear(sides.get(k), distanceM) ? 1 : 0;
       }
     }
-    return twice / 2;
+    return pairs;
   }
 
-  private static final class Side {
-    private final LineSegment line;
-    private final LineString border;
-    private final boolean isConvex;
+  private static boolean isConvex(List<Point> corners) {
+    int left = 0;
+    int right = 0;
+    for (int i = 0; i < corners.size(); i++) {
+      Point next = corners.get((i + 1) % corners.size());
+      double turn = turn(corners.get(i), next, corners.get((i + 2) % corners.size()));
+      left += turn > 0.0 ? 1 : 0;
+      right += turn < 0.0 ? 1 : 0;
+    }
+    return left == 0 || right == 0;
+  }
 
-    Side(LineSegment line, LineString border, boolean isConvex) {
-      this.line = line;
-      this.border = border;
-      this.isConvex = isConvex;
+  private static double turn(Point a, Point b, Point c) {
+    return (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
+  }
+
+  private record Side(Point from, Point to, int border, boolean isConvex) {
+    double west() {
+      return Math.min(from.x(), to.x());
+    }
+
+    double east() {
+      return Math.max(from.x(), to.x());
     }
 
     boolean isNear(Side other, double distanceM) {
-      boolean counts = other != this && !(isConvex && border == other.border);
-      return counts && line.distance(other.line) < distanceM;
+      if (isConvex && border == other.border) {
+        return false;
+      }
+      double south = Math.min(from.y(), to.y()) - distanceM;
+      double north = Math.max(from.y(), to.y()) + distanceM;
+      if (Math.max(other.from.y(), other.to.y()) < south
+          || Math.min(other.from.y(), other.to.y()) > north) {
+        return false;
+      }
+      boolean crosses =
+          turn(from, to, other.from) * turn(from, to, other.to) < 0.0
+              && turn(other.from, other.to, from) * turn(other.from, other.to, to) < 0.0;
+      return crosses
+          || toward(other.from) < distanceM
+          || toward(other.to) < distanceM
+          || other.toward(from) < distanceM
+          || other.toward(to) < distanceM;
+    }
+
+    private double toward(Point place) {
+      double dx = to.x() - from.x();
+      double dy = to.y() - from.y();
+      double square = dx * dx + dy * dy;
+      double along = (place.x() - from.x()) * dx + (place.y() - from.y()) * dy;
+      double share = square == 0.0 ? 0.0 : Math.max(0.0, Math.min(1.0, along / square));
+      return Math.hypot(place.x() - from.x() - share * dx, place.y() - from.y() - share * dy);
     }
   }
 }

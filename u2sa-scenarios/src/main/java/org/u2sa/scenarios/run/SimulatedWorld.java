@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.u2sa.interfaces.BadInputException;
 import org.u2sa.messages.ObjectDescription;
+import org.u2sa.messages.ObjectLevel;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.shape.MovingSphere;
@@ -85,6 +86,9 @@ public final class SimulatedWorld {
     Point start = mover.at(0.0).position();
     MovingSphere sphere = new MovingSphere().radius(mover.radiusM());
     sphere.uid(mover.uid()).objectType(mover.objectType());
+    if (!mover.isRound()) {
+      sphere.level(ObjectLevel.HINDRANCE); // inside the circle is not inside it: contacts tell
+    }
     sphere.referenceFrame(ReferenceFrame.LOCAL_ENU);
     sphere.x(start.x()).y(start.y()).z(start.z());
     sphere.timeStep(stepS).trajectory(way);

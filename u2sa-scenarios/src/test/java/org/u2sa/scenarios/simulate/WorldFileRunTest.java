@@ -94,6 +94,32 @@ class WorldFileRunTest {
     assertThat(summary("out").get("contacts").asInt()).isZero();
   }
 
+  /** The rover drives north along x = 0; the circle around the box covers its way. */
+  @Test
+  void simulate_longBoxThatPassesBeside_isNoContactAndNoViolation()
+      throws IOException, URISyntaxException {
+    CommandLineRun run =
+        simulate(
+            "rover",
+            """
+            <world>
+              <reference>Local ENU</reference>
+              <mover>
+                <box><uid>train</uid><x>1.5</x><y>5</y><z>0.5</z><length>6</length><width>0.5</width><height>1</height></box>
+                <waypoint><x>1.5</x><y>8</y></waypoint>
+                <speed>0.01</speed>
+                <end>return</end>
+              </mover>
+            </world>
+            """,
+            "out");
+
+    assertThat(summary("out").get("contacts").asInt()).isZero();
+    assertThat(summary("out").get("obstacles").get(0).get("name").asText()).isEqualTo("train");
+    assertThat(summary("out").get("obstacles").get(0).get("leastDistanceM").asDouble()).isZero();
+    assertThat(run.exitCode()).as(run.out() + run.err()).isEqualTo(ExitCode.DONE);
+  }
+
   @Test
   void simulate_zones_reportsEntriesAndRefusesKeepOut() throws IOException, URISyntaxException {
     String world =

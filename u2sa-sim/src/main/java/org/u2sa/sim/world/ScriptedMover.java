@@ -239,6 +239,11 @@ public final class ScriptedMover {
     return radiusM;
   }
 
+  /** Whether its outline is the circle of its radius. */
+  public boolean isRound() {
+    return !(object instanceof Box) && !(object instanceof Rectangle);
+  }
+
   /** Whether traffic receivers detect it. */
   public boolean hasTransponder() {
     return hasTransponder;

@@ -20,7 +20,7 @@ import org.u2sa.service.handover.HandOver;
  * it off; and the minimum height above that ground at which an aeroplane circles or returns. An
  * aircraft has left the ground once it has been led to a goal for a second while armed, or is fast.
  */
-final class GroundWatch {
+final class GroundStay {
   private static final double AT_REST_MPS = 1.0;
   private static final double MOVES_MPS = 5.0;
   private static final long LED_MICROS = Clock.MICROS_PER_SECOND;
@@ -34,7 +34,7 @@ final class GroundWatch {
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
 
-  GroundWatch(Supplier<FlightVariables> settings, BooleanSupplier isAeroplane) {
+  GroundStay(Supplier<FlightVariables> settings, BooleanSupplier isAeroplane) {
     this.settings = settings;
     this.isAeroplane = isAeroplane;
   }

@@ -15,15 +15,15 @@ import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.ArmingState;
 import org.u2sa.planning.guidance.Vehicle;
 
-class GroundWatchTest {
+class GroundStayTest {
   private static final List<GoalInformation> TAKE_OFF = List.of(new TakeOff().uid("up"));
   private static final List<GoalInformation> WAYPOINT = List.of(waypoint());
   private static final Plan UNDER_WAY =
       Plan.underWay(List.of(NavigationPoint.at(Point.of(1.0, 0.0, 0.0))));
 
   private boolean isAeroplane = true;
-  private final GroundWatch watch =
-      new GroundWatch(() -> new FlightVariables(3, 600, 5, 15, 40, 0.5, 0.1), () -> isAeroplane);
+  private final GroundStay watch =
+      new GroundStay(() -> new FlightVariables(3, 600, 5, 15, 40, 0.5, 0.1), () -> isAeroplane);
 
   private static Waypoint waypoint() {
     return new Waypoint().uid("a").referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0);
