@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +29,7 @@ import org.u2sa.interfaces.xml.XmlElement;
 import org.u2sa.interfaces.xml.XmlReader;
 import org.u2sa.messages.StateInformation;
 import org.u2sa.messages.command.PercentageCommand;
+import org.u2sa.messages.contract.ActuatorAnnouncement;
 import org.u2sa.messages.frame.Geodetic;
 import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
@@ -92,13 +94,19 @@ class ExportTest extends CommandFixture {
   }
 
   @Test
-  void gpx_antimeridian_hasLongitudesBelow180() throws IOException {
+  void gpx_antimeridian_isCutThereAndHasLongitudesBelow180() throws IOException {
     writeOverTheAntimeridian();
     XmlElement gpx = XmlReader.read(exported("--format", "gpx"), "gpx");
-    assertThat(gpx.children("trk").get(0).children("trkseg").get(0).children("trkpt"))
-        .extracting(point -> point.optionalAttribute("lon").orElseThrow())
+    assertThat(gpx.children("trk").get(0).children("trkseg"))
+        .extracting(
+            part ->
+                part.children("trkpt").stream()
+                    .map(point -> point.optionalAttribute("lon").orElseThrow())
+                    .toList())
         .containsExactly(
-            "179.900000000", "-180.000000000", "-179.900000000", "-179.800000000", "179.900000000");
+            List.of("179.900000000"),
+            List.of("-180.000000000", "-179.900000000", "-179.800000000"),
+            List.of("179.900000000"));
     assertThat(gpx.children("wpt").get(0).optionalAttribute("lon")).contains("-180.000000000");
   }
 
@@ -161,6 +169,23 @@ class ExportTest extends CommandFixture {
     }
     Path tables = exported("--format", "csv", "--every", "0.1");
     assertThat(Files.readAllLines(tables.resolve("state-StateInformation.csv"))).hasSize(41);
+  }
+
+  /** File systems take names of 255 bytes. */
+  @Test
+  void csv_sourcesWithVeryLongNames_haveATableEach() throws IOException {
+    String name = "\uD835\uDC9C".repeat(100);
+    try (McapWriter writer = writer("long")) {
+      for (String end : List.of("a", "b")) {
+        ActuatorAnnouncement announced =
+            new ActuatorAnnouncement().actuatorName(name + end).minimum(0.0).maximum(1.0);
+        write(writer, 1.0, Channels.ACTUATORS, announced);
+      }
+    }
+    Path tables = exported("--format", "csv");
+    try (Stream<Path> files = Files.list(tables)) {
+      assertThat(files).hasSize(2);
+    }
   }
 
   @Test

@@ -20,6 +20,8 @@ import org.u2sa.recorder.playback.RecordedSpan;
  */
 public final class CsvTables {
   private static final String SUFFIX = ".csv";
+  private static final int MAX_NAME =
+      55; // code points of up to 4 bytes: file systems take 255 bytes
 
   private final RecordedMessages recording;
   private final RecordedSpan span;
@@ -93,6 +95,7 @@ public final class CsvTables {
     String name =
         topic.channel() + "-" + type + (topic.source().isEmpty() ? "" : "-" + topic.source());
     return name.codePoints()
+        .limit(MAX_NAME)
         .mapToObj(c -> Character.isLetterOrDigit(c) || c == '-' ? Character.toString(c) : "_")
         .collect(Collectors.joining());
   }

@@ -35,7 +35,14 @@ public final class GpxText {
     for (Map.Entry<String, List<GeoRun.Fix>> track : run.tracks().entrySet()) {
       out.write(
           "  <trk>\n    <name>%s</name>\n    <trkseg>\n".formatted(EscapedXml.of(track.getKey())));
+      double before = Double.NaN;
       for (GeoRun.Fix fix : track.getValue()) {
+        double longitude = below180(fix.longitudeDeg());
+        if (Math.abs(longitude - before)
+            > HALF_TURN_DEG) { // viewers would draw a line round the world
+          out.write("    </trkseg>\n    <trkseg>\n");
+        }
+        before = longitude;
         place(out, "      <trkpt", fix.longitudeDeg(), fix.latitudeDeg(), fix.altitudeM());
         out.write("<time>" + fix.time() + "</time></trkpt>\n");
       }
@@ -47,11 +54,15 @@ public final class GpxText {
   private static void place(
       Writer out, String tag, double longitude, double latitude, OptionalDouble altitude)
       throws IOException {
-    double rounded = Math.rint(longitude * DEGREE_STEPS) / DEGREE_STEPS;
-    double below180 = rounded >= HALF_TURN_DEG ? rounded - 2.0 * HALF_TURN_DEG : rounded;
-    out.write(String.format(Locale.ROOT, "%s lat=\"%.9f\" lon=\"%.9f\">", tag, latitude, below180));
+    String text = "%s lat=\"%.9f\" lon=\"%.9f\">";
+    out.write(String.format(Locale.ROOT, text, tag, latitude, below180(longitude)));
     if (altitude.isPresent()) {
       out.write(String.format(Locale.ROOT, "<ele>%.3f</ele>", altitude.getAsDouble()));
     }
+  }
+
+  private static double below180(double longitude) {
+    double rounded = Math.rint(longitude * DEGREE_STEPS) / DEGREE_STEPS;
+    return rounded >= HALF_TURN_DEG ? rounded - 2.0 * HALF_TURN_DEG : rounded;
   }
 }
