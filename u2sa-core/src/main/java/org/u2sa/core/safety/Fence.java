@@ -25,7 +25,6 @@ import org.u2sa.messages.shape.NearSides;
  * enough for fences of some tens of kilometres. Immutable.
  */
 final class Fence {
-  private static final double OUTLINE_M = 0.1; // tolerance of a published outline
   private static final int MAX_NEAR_SIDES = 20_000; // pairs
 
   /**
@@ -151,10 +150,10 @@ final class Fence {
 
   /**
    * The corners of an area in the frame of the fence: longitude and latitude [deg], or east and
-   * north of a local plane [m], simplified to where they matter.
+   * north of a local plane [m], simplified to a tolerance.
    */
-  private List<Point> outline(Polygon area) {
-    Geometry shown = TopologyPreservingSimplifier.simplify(area, OUTLINE_M);
+  private List<Point> outline(Polygon area, double toleranceM) {
+    Geometry shown = TopologyPreservingSimplifier.simplify(area, toleranceM);
     List<Point> points = new ArrayList<>();
     for (Coordinate corner : ((Polygon) shown).getExteriorRing().getCoordinates()) {
       Point enu = Point.of(corner.x, corner.y, 0.0);
@@ -167,21 +166,21 @@ final class Fence {
     return points.subList(0, Math.max(0, points.size() - 1));
   }
 
-  private List<List<Point>> outlines(List<Polygon> areas) {
+  private List<List<Point>> outlines(List<Polygon> areas, double toleranceM) {
     return areas.stream()
-        .map(this::outline)
+        .map(area -> outline(area, toleranceM))
         .filter(outline -> !outline.isEmpty())
         .collect(Collectors.toList());
   }
 
   /** Outline of the keep-in area, as {@link #frame} has it; empty if there is none. */
-  List<List<Point>> keepIn() {
-    return keepIn.map(area -> outlines(List.of(area))).orElse(List.of());
+  List<List<Point>> keepIn(double toleranceM) {
+    return keepIn.map(area -> outlines(List.of(area), toleranceM)).orElse(List.of());
   }
 
   /** Outlines of the keep-out areas; as {@link #keepIn}. */
-  List<List<Point>> keepOut() {
-    return outlines(keepOuts);
+  List<List<Point>> keepOut(double toleranceM) {
+    return outlines(keepOuts, toleranceM);
   }
 
   ReferenceFrame frame() {

@@ -24,6 +24,7 @@ import org.u2sa.messages.shape.Polygon;
  */
 record GivenFence(String file, String xml, Fence whole, Fence fence) {
   private static final int MAX_CORNERS = 2_000; // in a message
+  private static final double OUTLINE_M = 0.1; // tolerance of published outlines
 
   /**
    * Reads a fence.
@@ -64,10 +65,16 @@ record GivenFence(String file, String xml, Fence whole, Fence fence) {
             .filter(point -> fence.objection(point).isEmpty())
             .map(Fence.RallyPoint::waypoint)
             .collect(Collectors.toList()));
-    List<Polygon> keepIn = shapes("keep-in", fence.keepIn());
-    List<Polygon> keepOut = shapes("keep-out", fence.keepOut());
-    if (corners(keepIn) + corners(keepOut) <= MAX_CORNERS) {
-      state.keepIn(keepIn).keepOut(keepOut);
+    for (double tolerance :
+        new double[] {
+          OUTLINE_M, 0.5 * marginM, marginM
+        }) { // so that ways home never enter the file's areas
+      List<Polygon> keepIn = shapes("keep-in", fence.keepIn(tolerance));
+      List<Polygon> keepOut = shapes("keep-out", fence.keepOut(tolerance));
+      if (corners(keepIn) + corners(keepOut) <= MAX_CORNERS) {
+        state.keepIn(keepIn).keepOut(keepOut);
+        break;
+      }
     }
     fence.floorM.ifPresent(state::lowest);
     fence.ceilingM.ifPresent(state::highest);

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.u2sa.interfaces.communication.Channels;
 import org.u2sa.messages.StateInformation;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Waypoint;
@@ -23,6 +24,7 @@ import org.u2sa.messages.safety.FenceAction;
 import org.u2sa.messages.safety.FenceOrder;
 import org.u2sa.messages.safety.FenceOrderResult;
 import org.u2sa.messages.safety.FenceState;
+import org.u2sa.messages.shape.Polygon;
 
 /** Fences that operators order while a vehicle stands at the origin of its local frame. */
 class FenceOrdersTest extends WatchedVehicle {
@@ -110,6 +112,38 @@ class FenceOrdersTest extends WatchedVehicle {
 
     assertThat(result.accepted()).as(result.outcome()).isTrue();
     assertThat(fence().keepIn()).hasSize(1);
+  }
+
+  /** Ways home depend on the published areas: without them they are straight. */
+  @Test
+  void replace_hundredsOfAreas_arePublishedCoarselyAndCoverThoseOfTheFile() {
+    kit.with("FENCE MARGIN", 2.0);
+    start();
+    live(0.2);
+    StringBuilder fence = new StringBuilder("<fence><reference>Local ENU</reference>");
+    for (int i = 1; i <= 300; i++) {
+      int x = 40 * i;
+      fence.append("<keepOut>");
+      for (String corner : List.of("0 0", "10 0", "10 10", "0 10")) {
+        String[] at = corner.split(" ");
+        fence.append(
+            String.format(
+                "<corner><x>%d</x><y>%s</y></corner>", x + Integer.parseInt(at[0]), at[1]));
+      }
+      fence.append("</keepOut>");
+    }
+    assertThat(replace(fence.append("</fence>").toString()).accepted()).isTrue();
+
+    List<Polygon> published = fence().keepOut();
+    assertThat(published).hasSize(300);
+    assertThat(published.stream().mapToInt(area -> area.points().size()).sum()).isLessThan(2_001);
+    for (int i = 1; i <= 300; i++) {
+      Polygon area = published.get(i - 1);
+      for (Point corner :
+          List.of(Point.of(0.1, 0.1, 0.0), Point.of(9.9, 0.1, 0.0), Point.of(9.9, 9.9, 0.0))) {
+        assertThat(area.distanceTo(Point.of(40 * i + corner.x(), corner.y(), 0.0))).isZero();
+      }
+    }
   }
 
   @Test
