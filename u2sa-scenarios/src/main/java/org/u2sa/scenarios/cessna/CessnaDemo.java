@@ -147,6 +147,11 @@ final class CessnaDemo implements Callable<Integer>, Demo {
   @Override
   public void check(RunPlan plan) {
     windOf(frame.seed());
+    if (frame.isRealTime() && estimator == FlightEstimator.FUSING) {
+      throw new ParameterException(
+          command.commandLine(),
+          "--estimator: \"fusing\" needs sensors, which the simulator of --realtime lacks; expected pass_through");
+    }
     if (worldFile != null && estimator == FlightEstimator.PASS_THROUGH) {
       throw new ParameterException(
           command.commandLine(), "--world: expected --estimator fusing, which is its default");

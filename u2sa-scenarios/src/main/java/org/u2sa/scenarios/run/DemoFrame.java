@@ -44,6 +44,10 @@ public final class DemoFrame {
     return options.seed();
   }
 
+  public boolean isRealTime() {
+    return options.realtime();
+  }
+
   /** Output folder of a command that starts several runs of a demo, as given by {@code --out}. */
   public Path directory(String demo) {
     return options.outDirectory(demo, new SystemClock().micros());

@@ -110,6 +110,19 @@ class BadInputTest {
   }
 
   @Test
+  void demo_sensorsInRealTime_areRefusedBecauseItsSimulatorHasNone() {
+    requireRefused(
+        "--estimator: \"fusing\" needs sensors",
+        "demo",
+        "cessna",
+        "--realtime",
+        "--estimator",
+        "fusing",
+        "--out",
+        directory.resolve("out").toString());
+  }
+
+  @Test
   void demo_outIsAFile_isRefused() throws IOException {
     Path file = Files.writeString(directory.resolve("file"), "");
 
