@@ -108,6 +108,10 @@ public enum ChunkCompression {
 
   /** Decompresses as much as possible of a possibly truncated chunk, up to a limit. */
   Prefix decompressPrefix(byte[] compressed, long atMost) {
+    byte[] whole = plainly(compressed, atMost); // also of formats that the stream below lacks
+    if (whole != null) {
+      return new Prefix(whole, null);
+    }
     ByteArrayOutputStream out =
         new ByteArrayOutputStream((int) Math.min(Math.max(atMost, 0), 16L << 20));
     byte[] piece = new byte[PIECE];

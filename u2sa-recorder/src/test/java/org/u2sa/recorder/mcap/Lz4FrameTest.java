@@ -97,6 +97,9 @@ class Lz4FrameTest {
     String text = "U2SA linked blocks. ".repeat(7_000);
 
     assertThat(Lz4Frame.read(frame, text.length())).isEqualTo(text.getBytes(US_ASCII));
+    assertThat(
+            ChunkCompression.LZ4.decompressPrefix(frame, text.length()).bytes()) // as in recovery
+        .isEqualTo(text.getBytes(US_ASCII));
     assertThat(Lz4Frame.read(frame, text.length() - 1)).isNull();
     for (int length = 0; length < frame.length - 8; length++) {
       assertThat(Lz4Frame.read(Arrays.copyOf(frame, length), text.length())).isNull();
