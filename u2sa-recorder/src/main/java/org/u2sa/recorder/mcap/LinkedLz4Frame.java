@@ -1,5 +1,6 @@
 package org.u2sa.recorder.mcap;
 
+import java.nio.Buffer;
 import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -50,7 +51,7 @@ final class LinkedLz4Frame {
       return false;
     }
     int skipped = 2 + ((flags & CONTENT_SIZE) != 0 ? Long.BYTES : 0); // block size, header checksum
-    in.position(in.position() + skipped);
+    ((Buffer) in).position(in.position() + skipped);
     for (int word = in.getInt(); word != 0; word = in.getInt()) {
       int length = word & ~AS_IT_IS;
       int end = in.position() + length;
@@ -59,7 +60,7 @@ final class LinkedLz4Frame {
       } else {
         literals(length);
       }
-      in.position(end + ((flags & BLOCK_CHECKSUM) != 0 ? Integer.BYTES : 0));
+      ((Buffer) in).position(end + ((flags & BLOCK_CHECKSUM) != 0 ? Integer.BYTES : 0));
     }
     return true;
   }
