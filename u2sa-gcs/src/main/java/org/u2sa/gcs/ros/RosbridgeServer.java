@@ -167,7 +167,7 @@ final class RosbridgeServer implements ClientBridge {
     public void text(String text) {
       if (!rate.isOpen(clock.micros())) {
         session.status(
-            "error", "more than " + PER_S + " operations, or KiB of them, per second", "");
+            "error", "more than " + (int) PER_S + " operations, or KiB of them, per second", "");
         socket.close();
         return;
       }
