@@ -1,10 +1,13 @@
 package org.u2sa.planning;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.u2sa.interfaces.time.Clock;
+import org.u2sa.messages.NavigationPoint;
+import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
@@ -23,6 +26,7 @@ import org.u2sa.service.handover.HandOver;
 final class GroundStay {
   private static final double AT_REST_MPS = 1.0;
   private static final double MOVES_MPS = 5.0;
+  private static final double RISE_M = 2.0;
   private static final long LED_MICROS = Clock.MICROS_PER_SECOND;
   private static final long NEVER = Long.MIN_VALUE;
 
@@ -33,6 +37,7 @@ final class GroundStay {
   private boolean landed;
   private long firstLed = NEVER;
   private OptionalDouble groundUpM = OptionalDouble.empty(); // where it last stood
+  private OptionalDouble risesToM = OptionalDouble.empty(); // after a landing
 
   GroundStay(Supplier<FlightVariables> settings, BooleanSupplier isAeroplane) {
     this.settings = settings;
@@ -78,9 +83,30 @@ final class GroundStay {
     left |= firstLed != NEVER && micros - firstLed >= LED_MICROS;
   }
 
+  /**
+   * Way straight up of a multirotor that has landed and is led elsewhere: near the ground it must
+   * not lean. Empty for others, and once it has risen.
+   */
+  Optional<NavigationPoint> rise(GoalInformation goal, Vehicle vehicle) {
+    OptionalDouble upM = vehicle.place().upM();
+    if (upM.isEmpty() || isAeroplane.getAsBoolean() || goal instanceof Landing) {
+      return Optional.empty();
+    }
+    if (landed) {
+      risesToM = OptionalDouble.of(upM.getAsDouble() + RISE_M);
+    }
+    if (risesToM.isPresent() && upM.getAsDouble() >= risesToM.getAsDouble()) {
+      risesToM = OptionalDouble.empty();
+    }
+    return risesToM.isPresent()
+        ? Optional.of(NavigationPoint.at(vehicle.body(Point.of(0.0, 0.0, -RISE_M))))
+        : Optional.empty();
+  }
+
   /** Sees that the vehicle holds. */
   void hold() {
     firstLed = NEVER;
+    risesToM = OptionalDouble.empty();
   }
 
   /** Whether holding means staying on the ground. */

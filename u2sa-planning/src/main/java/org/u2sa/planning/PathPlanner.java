@@ -395,7 +395,11 @@ public class PathPlanner extends EventDrivenService {
     }
     goal = Optional.of(chosen);
     foreseen = after.map(GoalInformation::uid).orElse("");
-    Plan plan = planner.get().plan(pursuit);
+    Plan plan =
+        Vehicle.of(state)
+            .flatMap(vehicle -> ground.rise(chosen, vehicle))
+            .map(up -> Plan.underWay(List.of(up)))
+            .orElseGet(() -> planner.get().plan(pursuit));
     ground.lead(chosen, plan, clock().micros());
     if (!plan.remark().isEmpty()) {
       LogLevelEnum level =

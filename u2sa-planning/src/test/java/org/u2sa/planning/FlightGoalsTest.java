@@ -317,6 +317,31 @@ class FlightGoalsTest {
   }
 
   @Test
+  void waypoint_afterALanding_isFlownToAfterRisingStraightUp() {
+    kit.start(PathPlanner::new);
+    ned = Point.of(0.0, 0.0, -5.0);
+    pursue(new Landing().z(0.0).x(0.0).y(0.0));
+    while (kit.nowS() < 60.0 && reports().isEmpty()) {
+      step(5.0);
+      if (ned.z() > 0.0) {
+        ned = Point.of(ned.x(), ned.y(), 0.0); // the ground
+        velocity = Point.ORIGIN;
+      }
+    }
+    Point from = ned;
+    pursue(new Waypoint().z(-12.0).x(30.0).y(0.0));
+    double lowestAwayM = Double.POSITIVE_INFINITY;
+    for (int i = 0; i < 400; i++) {
+      step(5.0);
+      if (Math.hypot(ned.x() - from.x(), ned.y() - from.y()) > 0.3) {
+        lowestAwayM = Math.min(lowestAwayM, -ned.z());
+      }
+    }
+    assertThat(lowestAwayM).isBetween(1.9, 12.1);
+    assertThat(ned.x()).isCloseTo(30.0, within(1.0));
+  }
+
+  @Test
   void landing_slowTouchDown_isNotCompletedInTheAir() {
     kit.with("TOUCH DOWN SINK", 0.2).start(PathPlanner::new);
     ned = Point.of(0.0, 0.0, -2.5);
