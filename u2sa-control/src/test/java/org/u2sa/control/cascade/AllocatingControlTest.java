@@ -52,9 +52,7 @@ class AllocatingControlTest {
     assertThat(kit.percent("RUDDER")).isBetween(-11.0, -9.0); // 100 kg m² times 2 1/s times 0.05
   }
 
-  /** A multirotor would lean as if it were level, and overturn. */
-  @Test
-  void control_multirotorWithoutRollAndPitch_doesNotLift() {
+  private void startMultirotor() {
     kit.with("LEANS", true).with("HEAVE WEIGHT", 1.0).with("HEAVE MASS", 1.0);
     kit.start(AllocatingControl::new);
     kit.publish(
@@ -64,6 +62,12 @@ class AllocatingControlTest {
             .minimum(0.0)
             .maximum(100.0)
             .force(Point.of(0.0, 0.0, -20.0)));
+  }
+
+  /** A multirotor would lean as if it were level, and overturn. */
+  @Test
+  void control_multirotorWithoutRollAndPitch_doesNotLift() {
+    startMultirotor();
     kit.publish(Channels.ARMING_STATE, new ArmingState().armed(true));
     kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
     assertThat(kit.percent("ROTOR")).isPositive();
@@ -76,15 +80,7 @@ class AllocatingControlTest {
   /** The first arming state of a Safety Manager comes half a second after the first state. */
   @Test
   void control_multirotorBeforeArmingIsKnown_doesNotLift() {
-    kit.with("LEANS", true).with("HEAVE WEIGHT", 1.0).with("HEAVE MASS", 1.0);
-    kit.start(AllocatingControl::new);
-    kit.publish(
-        Channels.ACTUATORS,
-        new ActuatorAnnouncement()
-            .actuatorName("ROTOR")
-            .minimum(0.0)
-            .maximum(100.0)
-            .force(Point.of(0.0, 0.0, -20.0)));
+    startMultirotor();
     for (int i = 0; i < 9; i++) {
       kit.publish(Channels.STATE, falling().phi(0.0).theta(0.0));
       assertThat(kit.percent("ROTOR")).isZero();
