@@ -126,7 +126,7 @@ final class GroundStay {
 
   /** A waypoint without altitude, at the minimum height while the vehicle is lower. */
   GoalInformation raised(GoalInformation goal, Vehicle vehicle) {
-    boolean isOpen = goal.getClass() == Waypoint.class && ((Waypoint) goal).z().isEmpty();
+    boolean isOpen = goal instanceof Waypoint open && open.z().isEmpty();
     Place here = vehicle.place();
     Place raised = isOpen ? raised(here) : here;
     if (raised.equals(here)) {

@@ -10,6 +10,7 @@ import org.u2sa.messages.frame.Point;
 import org.u2sa.messages.frame.ReferenceFrame;
 import org.u2sa.messages.goal.GoalInformation;
 import org.u2sa.messages.goal.Landing;
+import org.u2sa.messages.goal.Station;
 import org.u2sa.messages.goal.TakeOff;
 import org.u2sa.messages.goal.Waypoint;
 import org.u2sa.messages.safety.ArmingState;
@@ -102,6 +103,8 @@ class GroundStayTest {
     assertThat(watch.raised(waypoint().z(-5.0), vehicle(110.0, 20.0)))
         .isEqualTo(waypoint().z(-5.0));
     assertThat(watch.raised(waypoint(), vehicle(150.0, 20.0))).isEqualTo(waypoint());
+    GoalInformation station = new Station().referenceFrame(ReferenceFrame.LOCAL_NED).x(0.0).y(0.0);
+    assertThat(((Station) watch.raised(station, vehicle(110.0, 20.0))).z()).hasValue(-140.0);
     isAeroplane = false;
     assertThat(watch.raised(waypoint(), vehicle(110.0, 20.0))).isEqualTo(waypoint());
   }
